@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -79,19 +78,52 @@ Bounds bounds(const Box& box, const BoxTree::Scale& scale) {
   return result;
 }
 
-void set(Node& node, std::size_t lane, const Bounds& bounds) {
-  for (std::size_t k = 0; k < 3; ++k) node.low[k][lane] = bounds.low[k], node.high[k][lane] = bounds.high[k];
+/// Returns the exponent of the smallest step by which the sides of a box are less than 2^23.
+int least_exponent(const Bounds& box) {
+  float largest = 0;
+  for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::abs(box.low[axis]), std::abs(box.high[axis])});
+  constexpr int kBits = 23, kSmallest = std::numeric_limits<float>::min_exponent - 1;
+  return largest == 0 ? kSmallest : std::max(kSmallest, std::ilogb(largest) + 1 - kBits);
 }
 
-Bounds lane_bounds(const Node& node, std::size_t lane) {
-  return {Corner{node.low[0][lane], node.low[1][lane], node.low[2][lane]},
-          Corner{node.high[0][lane], node.high[1][lane], node.high[2][lane]}};
+/// Sets the boxes of a node's children, which are not empty.
+void set_boxes(Node& node, std::span<const Bounds> children) {
+  constexpr int kMostSteps = std::numeric_limits<std::uint16_t>::max();
+  constexpr int kBias = std::numeric_limits<float>::max_exponent - 1;
+  Bounds around;
+  for (const Bounds& child : children) around.join(child);
+  int exponent = least_exponent(around);
+  const auto first_step = [&](float low) { return std::floor(std::ldexp(static_cast<double>(low), -exponent)); };
+  const auto last_step = [&](float high) { return std::ceil(std::ldexp(static_cast<double>(high), -exponent)); };
+  for (int axis = 0; axis < 3; ++axis)
+    while (last_step(around.high[axis]) - first_step(around.low[axis]) > kMostSteps) ++exponent;
+  node.exponent = static_cast<std::uint8_t>(exponent + kBias);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double origin = first_step(around.low[axis]);
+    node.origin[axis] = static_cast<float>(std::ldexp(origin, exponent));
+    for (std::size_t lane = 0; lane < children.size(); ++lane) {
+      node.low[axis][lane] = static_cast<std::uint16_t>(first_step(children[lane].low[axis]) - origin);
+      node.high[axis][lane] = static_cast<std::uint16_t>(last_step(children[lane].high[axis]) - origin);
+    }
+  }
 }
 
-Bounds joined_lanes(const Node& node) {
-  Bounds result;
-  for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane) result.join(lane_bounds(node, lane));
-  return result;
+/// Sets the boxes of all nodes to those that contain their leaves. Returns half the sum of their surfaces.
+double fit(std::vector<Node>& nodes, std::span<const Bounds> leaves) {
+  std::vector<Bounds> around(nodes.size());
+  double surface = 0;
+  for (std::size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
+    Node& node = nodes[i];
+    Bounds children[BoxTree::kWidth];
+    for (std::size_t lane = 0; lane < node.child_count; ++lane) {
+      children[lane] =
+          lane < node.leaf_count ? leaves[node.first_leaf + lane] : around[node.first_node + (lane - node.leaf_count)];
+      around[i].join(children[lane]);
+      surface += static_cast<double>(children[lane].surface());
+    }
+    set_boxes(node, std::span(children).first(node.child_count));
+  }
+  return surface;
 }
 
 /// A box, before it is in a leaf: its corners, of which the low one also holds its number.
@@ -126,33 +158,44 @@ struct Range {
   [[nodiscard]] std::uint32_t size() const { return end - begin; }
 };
 
-class Builder {
- public:
-  Builder(std::vector<Item>& items, std::vector<Node>& nodes) : items_(items), nodes_(nodes) {}
+/// Nodes, of which the first is the root, and leaves.
+struct Subtree {
+  std::vector<Node> nodes = std::vector<Node>(1);
+  std::vector<Range> leaves;
+};
 
-  void build() {
+/// Builds the shape of a tree; `fit` sets its boxes.
+class Builder {
+  static constexpr std::size_t kWidth = BoxTree::kWidth;
+
+ public:
+  explicit Builder(std::vector<Item>& items) : items_(items) {}
+
+  [[nodiscard]] Subtree build() {
     const Range all = range(0, static_cast<std::uint32_t>(items_.size()));
-    if (all.size() == 0) return;
-    build_top(all, 0);
-    for_each_number(branches_.size(), 1, [this](std::size_t i) {
-      Branch& branch = branches_[i];
-      build_branch(branch.nodes, branch.range, branch.depth);
-    });
-    std::size_t count = nodes_.size();
-    for (const Branch& branch : branches_) count += branch.nodes.size();
-    nodes_.reserve(count);
+    if (all.size() == 0) return {{}, {}};
+    build_top(0, all, 0);
+    for_each_number(branches_.size(), 1, [this](std::size_t i) { build_branch(branches_[i]); });
+    std::size_t nodes = top_.nodes.size(), leaves = top_.leaves.size();
+    for (const Branch& branch : branches_) nodes += branch.tree.nodes.size() - 1, leaves += branch.tree.leaves.size();
+    top_.nodes.reserve(nodes), top_.leaves.reserve(leaves);
     for (const Branch& branch : branches_) graft(branch);
-    nodes_.shrink_to_fit();
+    return std::move(top_);
   }
 
  private:
-  /// A subtree that is built separately; its root becomes a child of a node of the top.
+  /// A subtree that is built separately; its root becomes a node of the top.
   struct Branch {
+    std::uint32_t place;  ///< of the root
     Range range;
     int depth;
-    std::uint32_t parent;
-    std::size_t lane;
-    std::vector<Node> nodes;
+    Subtree tree;
+  };
+  /// A range that was split, in a binary tree.
+  struct Half {
+    Range range;
+    std::uint32_t left, right;       ///< the places of its halves; 0 for a leaf
+    std::array<float, kWidth> cost;  ///< by i: that of at most i + 1 children of a node that are made of it
   };
   static constexpr std::uint32_t kBranch = 1U << 13;
   static constexpr std::size_t kBins = 16;
@@ -286,15 +329,14 @@ class Builder {
     return {range(whole.begin, middle), range(middle, whole.end)};
   }
 
-  /// Splits a range into up to four parts: repeatedly halves the part with the largest surface that is too large for a
-  /// leaf.
+  /// Splits a range into up to kWidth parts: repeatedly halves the part with the largest surface that is too large for
+  /// a leaf.
   [[nodiscard]] std::vector<Range> parts(const Range& whole, int depth) {
     std::vector<Range> result{whole};
     while (result.size() < BoxTree::kWidth) {
       Range* largest = nullptr;
       for (Range& part : result)
-        if (part.size() > BoxTree::kMostInLeaf &&
-            (largest == nullptr || part.bounds.surface() > largest->bounds.surface()))
+        if (!is_leaf(part) && (largest == nullptr || part.bounds.surface() > largest->bounds.surface()))
           largest = &part;
       if (largest == nullptr) break;
       const auto [first, second] = halves(*largest, depth);
@@ -303,108 +345,166 @@ class Builder {
     }
     return result;
   }
+  [[nodiscard]] static bool is_leaf(const Range& range) { return range.size() <= BoxTree::kMostInLeaf; }
 
-  /// Adds the node for a range and calls below(node, lane, part) for each part that is not a leaf.
-  template <class Below>
-  void add_node(std::vector<Node>& nodes, const Range& whole, int depth, const Below& below) {
-    const auto here = static_cast<std::uint32_t>(nodes.size());
-    nodes.emplace_back();
-    const std::vector<Range> quarters = parts(whole, depth);
-    for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane) {
-      const bool some = lane < quarters.size();
-      set(nodes[here], lane, some ? quarters[lane].bounds : Bounds());
-      if (!some) continue;
-      if (quarters[lane].size() <= BoxTree::kMostInLeaf) {
-        nodes[here].child[lane] = quarters[lane].begin;
-        nodes[here].count[lane] = static_cast<std::uint8_t>(quarters[lane].size());
-        nodes[here].leaves |= 1U << lane;
-      } else {
-        below(here, lane, quarters[lane]);
-      }
+  /// Makes a node of these parts, of which `is_leaf` are leaves, and calls below(place, part) for each other one, with
+  /// its node's place.
+  template <class Part, class IsLeaf, class RangeOf, class Below>
+  static void make_node(Subtree& tree, std::uint32_t place, std::vector<Part> children, const IsLeaf& is_leaf,
+                        const RangeOf& range_of, const Below& below) {
+    const auto first_node = std::stable_partition(children.begin(), children.end(), is_leaf);
+    Node node{};
+    node.child_count = static_cast<std::uint8_t>(children.size());
+    node.leaf_count = static_cast<std::uint8_t>(first_node - children.begin());
+    node.first_leaf = static_cast<std::uint32_t>(tree.leaves.size());
+    node.first_node = static_cast<std::uint32_t>(tree.nodes.size());
+    for (std::size_t lane = 0; lane < node.leaf_count; ++lane) {
+      const Range& leaf = range_of(children[lane]);
+      node.count[lane] = static_cast<std::uint8_t>(leaf.size());
+      tree.leaves.push_back(leaf);
     }
+    tree.nodes[place] = node;
+    tree.nodes.resize(tree.nodes.size() + (node.child_count - node.leaf_count));
+    for (std::uint32_t lane = node.leaf_count; lane < node.child_count; ++lane)
+      below(node.first_node + (lane - node.leaf_count), children[lane]);
   }
 
-  void build_top(const Range& whole, int depth) {
-    add_node(nodes_, whole, depth, [&](std::uint32_t here, std::size_t lane, const Range& part) {
-      if (part.size() <= kBranch) {
-        branches_.push_back({part, depth + 1, here, lane, {}});
-      } else {
-        nodes_[here].child[lane] = static_cast<std::uint32_t>(nodes_.size());
-        build_top(part, depth + 1);
-      }
+  void build_top(std::uint32_t place, const Range& whole, int depth) {
+    const auto itself = [](const Range& range) -> const Range& { return range; };
+    make_node(top_, place, parts(whole, depth), is_leaf, itself, [&](std::uint32_t child, const Range& part) {
+      if (part.size() <= kBranch)
+        branches_.push_back({child, part, depth + 1, {}});
+      else
+        build_top(child, part, depth + 1);
     });
   }
 
-  void build_branch(std::vector<Node>& nodes, const Range& whole, int depth) {
-    add_node(nodes, whole, depth, [&](std::uint32_t here, std::size_t lane, const Range& part) {
-      nodes[here].child[lane] = static_cast<std::uint32_t>(nodes.size());
-      build_branch(nodes, part, depth + 1);
-    });
+  void build_branch(Branch& branch) {
+    std::vector<Half> halves;
+    split(halves, branch.range, branch.depth);
+    collapse(branch.tree, 0, halves, 0);
+  }
+
+  /// Splits a range into halves down to leaves. Appends it to `all`, then what is below it; returns its place.
+  std::uint32_t split(std::vector<Half>& all, const Range& range, int depth) {
+    const auto place = static_cast<std::uint32_t>(all.size());
+    all.push_back({range, 0, 0, {}});
+    if (is_leaf(range)) {
+      all[place].cost.fill(range.bounds.surface());
+      return place;
+    }
+    const auto [first, second] = halves(range, depth);
+    const std::uint32_t left = split(all, first, depth + 1), right = split(all, second, depth + 1);
+    Half& here = all[place];
+    here.left = left, here.right = right;
+    here.cost[0] = range.bounds.surface() + all[left].cost[least_share(all, here, kWidth) - 1] +
+                   all[right].cost[kWidth - least_share(all, here, kWidth) - 1];
+    for (std::size_t most = 2; most <= kWidth; ++most)
+      here.cost[most - 1] = std::min(here.cost[most - 2], shared_cost(all, here, least_share(all, here, most), most));
+    return place;
+  }
+
+  /// Returns the cost of up to `most` children, `share` of which are in the left half.
+  static float shared_cost(const std::vector<Half>& all, const Half& half, std::size_t share, std::size_t most) {
+    return all[half.left].cost[share - 1] + all[half.right].cost[most - share - 1];
+  }
+  /// Returns the share that costs least.
+  static std::size_t least_share(const std::vector<Half>& all, const Half& half, std::size_t most) {
+    std::size_t best = 1;
+    for (std::size_t share = 2; share < most; ++share)
+      if (shared_cost(all, half, share, most) < shared_cost(all, half, best, most)) best = share;
+    return best;
+  }
+
+  /// Makes the node for a range that was split.
+  void collapse(Subtree& tree, std::uint32_t place, const std::vector<Half>& all, std::uint32_t root) {
+    std::vector<std::uint32_t> children;
+    if (all[root].left == 0) {
+      children.push_back(root);
+    } else {
+      const std::size_t share = least_share(all, all[root], kWidth);
+      choose(children, all, all[root].left, share);
+      choose(children, all, all[root].right, kWidth - share);
+    }
+    make_node(
+        tree, place, children, [&](std::uint32_t half) { return all[half].left == 0; },
+        [&](std::uint32_t half) -> const Range& { return all[half].range; },
+        [&](std::uint32_t child, std::uint32_t half) { collapse(tree, child, all, half); });
+  }
+
+  /// Adds the up to `most` children for a range, those that cost least.
+  static void choose(std::vector<std::uint32_t>& children, const std::vector<Half>& all, std::uint32_t place,
+                     std::size_t most) {
+    const Half& half = all[place];
+    while (most > 1 && half.cost[most - 1] == half.cost[most - 2]) --most;  // exact: the same number
+    if (most == 1) {
+      children.push_back(place);
+      return;
+    }
+    const std::size_t share = least_share(all, half, most);
+    choose(children, all, half.left, share);
+    choose(children, all, half.right, most - share);
   }
 
   void graft(const Branch& branch) {
-    const auto root = static_cast<std::uint32_t>(nodes_.size());
-    nodes_[branch.parent].child[branch.lane] = root;
-    for (Node node : branch.nodes) {
-      for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane)
-        if (node.child[lane] != 0 && node.count[lane] == 0) node.child[lane] += root;  // missing children stay 0
-      nodes_.push_back(node);
+    const auto nodes = static_cast<std::uint32_t>(top_.nodes.size() - 1);  // the root comes to another place
+    const auto leaves = static_cast<std::uint32_t>(top_.leaves.size());
+    for (std::size_t i = 0; i < branch.tree.nodes.size(); ++i) {
+      Node node = branch.tree.nodes[i];
+      node.first_node += nodes, node.first_leaf += leaves;
+      if (i == 0)
+        top_.nodes[branch.place] = node;
+      else
+        top_.nodes.push_back(node);
     }
+    top_.leaves.insert(top_.leaves.end(), branch.tree.leaves.begin(), branch.tree.leaves.end());
   }
 
   std::vector<Item>& items_;
-  std::vector<Node>& nodes_;
+  Subtree top_;
   std::vector<Branch> branches_;
 };
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box> boxes) {
+BoxTree::BoxTree(std::span<const Box> boxes) : size_(boxes.size()) {
   const FloatingPointState nearest;
   assert(boxes.size() <= kMostBoxes);
   scale_ = scale_of(boxes);
   std::vector<Item> items(boxes.size());
   for_each_number(boxes.size(), 4096,
                   [&](std::size_t i) { items[i] = Item(bounds(boxes[i], scale_), static_cast<std::uint32_t>(i)); });
-  Builder(items, nodes_).build();
-  for (Node& node : nodes_) {
-    node.first_leaf = leaf_count_;
-    leaf_count_ += static_cast<std::uint32_t>(std::popcount(node.leaves));
-  }
-  order_.reserve(items.size());
-  for (const Item& item : items) order_.push_back(item.number());
-  built_surface_ = surface();
-  built_scale_ = scale_;
+  Subtree tree = Builder(items).build();
+  nodes_ = std::move(tree.nodes);
+  leaf_count_ = static_cast<std::uint32_t>(tree.leaves.size());
+  order_.assign(std::size_t{kMostInLeaf} * leaf_count_, kNone);
+  std::vector<Bounds> leaves(leaf_count_);
+  for_each_number(leaf_count_, 4096, [&](std::size_t i) {
+    const Range& leaf = tree.leaves[i];
+    leaves[i] = leaf.bounds;
+    for (std::uint32_t j = 0; j < leaf.size(); ++j) order_[i * kMostInLeaf + j] = items[leaf.begin + j].number();
+  });
+  surface_ = fit(nodes_, leaves);
+  built_surface_ = surface_, built_scale_ = scale_;
 }
 
 void BoxTree::refit(std::span<const Box> boxes) {
   const FloatingPointState nearest;
-  assert(boxes.size() == order_.size());
+  assert(boxes.size() == size_);
   scale_ = scale_of(boxes);
-  // Children come after their parents.
-  for (std::size_t i = nodes_.size(); i-- > 0;)
-    for (std::size_t lane = 0; lane < kWidth; ++lane) {
-      Node& node = nodes_[i];
-      Bounds around;
-      for (std::uint32_t j = 0; j < node.count[lane]; ++j)
-        around.join(bounds(boxes[order_[node.child[lane] + j]], scale_));
-      // A missing child has no boxes and no node, and stays empty.
-      if (node.count[lane] == 0 && node.child[lane] != 0) around = joined_lanes(nodes_[node.child[lane]]);
-      set(node, lane, around);
-    }
-}
-
-double BoxTree::surface() const {
-  double sum = 0;
-  for (const Node& node : nodes_)
-    for (std::size_t lane = 0; lane < kWidth; ++lane) sum += static_cast<double>(lane_bounds(node, lane).surface());
-  return sum;
+  std::vector<Bounds> leaves(leaf_count_);
+  for_each_number(leaf_count_, 4096, [&](std::size_t i) {
+    for (std::uint32_t j = 0; j < kMostInLeaf; ++j)
+      if (const std::uint32_t number = order_[i * kMostInLeaf + j]; number != kNone)
+        leaves[i].join(bounds(boxes[number], scale_));
+  });
+  surface_ = fit(nodes_, leaves);
 }
 
 double BoxTree::growth() const {
   const FloatingPointState nearest;
-  const double length = (built_scale_[0] / scale_[0]) * (built_scale_[1] / scale_[1]), now = surface();
-  return pinned(now == 0 ? 1 : now * length * length / built_surface_);
+  const double length = (built_scale_[0] / scale_[0]) * (built_scale_[1] / scale_[1]);
+  return pinned(surface_ == 0 ? 1 : surface_ * length * length / built_surface_);
 }
 
 }  // namespace touchstone

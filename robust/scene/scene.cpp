@@ -180,8 +180,9 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   // All faces are farther than the largest double, so no ball reaches them.
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
-    for (std::uint32_t place = 0; place < object.triangle_count(); ++place)
-      search.meet(object.triangles.triangle(place), object.triangles.placed->tree.order()[place]);
+    const std::vector<std::uint32_t>& order = object.triangles.placed->tree.order();
+    for (std::uint32_t place = 0; place < order.size(); ++place)
+      if (order[place] != BoxTree::kNone) search.meet(object.triangles.triangle(place), order[place]);
     search.enter(object.first_polygon(number));
     for (std::uint32_t i = 0; i < object.polygons.polygons.size(); ++i) search.meet(object.polygons.prepared[i], i);
     return false;

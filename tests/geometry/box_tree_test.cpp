@@ -37,27 +37,52 @@ std::vector<Box> draw_boxes(std::uint64_t index, std::size_t count) {
   return boxes;
 }
 
+/// The place of a side of a box along an axis. It is a float, and so is what it is computed from.
+double place(const BoxTree::Node& node, std::uint16_t steps, std::size_t axis) {
+  const float side = node.origin[axis] + static_cast<float>(steps) * node.step();
+  EXPECT_EQ(static_cast<double>(side),
+            static_cast<double>(node.origin[axis]) + steps * static_cast<double>(node.step()));  // exact in doubles
+  return side;
+}
+
 /// Is a box within a lane of a node? Lengths times the tree's scale are exact here, but where they are subnormal.
 bool holds(const BoxTree& tree, const BoxTree::Node& node, std::size_t lane, const Box& box) {
-  for (int k = 0; k < 3; ++k) {
-    const double low = box.low[k] * tree.scale()[0] * tree.scale()[1];
-    const double high = box.high[k] * tree.scale()[0] * tree.scale()[1];
-    if (!(static_cast<double>(node.low[k][lane]) <= low && high <= static_cast<double>(node.high[k][lane])))
-      return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const double low = box.low[axis] * tree.scale()[0] * tree.scale()[1];
+    const double high = box.high[axis] * tree.scale()[0] * tree.scale()[1];
+    if (!(place(node, node.low[k][lane], k) <= low && high <= place(node, node.high[k][lane], k))) return false;
   }
   return true;
 }
 
-/// The leaves of all nodes, in order, have the numbers from 0 on.
-void expect_numbered_leaves(const BoxTree& tree) {
-  std::uint32_t leaves = 0;
-  for (const BoxTree::Node& node : tree.nodes())
-    for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane) {
-      EXPECT_EQ((node.leaves >> lane & 1) != 0, node.count[lane] != 0);
-      if (node.count[lane] == 0) continue;
-      EXPECT_EQ(node.leaf(lane), leaves++);
-    }
-  EXPECT_EQ(tree.leaf_count(), leaves);
+/// The numbers in a leaf. Its other places have none.
+std::multiset<std::uint32_t> numbers_in(const BoxTree& tree, std::uint32_t leaf, std::size_t count) {
+  std::multiset<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < BoxTree::kMostInLeaf; ++i) {
+    const std::uint32_t number = tree.order()[leaf * BoxTree::kMostInLeaf + i];
+    EXPECT_EQ(number == BoxTree::kNone, i >= count) << "leaf " << leaf << ", place " << i;
+    if (i < count) numbers.insert(number);
+  }
+  return numbers;
+}
+
+/// Each leaf and each node but the root is a child of one node.
+void expect_children_once(const BoxTree& tree) {
+  std::multiset<std::uint32_t> leaves, nodes;
+  for (const BoxTree::Node& node : tree.nodes()) {
+    EXPECT_LE(node.child_count, BoxTree::kWidth);
+    for (std::uint32_t lane = 0; lane < node.child_count; ++lane)
+      if (lane < node.leaf_count)
+        leaves.insert(node.first_leaf + lane);
+      else
+        nodes.insert(node.first_node + lane - node.leaf_count);
+  }
+  EXPECT_EQ(leaves.size(), tree.leaf_count());
+  EXPECT_EQ(std::set<std::uint32_t>(leaves.begin(), leaves.end()).size(), tree.leaf_count());
+  const std::size_t below_root = tree.nodes().empty() ? 0 : tree.nodes().size() - 1;
+  EXPECT_EQ(nodes.size(), below_root);
+  EXPECT_EQ(std::set<std::uint32_t>(nodes.begin(), nodes.end()).size(), below_root);
 }
 
 /// Checks the boxes of a node's lanes, adds the numbers below it, and lets `depth` grow to the deepest.
@@ -65,14 +90,15 @@ void check(const BoxTree& tree, const std::vector<Box>& boxes, std::size_t index
            std::multiset<std::uint32_t>& found) {
   depth = std::max(depth, level);
   const BoxTree::Node& node = tree.nodes()[index];
-  for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane) {
-    if (node.low[0][lane] > node.high[0][lane]) continue;
+  for (std::uint32_t lane = 0; lane < node.child_count; ++lane) {
     std::multiset<std::uint32_t> below;
-    if (node.count[lane] == 0)
-      check(tree, boxes, node.child[lane], level + 1, depth, below);
-    else
-      for (std::uint32_t i = 0; i < node.count[lane]; ++i) below.insert(tree.order()[node.child[lane] + i]);
-    EXPECT_LE(node.count[lane], BoxTree::kMostInLeaf);
+    if (lane < node.leaf_count) {
+      EXPECT_GT(node.count[lane], 0);
+      below = numbers_in(tree, node.first_leaf + lane, node.count[lane]);
+    } else {
+      EXPECT_EQ(node.count[lane], 0);
+      check(tree, boxes, node.first_node + lane - node.leaf_count, level + 1, depth, below);
+    }
     for (const std::uint32_t number : below) EXPECT_TRUE(holds(tree, node, lane, boxes[number])) << "box " << number;
     found.insert(below.begin(), below.end());
   }
@@ -82,10 +108,11 @@ void expect_sound(const BoxTree& tree, const std::vector<Box>& boxes) {
   std::multiset<std::uint32_t> found;
   std::size_t depth = 0;
   if (!boxes.empty()) check(tree, boxes, 0, 0, depth, found);
-  expect_numbered_leaves(tree);
+  expect_children_once(tree);
+  EXPECT_EQ(tree.size(), boxes.size());
   EXPECT_EQ(found.size(), boxes.size());
   EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()).size(), boxes.size());
-  EXPECT_LE(3 * depth + 1, BoxTree::kStackSize);
+  EXPECT_LE((BoxTree::kWidth - 1) * depth + 1, BoxTree::kStackSize);
 }
 
 TEST(BoxTree, HoldsEveryBoxOnceInAllNodesAboveIt) {
@@ -93,6 +120,38 @@ TEST(BoxTree, HoldsEveryBoxOnceInAllNodesAboveIt) {
     const auto boxes = draw_boxes(index, index < 20 ? index : 1 << (index % 11));
     expect_sound(BoxTree(boxes), boxes);
   }
+}
+
+// A box is at most two steps of 1 / 2^15 of its node too large, or of a float's rounding.
+TEST(BoxTree, RoundsBoxesLittle) {
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    Random random(2026, index, 62);
+    const Eigen::Vector3d far = std::ldexp(1.0, static_cast<int>(random.integer(-20, 20))) * Eigen::Vector3d(1, -1, 1);
+    std::vector<Box> boxes;
+    for (int i = 0; i < 8; ++i) {  // all in one leaf
+      const Eigen::Vector3d low = far + Eigen::Vector3d(random.unit(), random.unit(), random.unit());
+      boxes.push_back({low, low + Eigen::Vector3d(random.unit(), random.unit(), random.unit())});
+    }
+    const BoxTree tree(boxes);
+    Box around;
+    for (const Box& box : boxes) around = around.joined(box);
+    const BoxTree::Node& root = tree.nodes().front();
+    const double unit = tree.scale()[0] * tree.scale()[1];
+    const double allowed =
+        2 * std::max((around.high - around.low).maxCoeff() * 0x1p-15, far.maxCoeff() * 0x1p-22) + 0x1p-22;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      EXPECT_GE(place(root, root.low[k][0], k) / unit, around.low[axis] - allowed);
+      EXPECT_LE(place(root, root.high[k][0], k) / unit, around.high[axis] + allowed);
+    }
+  }
+}
+
+TEST(BoxTree, FillsItsNodes) {
+  const BoxTree tree(draw_boxes(5, 60'000));
+  double children = 0;
+  for (const BoxTree::Node& node : tree.nodes()) children += node.child_count;
+  EXPECT_GT(children, 5 * static_cast<double>(tree.nodes().size()));
 }
 
 TEST(BoxTree, HoldsThemAfterTheyHaveMoved) {

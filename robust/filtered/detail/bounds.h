@@ -76,9 +76,9 @@ inline constexpr double kWide = 1 + 0x1p-48;
 inline constexpr double kNarrow = 1 - 0x1p-48;
 
 /// Triangles in lanes (triangle_groups.h), in floats. Every operation on them follows the model with kFloatUnit, except
-/// that underflow costs at most kFloatTiny. All lengths are in the group's units. S = r + 1 >= 1 bounds the components
-/// of the centre as seen from the origin, each known to kLaneCentre kFloatUnit S; a vertex seen from it is known to
-/// kLaneVertex kFloatUnit 2 S. Edges of stored triangles are exact.
+/// that underflow costs at most kFloatTiny. All lengths are in the group's units. S is the largest of 1, of the radius,
+/// and of the centre's components as seen from the origin, each known to kLaneCentre kFloatUnit S; a vertex seen from
+/// it is known to kLaneVertex kFloatUnit 2 S. Edges of stored triangles are exact.
 inline constexpr double kFloatUnit = 0x1p-23;
 inline constexpr double kFloatTiny = 0x1p-125;
 inline constexpr double kLaneCentre = 1.0625;

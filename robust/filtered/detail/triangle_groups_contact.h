@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -21,27 +22,30 @@ namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The distances of eight triangles as floats know them, in steps: a point of each triangle is `most` far, and none is
-/// nearer than support / most; both up to an error of the distance.
+/// nearer than support / most; both up to an error.
 struct LaneDistances {
   FloatPack most, support;
-  double error;  ///< in the group's units
+  double size;  ///< in the group's units: at least 1, and the magnitudes of the centre's coordinates
 
+  /// Returns the error in the group's units, for comparisons with a radius.
+  [[nodiscard]] TOUCHSTONE_INLINE double error(double radius) const {
+    return bounds::kLaneStored + bounds::kLaneDistance * bounds::kFloatUnit * std::max(size, radius);
+  }
   /// Returns the lanes whose triangle a ball of this radius certainly touches; one bit per lane.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned touched(double radius) const {
-    const double inner = TriangleGroup::kSteps * (radius - error);
+    const double inner = TriangleGroup::kSteps * (radius - error(radius));
     return negative_lanes(most - all_float_lanes(static_cast<float>(inner > 0 ? inner : -1)));
   }
   /// Returns the lanes whose triangle it certainly misses.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned missed(double radius) const {
-    const double outer = TriangleGroup::kSteps * (radius + error);
+    const double outer = TriangleGroup::kSteps * (radius + error(radius));
     return negative_lanes(all_float_lanes(static_cast<float>(outer)) * most - support);
   }
 };
 
-/// Returns the distances from the centre of a ball (x, y, z, radius) in the group's units. Requires that these numbers
-/// are at most kReach, and that the ball may touch the ball of radius 1 about the origin. They serve this ball and
-/// smaller ones. Lengths in lanes are in steps.
-TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const double (&ball)[4]) {
+/// Returns the distances from a centre in the group's units. Requires that its coordinates are at most kReach. Lengths
+/// in lanes are in steps.
+TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const double* center_of_ball) {
   const auto in_steps = [](double number) {
     return all_float_lanes(static_cast<float>(TriangleGroup::kSteps * number));
   };
@@ -50,7 +54,8 @@ TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const
     return {load(group.vertices[i][0]), load(group.vertices[i][1]), load(group.vertices[i][2])};
   };
   const auto difference = [](const Vector& p, const Vector& q) -> Vector { return {p.x - q.x, p.y - q.y, p.z - q.z}; };
-  const Vector center{in_steps(ball[0]), in_steps(ball[1]), in_steps(ball[2])}, first = stored(0);
+  const Vector center{in_steps(center_of_ball[0]), in_steps(center_of_ball[1]), in_steps(center_of_ball[2])},
+      first = stored(0);
   const FloatPack zero = all_float_lanes(0), one = all_float_lanes(1);
   const lane::Corner<FloatPack> corner{difference(first, center), difference(stored(1), first),
                                        difference(stored(2), first)};
@@ -63,8 +68,9 @@ TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const
                      coordinate(corner.vertex.z, corner.first.z, corner.second.z)};
   // A length that is not too small for its square.
   const FloatPack squared = lane::product(point, point) + all_float_lanes(bounds::kLaneTiny);
-  return {square_root(squared), lane::support(point, corner, zero),
-          bounds::kLaneStored + bounds::kLaneDistance * bounds::kFloatUnit * (ball[3] + 1)};
+  const double size = std::max(std::max(1.0, std::abs(center_of_ball[0])),
+                               std::max(std::abs(center_of_ball[1]), std::abs(center_of_ball[2])));
+  return {square_root(squared), lane::support(point, corner, zero), size};
 }
 
 /// Returns which of the triangles in `lanes` the ball touches, asking about each alone.
@@ -132,6 +138,17 @@ TOUCHSTONE_INLINE GroupAnswers group_contact(const Ball& ball, double inner, con
   const unsigned sure = (touched | missed) & lanes;
   count_sure(sure, counts);
   return {touched & sure, lanes & ~sure};
+}
+
+/// The same without the shortcuts for whole groups, which cost a branch each. Counts nothing.
+TOUCHSTONE_INLINE GroupAnswers lanes_contact(const Ball& ball, double inner, const TriangleGroup& group,
+                                             unsigned lanes) {
+  double scaled[4];
+  if (!see(ball, group, scaled)) [[unlikely]]
+    return {0, lanes};
+  const LaneDistances distances = lane_distances(group, scaled);
+  const unsigned touched = distances.touched(inner * group.scale), missed = distances.missed(scaled[3]);
+  return {touched & lanes, lanes & ~(touched | missed)};
 }
 
 /// Fetches from memory the group that is asked about some groups after this one. Outside the nearest cache, this saves

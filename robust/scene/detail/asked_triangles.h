@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/triangle_contact.h"
@@ -45,7 +46,11 @@ TOUCHSTONE_INLINE bool may_touch_ball(const Ball& ball, const VertexFinder& find
 class StandingTriangles {
  public:
   StandingTriangles(const TriangleSet& set, const Ball& ball)
-      : leaves_(*set.placed), triangles_(set.placed->triangles), ball_(ball), finder_(ball) {}
+      : leaves_(*set.placed),
+        triangles_(set.placed->triangles),
+        reach_(set.reach_of_placed()),
+        ball_(ball),
+        finder_(ball) {}
 
   [[nodiscard]] const Ball& asked() const { return ball_; }
   /// Returns a ball that touches the boxes of all triangles that the ball touches.
@@ -56,11 +61,11 @@ class StandingTriangles {
   }
 
   void prefetch_leaf(const Leaf& leaf) const { leaves_.prefetch_leaf(leaf); }
-  /// Returns whether the ball touches a triangle of a leaf.
-  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
-    const filtered::GroupAnswers known = leaves_.contact(ball_, ball_.radius, leaf);
-    if (known.touched != 0) return true;
-    return any_lane(known.unsure, leaf, [&](std::uint32_t place) { return touches(place); });
+  /// Returns whether the ball touches a triangle of these leaves of one node.
+  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
+    return any_of_leaves(
+        leaves, [&](const Leaf& leaf) { return leaves_.contact(ball_, ball_.radius, leaf); },
+        [&](std::uint32_t place) { return touches(place); });
   }
   /// Calls f(place) for the triangles of a leaf that the ball touches.
   template <class F>
@@ -71,15 +76,20 @@ class StandingTriangles {
       if (touches(place)) f(place);
     });
   }
-  /// Returns the triangles of a leaf that the ball may touch, and a radius at which it touches one, as floats know
-  /// them.
-  [[nodiscard]] TOUCHSTONE_INLINE NearLanes near(const Leaf& leaf) const { return leaves_.near(ball_, leaf); }
+  /// Returns what floats know of the distances of a leaf's triangles from the centre of `culling`.
+  [[nodiscard]] TOUCHSTONE_INLINE LeafDistances distances(const Leaf& leaf) const {
+    return leaves_.distances(ball_, leaf);
+  }
+  /// Returns a radius at which the ball touches what `culling` touches with the given radius.
+  [[nodiscard]] static double radius_of(double radius) { return radius; }
 
   [[nodiscard]] Triangle triangle(std::uint32_t place) const { return triangles_[place].copy(); }
   /// Returns whether the ball may touch the triangle at a place.
   [[nodiscard]] TOUCHSTONE_INLINE bool may_touch(std::uint32_t place) const {
     return may_touch_ball(ball_, finder_, triangles_[place]);
   }
+  /// Returns a radius at which the ball touches all triangles; infinite if none is known.
+  [[nodiscard]] double reaches_all() const { return sum_of_lengths(distance_from_origin(ball_.center), reach_); }
   /// Returns at least the distance of the centre from the triangle; infinite if that is not known.
   [[nodiscard]] double distance_at_most(std::uint32_t place) const {
     return scene::distance_at_most(ball_.center, triangles_[place].copy());
@@ -96,6 +106,7 @@ class StandingTriangles {
  private:
   TriangleLeaves leaves_;
   const TrianglesOfSharedVertices& triangles_;
+  double reach_;
   Ball ball_;
   VertexFinder finder_;
 };
@@ -107,6 +118,7 @@ class TrianglesInOwnFrame {
       : leaves_(*set.placed),
         triangles_(set.placed->triangles),
         frame_(*set.frame),
+        reach_(set.reach_of_placed()),
         ball_(ball),
         seen_(frame_.seen(ball)),
         finder_(seen_.inner_ball()) {}
@@ -120,11 +132,11 @@ class TrianglesInOwnFrame {
   }
 
   void prefetch_leaf(const Leaf& leaf) const { leaves_.prefetch_leaf(leaf); }
-  /// Returns whether the ball touches a triangle of a leaf.
-  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
-    const filtered::GroupAnswers known = leaves_.contact(seen_.outer, seen_.inner, leaf);
-    if (known.touched != 0) return true;
-    return any_lane(known.unsure, leaf, [&](std::uint32_t place) { return touches(place); });
+  /// Returns whether the ball touches a triangle of these leaves of one node.
+  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
+    return any_of_leaves(
+        leaves, [&](const Leaf& leaf) { return leaves_.contact(seen_.outer, seen_.inner, leaf); },
+        [&](std::uint32_t place) { return touches(place); });
   }
   /// Calls f(place) for the triangles of a leaf that the ball touches.
   template <class F>
@@ -135,18 +147,19 @@ class TrianglesInOwnFrame {
       if (touches(place)) f(place);
     });
   }
-  /// Returns the triangles of a leaf that the ball may touch, and a radius at which it touches one, as floats know
-  /// them.
-  [[nodiscard]] TOUCHSTONE_INLINE NearLanes near(const Leaf& leaf) const {
-    const NearLanes own = leaves_.near(seen_.outer, leaf);
-    return {own.lanes, frame_.radius_under_pose(ball_.center, own.radius)};
+  [[nodiscard]] TOUCHSTONE_INLINE LeafDistances distances(const Leaf& leaf) const {
+    return leaves_.distances(seen_.outer, leaf);
   }
+  [[nodiscard]] double radius_of(double radius) const { return frame_.radius_under_pose(ball_.center, radius); }
 
   [[nodiscard]] Triangle triangle(std::uint32_t place) const {
     return posed_vertices(frame_.pose(), triangles_[place].copy());
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool may_touch(std::uint32_t place) const {
     return may_touch_ball(seen_.outer, finder_, triangles_[place]);
+  }
+  [[nodiscard]] double reaches_all() const {
+    return radius_of(sum_of_lengths(distance_from_origin(seen_.outer.center), reach_));
   }
   [[nodiscard]] double distance_at_most(std::uint32_t place) const {
     return frame_.radius_under_pose(ball_.center,
@@ -178,6 +191,7 @@ class TrianglesInOwnFrame {
   TriangleLeaves leaves_;
   const TrianglesOfSharedVertices& triangles_;
   const OwnFrame& frame_;
+  double reach_;
   Ball ball_;
   SeenBall seen_;
   VertexFinder finder_;  ///< with the inner radius

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/ball.h"
+#include "robust/filtered/detail/numbers/float_pack.h"
 #include "robust/filtered/detail/numbers/pack.h"
 
 /// Finds the boxes of a tree that a ball may touch.
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
 
+using filtered::FloatPack;
 using filtered::Pack;
 
 /// The operations of culling, over any number type. The tests run the error calculus of robust/proofs over them.
@@ -20,8 +23,18 @@ namespace culling {
 /// Added to a ball's radius to cover underflow in centres, radii and boxes, which is at most 2^-1074 in each.
 inline constexpr double kTiny = 0x1p-500;
 /// Multiplied with the square of a ball's reach to cover its rounding and that of the squares that are compared with
-/// it. Proved in tests/robust/proofs/culling_test.cpp.
-inline constexpr double kWide = 1 + 0x1p-47;
+/// it, in doubles and in floats. Proved in tests/robust/proofs/culling_test.cpp, as are the next two constants.
+inline constexpr double kWide = 1 + 0x1p-47, kWideFloat = 1 + 0x1p-20;
+/// Added to the square of a ball's reach to cover underflow of squares in floats. Subnormal numbers would be slow.
+inline constexpr double kTinyFloat = 0x1p-120;
+/// A coordinate is this share of the nearest float away from it at most, or the least normal number.
+inline constexpr float kApartFloat = 0x1p-22F;
+/// Balls whose numbers are larger are tested in doubles. Boxes reach 2^40 at most.
+inline constexpr double kLargestFloat = 0x1p50;
+
+/// Returns how far from a number its nearest float may be at most, and as much again for the ends of the interval that
+/// is made of it.
+inline float apart(float nearest) { return std::abs(nearest) * kApartFloat + std::numeric_limits<float>::min(); }
 
 /// Returns how far an interval is from another, that of a centre's coordinate from `first` to `last`; 0 if they meet.
 template <class T>
@@ -48,45 +61,115 @@ TOUCHSTONE_INLINE double scaled(double length, const BoxTree& tree) {
   return length * tree.scale()[0] * tree.scale()[1];
 }
 
+/// Returns one bit for each child of a node.
+TOUCHSTONE_INLINE unsigned all_children(const BoxTree::Node& node) { return (1U << node.child_count) - 1; }
+
+/// Returns four of eight floats as doubles.
+TOUCHSTONE_INLINE Pack half(const FloatPack& eight, int first) {
+  float floats[filtered::kFloatLanes];
+  store(floats, eight);
+  return filtered::load(floats + first);
+}
+
+/// The boxes of a node's children along one axis.
+struct Sides {
+  FloatPack low, high;
+};
+TOUCHSTONE_INLINE Sides sides(const BoxTree::Node& node, int axis) {
+  const FloatPack step = filtered::all_float_lanes(node.step());
+  const FloatPack origin = filtered::all_float_lanes(node.origin[axis]);
+  return {multiply_add(filtered::load(node.low[axis]), step, origin),
+          multiply_add(filtered::load(node.high[axis]), step, origin)};  // exact
+}
+
 /// A ball in the units of a tree, to test it against boxes.
 ///
 /// Culling is conservative: a box that the ball touches is never culled. Squares do not overflow, because all numbers
-/// are below 2^500. If a ball cannot be scaled so, no box is culled.
+/// are below 2^50 in floats, else below 2^500. If a ball cannot be scaled so, no box is culled.
 class CullingBall {
  public:
   /// Requires round to nearest, without flush-to-zero.
   CullingBall(const Ball& ball, const BoxTree& tree) {
     for (int axis = 0; axis < 3; ++axis) center_[axis] = scaled(ball.center[axis], tree);
-    const double largest = std::max({std::abs(center_[0]), std::abs(center_[1]), std::abs(center_[2])});
-    everywhere_ = !(largest < 0x1p500);
+    largest_ = std::max({std::abs(center_[0]), std::abs(center_[1]), std::abs(center_[2])});
+    everywhere_ = !(largest_ < 0x1p500);
     if (everywhere_) center_[0] = center_[1] = center_[2] = 0;
+    if (largest_ <= culling::kLargestFloat)
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto nearest = static_cast<float>(center_[axis]);
+        const float apart = culling::apart(nearest);
+        first_[axis] = filtered::all_float_lanes(nearest - apart);
+        last_[axis] = filtered::all_float_lanes(nearest + apart);
+      }
     set_radius(ball.radius, tree);
   }
 
   /// Sets the radius, to shrink the ball.
   void set_radius(double radius, const BoxTree& tree) {
     const double reach = scaled(radius, tree) + culling::kTiny;
-    squared_ = everywhere_ || !(reach < 0x1p500) ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
+    in_floats_ = largest_ <= culling::kLargestFloat && reach <= culling::kLargestFloat;
+    if (in_floats_) {
+      const auto limit = static_cast<float>(culling::squared_reach(reach, culling::kWideFloat) + culling::kTinyFloat);
+      squared_ = static_cast<double>(limit);
+      limit_ = filtered::all_float_lanes(limit);
+    } else {
+      squared_ = everywhere_ || !(reach < 0x1p500) ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
+    }
   }
 
-  /// Returns one bit for each box of a node that the ball may touch. Writes the squares of their distances.
-  [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node, Pack& squares) const {
-    const Pack zero = filtered::all_lanes(0);
-    const auto gap = [&](int axis) {
-      const Pack center = filtered::all_lanes(center_[axis]);
-      return culling::gap(filtered::load(node.low[axis]), filtered::load(node.high[axis]), center, center, zero);
-    };
-    squares = culling::squared_distance(gap(0), gap(1), gap(2));  // infinite for missing children
-    return ~negative_lanes(filtered::all_lanes(squared_) - squares) & 0b1111;
+  /// Returns one bit for each child of a node whose box the ball may touch.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node) const {
+    if (in_floats_) [[likely]]
+      return ~negative_lanes(limit_ - float_squares(node)) & all_children(node);
+    double squares[BoxTree::kWidth];
+    return may_touch_in_doubles(node, squares);
+  }
+  /// The same, and writes the keys of these boxes.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node,
+                                                     double (&squares)[BoxTree::kWidth]) const {
+    if (!in_floats_) [[unlikely]]
+      return may_touch_in_doubles(node, squares);
+    const FloatPack here = float_squares(node);
+    float floats[BoxTree::kWidth];
+    store(floats, here);
+    for (std::size_t first = 0; first < BoxTree::kWidth; first += filtered::kLanes)
+      store(squares + first, filtered::load(floats + first));
+    return ~negative_lanes(limit_ - here) & all_children(node);
   }
 
-  /// Returns whether the ball may touch a box with this squared distance.
+  /// Returns whether the ball may touch a box with this key, the square of its distance.
   [[nodiscard]] bool may_touch(double square) const { return square <= squared_; }
 
  private:
-  double center_[3];
-  double squared_;
-  bool everywhere_;
+  /// Returns the squares of the distances of the children's boxes.
+  [[nodiscard]] TOUCHSTONE_INLINE FloatPack float_squares(const BoxTree::Node& node) const {
+    const FloatPack zero = filtered::all_float_lanes(0);
+    const auto gap = [&](int axis) {
+      const Sides box = sides(node, axis);
+      return culling::gap(box.low, box.high, first_[axis], last_[axis], zero);
+    };
+    return culling::squared_distance(gap(0), gap(1), gap(2));
+  }
+  [[nodiscard]] __attribute__((noinline)) unsigned may_touch_in_doubles(const BoxTree::Node& node,
+                                                                        double (&squares)[BoxTree::kWidth]) const {
+    const Pack zero = filtered::all_lanes(0), limit = filtered::all_lanes(squared_);
+    unsigned touched = 0;
+    for (int first = 0; first < static_cast<int>(BoxTree::kWidth); first += filtered::kLanes) {
+      const auto gap = [&](int axis) {
+        const Sides box = sides(node, axis);
+        const Pack center = filtered::all_lanes(center_[axis]);
+        return culling::gap(half(box.low, first), half(box.high, first), center, center, zero);
+      };
+      const Pack here = culling::squared_distance(gap(0), gap(1), gap(2));
+      store(squares + first, here);
+      touched |= (~negative_lanes(limit - here) & 0b1111) << first;
+    }
+    return touched & all_children(node);
+  }
+
+  double center_[3], largest_, squared_;
+  FloatPack first_[3], last_[3], limit_;  ///< if in_floats_: between which the centre is, and squared_
+  bool everywhere_, in_floats_;
 };
 
 }  // namespace TOUCHSTONE_TARGET

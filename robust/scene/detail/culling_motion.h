@@ -88,30 +88,48 @@ class CullingMotion {
     }
   }
 
-  /// Returns one bit for each box of a node that the ball may touch. Writes the earliest times at which it may.
-  [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node, Pack& times) const {
-    const Pack zero = filtered::all_lanes(0);
-    const auto gap = [&](int axis) {
-      return culling::gap(filtered::load(node.low[axis]), filtered::load(node.high[axis]),
-                          filtered::all_lanes(low_[axis]), filtered::all_lanes(high_[axis]), zero);
-    };
-    const Pack apart = filtered::all_lanes(squared_) - culling::squared_distance(gap(0), gap(1), gap(2));
-    times = zero;
-    if (!timed_) return ~negative_lanes(apart) & 0b1111;
-    Pack exit = filtered::all_lanes(end_);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Pack inverse = filtered::all_lanes(inverse_[axis]);
-      const Pack near = filtered::load(forward_[axis] ? node.low[axis] : node.high[axis]);
-      const Pack far = filtered::load(forward_[axis] ? node.high[axis] : node.low[axis]);
-      times = maximum(times, culling::time_at(near, inverse, filtered::all_lanes(entry_[axis])));
-      exit = minimum(exit, culling::time_at(far, inverse, filtered::all_lanes(exit_[axis])));
-    }
-    return ~negative_lanes(apart | (exit - times)) & 0b1111;
+  /// Returns one bit for each child of a node whose box the ball may touch.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node) const {
+    double times[BoxTree::kWidth];
+    return may_touch(node, times);
   }
-  /// Returns whether the ball may touch a box with this earliest time.
+  /// The same, and writes the keys of these boxes.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node,
+                                                     double (&times)[BoxTree::kWidth]) const {
+    unsigned touched = half_touched(node, 0, times);
+    if (node.child_count > filtered::kLanes) touched |= half_touched(node, filtered::kLanes, times) << filtered::kLanes;
+    return touched & all_children(node);
+  }
+  /// Returns whether the ball may touch a box with this key, the earliest time at which it may.
   [[nodiscard]] bool may_touch(double time) const { return time <= end_; }
 
  private:
+  /// Returns which of the boxes from `first` on the ball may touch, and writes the earliest times at which it may.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned half_touched(const BoxTree::Node& node, int first, double* times) const {
+    const Pack zero = filtered::all_lanes(0);
+    Pack low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const Sides box = sides(node, axis);
+      low[axis] = half(box.low, first), high[axis] = half(box.high, first);
+    }
+    const auto gap = [&](int axis) {
+      return culling::gap(low[axis], high[axis], filtered::all_lanes(low_[axis]), filtered::all_lanes(high_[axis]),
+                          zero);
+    };
+    const Pack apart = filtered::all_lanes(squared_) - culling::squared_distance(gap(0), gap(1), gap(2));
+    Pack entry = zero, exit = filtered::all_lanes(end_);
+    if (timed_)
+      for (int axis = 0; axis < 3; ++axis) {
+        const Pack inverse = filtered::all_lanes(inverse_[axis]);
+        entry = maximum(entry, culling::time_at(forward_[axis] ? low[axis] : high[axis], inverse,
+                                                filtered::all_lanes(entry_[axis])));
+        exit = minimum(
+            exit, culling::time_at(forward_[axis] ? high[axis] : low[axis], inverse, filtered::all_lanes(exit_[axis])));
+      }
+    store(times + first, entry);
+    return ~negative_lanes(timed_ ? apart | (exit - entry) : apart) & ((1U << filtered::kLanes) - 1);
+  }
+
   double center_[3], to_[3];
   double low_[3], high_[3];  ///< the box around the centre's way until then
   double inverse_[3], entry_[3], exit_[3];

@@ -97,10 +97,12 @@ Lengths lengths_of(const std::vector<Triangle>& triangles) {
 /// Returns all triangles of the model posed, in a tree of the same shape if its boxes do not grow too much.
 PlacedTriangles posed(const PlacedTriangles& model, const Pose& pose) {
   const std::vector<std::uint32_t>& order = model.tree.order();
-  std::vector<Triangle> by_number(model.triangles.size());
+  std::vector<Triangle> by_number(model.tree.size());
   for_each_face(
       order.size(), [&](std::size_t place) { return order[place]; },
-      [&](std::size_t place) { by_number[order[place]] = scene::posed(pose, model.triangles[place].copy()); });
+      [&](std::size_t place) {
+        if (order[place] != BoxTree::kNone) by_number[order[place]] = scene::posed(pose, model.triangles[place].copy());
+      });
   const std::vector<Box> boxes = boxes_of(by_number);
   BoxTree tree = model.tree;
   tree.refit(boxes);
@@ -130,16 +132,17 @@ std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const LazyPrepar
 
 PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_number)
     : tree(std::move(tree_)), triangles(by_number, tree.order()), groups(tree.leaf_count()) {
-  const std::vector<BoxTree::Node>& nodes = tree.nodes();
-  parts_in_parallel(nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
+  parts_in_parallel(groups.size(), 256, [&](std::size_t begin, std::size_t end) {
     const FloatingPointState nearest;
-    for (std::size_t i = begin; i < end; ++i)
-      for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane)
-        if (const std::uint8_t count = nodes[i].count[lane]; count != 0) {
-          std::array<Triangle, BoxTree::kMostInLeaf> leaf;
-          for (std::size_t k = 0; k < count; ++k) leaf[k] = triangles[nodes[i].child[lane] + k].copy();
-          groups[nodes[i].leaf(lane)] = filtered::group_of(std::span(leaf).first(count));
-        }
+    for (std::size_t i = begin; i < end; ++i) {
+      std::array<Triangle, BoxTree::kMostInLeaf> leaf;
+      std::size_t count = 0;
+      for (std::size_t place = i * BoxTree::kMostInLeaf; count < leaf.size(); ++place, ++count) {
+        if (tree.order()[place] == BoxTree::kNone) break;
+        leaf[count] = triangles[place].copy();
+      }
+      groups[i] = filtered::group_of(std::span(leaf).first(count));
+    }
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,8 +38,12 @@ struct TriangleSet {
   TriangleSet(const TriangleSet& other, const Pose& pose);
 
   [[nodiscard]] std::size_t memory() const;
-  [[nodiscard]] std::size_t size() const { return model->triangles.size(); }
+  [[nodiscard]] std::size_t size() const { return model->tree.size(); }
   [[nodiscard]] std::size_t edge_count() const { return 3 * size(); }
+  /// Returns a length such that no vertex of `placed` is farther from the origin; infinite if all triangles were posed.
+  [[nodiscard]] double reach_of_placed() const {
+    return placed == model ? reach : std::numeric_limits<double>::infinity();
+  }
   /// Returns the triangle at a place of the tree, under the pose. Requires round to nearest, without flush-to-zero.
   [[nodiscard]] Triangle triangle(std::uint32_t place) const;
 

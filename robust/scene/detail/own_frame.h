@@ -99,6 +99,8 @@ class OwnFrame {
 
 /// Returns at least the distance of the point from the origin.
 [[nodiscard]] double distance_from_origin(const Eigen::Vector3d& point);
+/// Returns at least the sum of two lengths.
+[[nodiscard]] inline double sum_of_lengths(double a, double b) { return (a + b) * own_frame::kWide; }
 /// Returns a lower bound of the triangle's altitudes, 0 if doubles know none. Requires finite vertices.
 [[nodiscard]] double least_altitude(const Triangle& triangle);
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/bvh/box_tree.h"
 #include "geometry/detail/parts_in_parallel.h"
 
 namespace touchstone::scene {
@@ -57,6 +58,7 @@ TrianglesOfSharedVertices::TrianglesOfSharedVertices(std::span<const Triangle> b
     for (std::size_t part = begin; part < end; ++part) {
       PointNumbers numbers;
       for (std::size_t place = part * kPart; place < std::min((part + 1) * kPart, order.size()); ++place) {
+        if (order[place] == BoxTree::kNone) continue;
         const Triangle& triangle = by_number[order[place]];
         corners_[place] = {numbers.of(triangle.a), numbers.of(triangle.b), numbers.of(triangle.c)};
       }

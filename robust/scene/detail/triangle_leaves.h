@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "geometry/shapes/ball.h"
 #include "robust/filtered/detail/triangle_groups_contact.h"
@@ -30,11 +31,63 @@ TOUCHSTONE_INLINE bool any_lane(unsigned lanes, const Leaf& leaf, const F& f) {
   return false;
 }
 
-/// The triangles of a leaf that a ball may touch, one per bit, and a radius at which it touches one of the leaf's
-/// triangles; infinite if floats know none that is smaller than the ball's.
-struct NearLanes {
-  unsigned lanes;
-  double radius;
+/// Returns one bit for each triangle of a leaf.
+TOUCHSTONE_INLINE unsigned all_triangles(const Leaf& leaf) { return (1U << leaf.count) - 1; }
+
+/// Returns whether one of at most kWidth leaves has a triangle that contact(leaf) knows to be touched, or one that it
+/// leaves open and for which f(place) holds.
+template <class Contact, class F>
+TOUCHSTONE_INLINE bool any_of_leaves(std::span<const Leaf> leaves, const Contact& contact, const F& f) {
+  unsigned open[BoxTree::kWidth];
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const filtered::GroupAnswers known = contact(leaves[i]);
+    if (known.touched != 0) return true;
+    open[i] = known.unsure;
+  }
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+    if (any_lane(open[i], leaves[i], f)) return true;
+  return false;
+}
+
+/// What floats know of the distances of a leaf's triangles.
+class LeafDistances {
+ public:
+  /// Knows nothing.
+  explicit LeafDistances(const Leaf& leaf) : leaf_(leaf), size_(0), scale_(0) {}
+  /// Requires distances in the units of a group with this scale.
+  TOUCHSTONE_INLINE LeafDistances(const Leaf& leaf, const filtered::LaneDistances& lanes, double scale)
+      : leaf_(leaf), size_(lanes.size), scale_(scale) {
+    store(most_, lanes.most);
+    store(support_, lanes.support);
+  }
+
+  [[nodiscard]] const Leaf& leaf() const { return leaf_; }
+  [[nodiscard]] bool known() const { return scale_ != 0; }
+  /// Returns the triangles that a ball with this radius may touch, one per bit.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned within(double radius) const {
+    return all_triangles(leaf_) & ~(known() ? lanes().missed(radius * scale_) : 0);
+  }
+  /// Returns a radius with which a ball touches one of the triangles, a little more than the least; infinite if none is
+  /// known.
+  [[nodiscard]] TOUCHSTONE_INLINE double radius() const {
+    constexpr double wide = 1 + 0x1p-20, unknown = std::numeric_limits<double>::infinity();
+    if (!known()) [[unlikely]]
+      return unknown;
+    const filtered::LaneDistances here = lanes();
+    const double least = static_cast<double>(least_of_first(here.most, leaf_.count)) / filtered::TriangleGroup::kSteps;
+    const double radius = (least + here.error(least)) * wide / scale_;
+    return (here.touched(radius * scale_) & all_triangles(leaf_)) != 0 ? radius : unknown;
+  }
+
+ private:
+  [[nodiscard]] TOUCHSTONE_INLINE filtered::LaneDistances lanes() const {
+    return {filtered::load_eight(most_), filtered::load_eight(support_), size_};
+  }
+
+  // No packs, whose alignment many allocators do not know.
+  Leaf leaf_;
+  float most_[filtered::kFloatLanes], support_[filtered::kFloatLanes];
+  double size_, scale_;
 };
 
 class TriangleLeaves {
@@ -47,38 +100,21 @@ class TriangleLeaves {
   /// concentric `ball`, which is not smaller, certainly misses the others.
   [[nodiscard]] TOUCHSTONE_INLINE filtered::GroupAnswers contact(const Ball& ball, double inner,
                                                                  const Leaf& leaf) const {
-    filtered::NoCounts counts;
-    if (!filtered::in_reach_of_groups(ball)) return {0, all(leaf)};
-    return filtered::group_contact(ball, inner, groups_[leaf.number], all(leaf), counts);
+    if (!filtered::in_reach_of_groups(ball)) [[unlikely]]
+      return {0, all_triangles(leaf)};
+    return filtered::lanes_contact(ball, inner, groups_[leaf.number], all_triangles(leaf));
   }
 
-  /// Returns the triangles that the ball may touch, and a radius at which it surely touches one. The radius is that of
-  /// a ball that `LaneDistances::touched` finds to touch it.
-  [[nodiscard]] TOUCHSTONE_INLINE NearLanes near(const Ball& ball, const Leaf& leaf) const {
-    constexpr double unknown = std::numeric_limits<double>::infinity();
+  /// Returns what floats know of the distances from a ball's centre. Requires a ball that touches the leaf's box.
+  [[nodiscard]] TOUCHSTONE_INLINE LeafDistances distances(const Ball& ball, const Leaf& leaf) const {
     const filtered::TriangleGroup& group = groups_[leaf.number];
     double seen[4];
     if (!filtered::in_reach_of_groups(ball) || !filtered::see(ball, group, seen)) [[unlikely]]
-      return {all(leaf), unknown};
-    if (filtered::misses_group(seen)) return {0, unknown};
-    const filtered::LaneDistances distances = filtered::lane_distances(group, seen);
-    const unsigned lanes = all(leaf) & ~distances.missed(seen[3]);
-    if (lanes == 0) return {0, unknown};
-    float lengths[filtered::kFloatLanes];
-    store(lengths, distances.most);
-    float least = std::numeric_limits<float>::infinity();
-    for (unsigned rest = lanes; rest != 0; rest &= rest - 1) least = std::min(least, lengths[__builtin_ctz(rest)]);
-    constexpr double wide = 1 + 0x1p-20;
-    const double radius =
-        (static_cast<double>(least) / filtered::TriangleGroup::kSteps + distances.error) * wide / group.scale;
-    const double seen_radius = radius * group.scale;
-    if (!(seen_radius < seen[3]) || (distances.touched(seen_radius) & lanes) == 0) return {lanes, unknown};
-    return {lanes & ~distances.missed(seen_radius), radius};
+      return LeafDistances(leaf);
+    return {leaf, filtered::lane_distances(group, seen), group.scale};
   }
 
  private:
-  [[nodiscard]] static unsigned all(const Leaf& leaf) { return (1U << leaf.count) - 1; }
-
   const filtered::TriangleGroup* groups_;
 };
 

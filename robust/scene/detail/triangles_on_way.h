@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "robust/filtered/detail/motion/triangle_motion.h"
 #include "robust/scene/detail/asked_triangles.h"
@@ -43,9 +44,10 @@ class StandingTrianglesOnWay {
   [[nodiscard]] const Motion& asked() const { return motion_; }
   void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
   /// Returns whether the ball touches a triangle of a leaf.
-  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
-    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
-      if (touches(place)) return true;
+  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
+    for (const Leaf& leaf : leaves)
+      for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+        if (touches(place)) return true;
     return false;
   }
   /// Calls f(place) for the triangles of a leaf that the ball touches.
@@ -96,9 +98,10 @@ class TrianglesInOwnFrameOnWay {
   [[nodiscard]] const Motion& asked() const { return motion_; }
   void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
   /// Returns whether the ball touches a triangle of a leaf.
-  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
-    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
-      if (touches(place)) return true;
+  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
+    for (const Leaf& leaf : leaves)
+      for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+        if (touches(place)) return true;
     return false;
   }
   /// Calls f(place) for the triangles of a leaf that the ball touches.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "robust/filtered/motion.h"
 #include "robust/scene/detail/asked_triangles.h"
@@ -53,12 +56,24 @@ TOUCHSTONE_INLINE void add(std::vector<FaceId>& faces, FaceId face) {
   faces.push_back(face);
 }
 
+/// For triangles, of whose leaves floats decide several at once.
+inline constexpr std::size_t kLeavesAtOnce = 8;
 /// For polygons, which lie where they were prepared.
 inline constexpr auto kFetchNothing = [](const Leaf&) {};
 /// Returns whether this face settles the query, so that the walk can stop.
 template <class Asked, class Face>
 TOUCHSTONE_INLINE bool ends(const Asked& asked, const Face& face, NoTally tally) {
   return touches(asked, face, tally);
+}
+
+/// Returns a visit of several leaves that visits each alone.
+template <class Visit>
+TOUCHSTONE_INLINE auto each_leaf(const Visit& visit) {
+  return [visit](std::span<const Leaf> leaves) {
+    for (const Leaf& leaf : leaves)
+      if (visit(leaf)) return true;
+    return false;
+  };
 }
 
 /// Returns a visit of leaves that visits each place alone.
@@ -71,14 +86,16 @@ TOUCHSTONE_INLINE auto each_place(const Visit& visit) {
   };
 }
 
-/// Returns whether a triangle of a leaf settles the query, so that the walk can stop.
+/// Returns whether a triangle of some leaves settles the query, so that the walk can stop.
 template <class Triangles>
-TOUCHSTONE_INLINE bool any_ends(const Triangles& triangles, const Leaf& leaf, NoTally) {
-  return triangles.any_touched(leaf);
+TOUCHSTONE_INLINE bool any_ends(const Triangles& triangles, std::span<const Leaf> leaves, NoTally) {
+  return triangles.any_touched(leaves);
 }
 template <class Triangles>
-bool any_ends(const Triangles& triangles, const Leaf& leaf, Tally& tally) {
-  for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place) (void)ends(triangles, place, tally);
+bool any_ends(const Triangles& triangles, std::span<const Leaf> leaves, Tally& tally) {
+  for (const Leaf& leaf : leaves)
+    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+      (void)ends(triangles, place, tally);
   return false;
 }
 
@@ -105,9 +122,9 @@ bool touches_triangle(const Query& query, const TriangleSet& set, T& tally) {
   tally.ask(set.size(), set.edge_count());
   const BoxTree& tree = set.placed->tree;
   return with_triangles(set, query, [&](const auto& triangles) {
-    return walk(
+    return walk<1>(
         tree, typename Asking<Query>::Culling(triangles.culling(), tree),
-        [&](const Leaf& leaf) { return any_ends(triangles, leaf, tally); },
+        [&](std::span<const Leaf> leaves) { return any_ends(triangles, leaves, tally); },
         [&](const Leaf& leaf) { triangles.prefetch_leaf(leaf); });
   });
 }
@@ -116,10 +133,10 @@ template <class Query, class T>
 bool touches_polygon(const Query& query, const PolygonSet& set, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
   const typename Asking<Query>::Culling culling(query, set.tree);
-  return walk(set.tree, culling, each_place([&](std::uint32_t place) {
-                return ends(query, set.prepared[set.tree.order()[place]], tally);
-              }),
-              kFetchNothing);
+  return walk<1>(set.tree, culling, each_leaf(each_place([&](std::uint32_t place) {
+                   return ends(query, set.prepared[set.tree.order()[place]], tally);
+                 })),
+                 kFetchNothing);
 }
 
 template <class Query, class T>
@@ -127,15 +144,14 @@ void touched_triangles(const Query& query, const TriangleSet& set, FaceId first,
   tally.ask(set.size(), set.edge_count());
   const BoxTree& tree = set.placed->tree;
   with_triangles(set, query, [&](const auto& triangles) {
-    walk(
-        tree, typename Asking<Query>::Culling(triangles.culling(), tree),
-        [&](const Leaf& leaf) {
-          for_touched(triangles, leaf, tally, [&](std::uint32_t place) {
-            add(faces, {first.object, first.face + tree.order()[place]});
-          });
-          return false;
-        },
-        [&](const Leaf& leaf) { triangles.prefetch_leaf(leaf); });
+    walk<kLeavesAtOnce>(tree, typename Asking<Query>::Culling(triangles.culling(), tree),
+                        each_leaf([&](const Leaf& leaf) {
+                          for_touched(triangles, leaf, tally, [&](std::uint32_t place) {
+                            add(faces, {first.object, first.face + tree.order()[place]});
+                          });
+                          return false;
+                        }),
+                        [&](const Leaf& leaf) { triangles.prefetch_leaf(leaf); });
   });
 }
 
@@ -143,28 +159,22 @@ template <class Query, class T>
 void touched_polygons(const Query& query, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
   const typename Asking<Query>::Culling culling(query, set.tree);
-  walk(set.tree, culling, each_place([&](std::uint32_t place) {
-         const std::uint32_t number = set.tree.order()[place];
-         if (touches(query, set.prepared[number], tally)) add(faces, {first.object, first.face + number});
-         return false;
-       }),
-       kFetchNothing);
+  walk<1>(set.tree, culling, each_leaf(each_place([&](std::uint32_t place) {
+            const std::uint32_t number = set.tree.order()[place];
+            if (touches(query, set.prepared[number], tally)) add(faces, {first.object, first.face + number});
+            return false;
+          })),
+          kFetchNothing);
 }
 
-/// @{
-/// Returns the triangles of a leaf that the ball may touch. Walks that count ask exactly.
+/// Counts the triangles of a leaf that a search for the nearest meets.
 template <class Triangles>
-TOUCHSTONE_INLINE NearLanes near(const Triangles& triangles, const Leaf& leaf, NoTally) {
-  return triangles.near(leaf);
-}
+TOUCHSTONE_INLINE void count_leaf(const Triangles&, const Leaf&, NoTally) {}
 template <class Triangles>
-NearLanes near(const Triangles& triangles, const Leaf& leaf, Tally& tally) {
-  NearLanes result{0, std::numeric_limits<double>::infinity()};
-  for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
-    if (touches(triangles, leaf.first + lane, tally)) result.lanes |= 1U << lane;
-  return result;
+void count_leaf(const Triangles& triangles, const Leaf& leaf, Tally& tally) {
+  for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+    (void)touches(triangles, place, tally);
 }
-/// @}
 
 // Floats shrink the ball, then upper bounds in doubles; only triangles that it may still touch at the end are compared
 // exactly.
@@ -173,40 +183,44 @@ void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
   tally.ask(set.size(), set.edge_count());
   if (set.size() == 0) return;
   const BoxTree& tree = set.placed->tree;
-  std::vector<Leaf> met;
+  constexpr std::size_t few = 16;
+  boost::container::small_vector<LeafDistances, few> met;
   with_triangles(set, search.ball(), [&](auto triangles) {
-    const auto shrink_to = [&](double bound) {
-      if (!(bound < search.ball().radius)) return false;
-      search.shrink(bound);
+    const auto shrink_to = [&](double radius) {
+      if (!(radius < search.ball().radius)) return;
+      search.shrink(radius);
       triangles.set_radius(search.ball().radius);
-      return true;
     };
     const auto shrink = [&](std::uint32_t place) {
       const double bound = triangles.distance_at_most(place);
       if (std::isfinite(bound)) return shrink_to(bound);
       search.shrink(triangles.triangle(place));
       triangles.set_radius(search.ball().radius);
-      return true;
     };
+    if (!search.has_shrunk()) shrink_to(triangles.reaches_all());
     if (!search.has_shrunk()) shrink(0);
     CullingBall culling_ball(triangles.culling(), tree);
     walk_in_order(
         tree, culling_ball,
-        [&](const Leaf& leaf) {
-          const NearLanes here = near(triangles, leaf, tally);
-          if (here.lanes == 0) return;
-          met.push_back(leaf);
-          bool shrunk = false;
-          if (std::isfinite(here.radius))
-            shrunk = shrink_to(here.radius);
-          else
-            for_lanes(here.lanes, leaf, [&](std::uint32_t place) { shrunk |= shrink(place); });
-          if (shrunk) culling_ball.set_radius(triangles.culling().radius, tree);
+        [&](std::span<const Leaf> leaves) {
+          const std::size_t before = met.size();
+          double least = std::numeric_limits<double>::infinity();
+          for (const Leaf& leaf : leaves) {
+            count_leaf(triangles, leaf, tally);
+            met.push_back(triangles.distances(leaf));
+            least = std::min(least, met.back().radius());
+          }
+          shrink_to(triangles.radius_of(least));
+          for (std::size_t i = before; i < met.size(); ++i)
+            if (!met[i].known()) [[unlikely]]
+              for_lanes(all_triangles(met[i].leaf()), met[i].leaf(), shrink);
+          culling_ball.set_radius(triangles.culling().radius, tree);
         },
         [&](const Leaf& leaf) { triangles.prefetch_leaf(leaf); });
-    std::vector<std::uint32_t> places;
-    for (const Leaf& leaf : met)
-      for_lanes(triangles.near(leaf).lanes, leaf, [&](std::uint32_t place) { places.push_back(place); });
+    boost::container::small_vector<std::uint32_t, few> places;
+    for (const LeafDistances& leaf : met)
+      for_lanes(leaf.within(triangles.culling().radius), leaf.leaf(),
+                [&](std::uint32_t place) { places.push_back(place); });
     const bool several = places.size() > 1;
     if (several)
       for (const std::uint32_t place : places) shrink(place);
@@ -221,13 +235,13 @@ void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
   if (set.polygons.empty()) return;
   search.expect(set.prepared[0]);
   CullingBall culling_ball(search.ball(), set.tree);
-  walk_in_order(set.tree, culling_ball, each_place([&](std::uint32_t place) {
+  walk_in_order(set.tree, culling_ball, each_leaf(each_place([&](std::uint32_t place) {
                   const std::uint32_t number = set.tree.order()[place];
                   if (!touches(search.ball(), set.prepared[number], tally)) return false;
                   search.meet(set.prepared[number], number);
                   culling_ball.set_radius(search.ball().radius, set.tree);
                   return false;
-                }),
+                })),
                 kFetchNothing);
 }
 
@@ -255,7 +269,7 @@ void first_triangle(const TriangleSet& set, FirstContactSearch& search, T& tally
       triangles.end_at(end), culling.end_at(end);
     };
     shorten();
-    walk_in_order(tree, culling, each_place([&](std::uint32_t place) {
+    walk_in_order(tree, culling, each_leaf(each_place([&](std::uint32_t place) {
                     count(triangles, place, tally);
                     const std::uint32_t number = tree.order()[place];
                     if (!search.is_at_start())
@@ -264,7 +278,7 @@ void first_triangle(const TriangleSet& set, FirstContactSearch& search, T& tally
                       search.start(triangles.triangle(place), number);
                     shorten();
                     return false;
-                  }),
+                  })),
                   [&](const Leaf& leaf) { triangles.prefetch_leaf(leaf); });
   });
 }
@@ -275,7 +289,7 @@ void first_polygon(const PolygonSet& set, FirstContactSearch& search, T& tally) 
   const Motion& motion = search.motion();
   CullingMotion culling(motion, set.tree);
   if (search.end() < 1) culling.end_at(search.end());
-  walk_in_order(set.tree, culling, each_place([&](std::uint32_t place) {
+  walk_in_order(set.tree, culling, each_leaf(each_place([&](std::uint32_t place) {
                   const std::uint32_t number = set.tree.order()[place];
                   const filtered::PreparedPolygon& polygon = set.prepared[number];
                   count(motion, polygon, tally);
@@ -285,7 +299,7 @@ void first_polygon(const PolygonSet& set, FirstContactSearch& search, T& tally) 
                     search.start(polygon, number);
                   culling.end_at(search.end());
                   return false;
-                }),
+                })),
                 kFetchNothing);
 }
 

@@ -67,8 +67,9 @@ class Bytes {
     for (const BoxTree::Node& node : tree.nodes()) {
       for (int axis = 0; axis < 3; ++axis)
         for (std::size_t i = 0; i < BoxTree::kWidth; ++i) add(node.low[axis][i]), add(node.high[axis][i]);
-      for (std::size_t i = 0; i < BoxTree::kWidth; ++i) add(node.child[i]), add(node.count[i]);
-      add(node.leaves), add(node.first_leaf);
+      for (const float origin : node.origin) add(origin);
+      for (const std::uint8_t count : node.count) add(count);
+      add(node.first_node), add(node.first_leaf), add(node.exponent), add(node.leaf_count), add(node.child_count);
     }
     add(tree.order()), add(tree.scale()[0]), add(tree.scale()[1]);
   }

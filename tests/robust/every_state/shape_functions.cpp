@@ -115,14 +115,12 @@ std::vector<PublicFunction> shape_functions() {
               tree.refit(std::span(in.boxes).last(10));
               return tree.growth();
             }),
-      gives("BoxTree::Node::leaf",
+      gives("BoxTree::Node::step",
             [](const Input& in) {
-              std::vector<std::uint32_t> leaves;
+              std::vector<float> steps;
               const BoxTree tree(in.boxes);
-              for (const BoxTree::Node& node : tree.nodes())
-                for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane)
-                  if (node.count[lane] > 0) leaves.push_back(node.leaf(lane));
-              return leaves;
+              for (const BoxTree::Node& node : tree.nodes()) steps.push_back(node.step());
+              return steps;
             }),
       hands_on("BoxTree::nodes", [](const Input& in) { return BoxTree(in.boxes); }),
       hands_on("read_mesh", [](const Input& in) { return read_mesh(written(in), OnFault::Skip); }),

@@ -2,7 +2,7 @@
 // What bounds.h says of triangles in lanes, in rationals over the operations that are compiled.
 //
 // Lengths are in the group's units, with S = 1: every error is a sum of lengths times coefficients that are not
-// negative, all lengths are at most S or 2 S, and the bounds grow with S.
+// negative, all coordinates and limits are at most S or 2 S, and the bounds grow with S.
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -63,10 +63,12 @@ mpq_class relative_error_of_root(std::size_t roundings) { return root_above(powe
 /// sum; the root is rounded, too.
 const mpq_class kLength = relative_error_of_root(6);
 
+/// The radius, which is at most S, and the error.
+const mpq_class kLargestLimit = 1 + mpq_class(bounds::kLaneStored) + mpq_class(bounds::kLaneDistance) * kUnit;
+
 /// By how much limits of lengths may be wrong: the radius and the error in doubles, in steps, rounded to a float.
 mpq_class error_of_limits() {
-  const mpq_class largest_radius = 1 + mpq_class(bounds::kLaneDistance) * kUnit;  // S is the radius and 1
-  return (power(1 + mpq_class(bounds::kUnit), 6) * (1 + kUnit) - 1) * largest_radius + kFlushed;
+  return (power(1 + mpq_class(bounds::kUnit), 6) * (1 + kUnit) - 1) * kLargestLimit + kFlushed;
 }
 
 // Weights whose sum exceeds 1 by a rounding are those of a point beyond the triangle, by that share of an edge, which
@@ -78,13 +80,14 @@ TEST(Lanes, TouchedTrianglesAreNear) {
   EXPECT_LE(needed, bounds::kLaneDistance * kUnit);
 }
 
-// The support is the sum of two products and at most 4 times the point's length. It is compared with a product of the
+// The support is the sum of two products. It is at most 4 times the point's length: no coordinate of a vertex seen from
+// the centre is more than 2 S, and 12 is less than 4^2. It is compared with a product of the
 // limit and that length.
 TEST(Lanes, MissedTrianglesAreFar) {
   const mpq_class of_products = 2 * 2 * mpq_class(bounds::kLaneProduct) * kUnit, of_sum = 4 * (1 + of_products) * kUnit;
   const mpq_class of_comparison = (1 + kLength) * (1 + kUnit) - 1;
   const mpq_class bound = mpq_class(bounds::kLaneDistance) * kUnit;
-  const mpq_class needed = of_products + of_sum + of_comparison * (1 + bound) + error_of_limits();
+  const mpq_class needed = of_products + of_sum + of_comparison * kLargestLimit + error_of_limits();
   EXPECT_LE(needed, bound);
   EXPECT_GT(needed, bound * 15 / 16) << "it is loose";
 }

@@ -84,10 +84,8 @@ Sample draw_sample(std::uint64_t index) {
 
 /// Is the only box of a tree kept, and at which time?
 bool keeps(const scene::CullingMotion& culling, const BoxTree& tree, double time) {
-  scene::Pack times;
-  if ((culling.may_touch(tree.nodes().front(), times) & 1) == 0) return false;
-  double earliest[filtered::kLanes];
-  store(earliest, times);
+  double earliest[BoxTree::kWidth];
+  if ((culling.may_touch(tree.nodes().front(), earliest) & 1) == 0) return false;
   return earliest[0] <= time && culling.may_touch(earliest[0]);
 }
 
@@ -112,13 +110,43 @@ TEST(CullingMotion, KeepsEveryBoxThatIsTouched) {
   EXPECT_GT(culled, all / 4) << "it is blind";
 }
 
+// Near and far, so that floats and doubles cull.
+TEST(CullingBall, KeepsEveryBoxThatIsTouched) {
+  std::uint64_t culled = 0, all = 200 * TOUCHSTONE_SAMPLES;
+  for (std::uint64_t index = 0; index < all; ++index) {
+    const Sample sample = draw_sample(index);
+    Ball ball{sample.motion.to, 0};
+    ball.radius = root_rounded_up(squared_distance(sample.box, center_at(sample.motion, 8)));
+    if (!std::isfinite(ball.radius)) continue;
+    const std::vector<Box> boxes{sample.box};
+    const BoxTree tree(boxes);
+    double key[BoxTree::kWidth];
+    const scene::CullingBall culling(ball, tree);
+    EXPECT_EQ(culling.may_touch(tree.nodes().front()), 1U) << "sample " << index;
+    EXPECT_EQ(culling.may_touch(tree.nodes().front(), key), 1U) << "sample " << index;
+    EXPECT_TRUE(culling.may_touch(key[0])) << "sample " << index;
+    scene::CullingBall smaller(ball, tree);
+    smaller.set_radius(ball.radius / 2, tree);
+    culled += smaller.may_touch(tree.nodes().front()) == 0 ? 1 : 0;
+  }
+  EXPECT_GT(culled, all / 4) << "it is blind";
+}
+
+// A ball 2^30 times as far away as the boxes are large is told from one that is a little smaller.
+TEST(CullingBall, CullsFromFarAway) {
+  const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}};
+  const BoxTree tree(boxes);
+  EXPECT_EQ(scene::CullingBall({{0x1p30, 0.5, 0.5}, 0x1p30 - 1}, tree).may_touch(tree.nodes().front()), 1U);
+  EXPECT_EQ(scene::CullingBall({{0x1p30, 0.5, 0.5}, 0x1p30 - 2}, tree).may_touch(tree.nodes().front()), 0U);
+}
+
 TEST(CullingMotion, MeetsNoMissingBoxes) {
   const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}};
   const BoxTree tree(boxes);
   for (const Motion& motion : {Motion({{0, 0, 0}, 1}, {1, 2, 3}), Motion({{0, 0, 0}, 1}, {-1, -2, -3}),
                                Motion({{0, 0, 0}, 1}, {0, 0, 0}), Motion({{0, 0, 0}, 0x1p1023}, {0x1p1023, 0, 0})}) {
-    scene::Pack times;
-    EXPECT_EQ(scene::CullingMotion(motion, tree).may_touch(tree.nodes().front(), times), 1U);
+    EXPECT_EQ(scene::CullingMotion(motion, tree).may_touch(tree.nodes().front()), 1U);
+    EXPECT_EQ(scene::CullingBall(motion.ball, tree).may_touch(tree.nodes().front()), 1U);
   }
 }
 
@@ -127,10 +155,8 @@ TEST(CullingMotion, KnowsWhenItComes) {
   const std::vector<Box> boxes{{{8, -1, -1}, {9, 1, 1}}};
   const BoxTree tree(boxes);
   const auto time = [&](const Motion& motion) {
-    scene::Pack times;
-    const unsigned kept = scene::CullingMotion(motion, tree).may_touch(tree.nodes().front(), times);
-    double earliest[filtered::kLanes];
-    store(earliest, times);
+    double earliest[BoxTree::kWidth];
+    const unsigned kept = scene::CullingMotion(motion, tree).may_touch(tree.nodes().front(), earliest);
     return (kept & 1) != 0 ? earliest[0] : 2;
   };
   EXPECT_NEAR(time(Motion({{0, 0, 0}, 1}, {16, 0, 0})), 7.0 / 16, 1e-9);
