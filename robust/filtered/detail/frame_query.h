@@ -23,7 +23,7 @@ TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 /// flush-to-zero, and raises no flags except INEXACT and UNDERFLOW.
 struct HeightQuery {
   Vector3<double> to_center;  ///< from the frame's origin to the centre
-  double size;                ///< at least the frame's unit and at least every coordinate of the centre in the frame
+  double size;                ///< at least 1 and at least every coordinate of the centre in the frame
   double radius;
   double height, height_error;  ///< the height of the centre above the plane
 
@@ -31,13 +31,9 @@ struct HeightQuery {
   __attribute__((always_inline)) HeightQuery(const Ball& ball, const Frame& frame)
       : HeightQuery(
             {frame.unit.scaled(ball.center[0]), frame.unit.scaled(ball.center[1]), frame.unit.scaled(ball.center[2])},
-            frame.unit.scaled(ball.radius), frame.origin, frame.normal, frame.plane_height, 1.0) {
+            frame.unit.scaled(ball.radius), frame.origin, frame.normal, frame.plane_height) {
     assert(size <= 8 * Frame::kReach);
   }
-  /// In the caller's unit of length. Requires coordinates up to plane.reach.
-  __attribute__((always_inline)) HeightQuery(const Ball& ball, const GivenPlane& plane)
-      : HeightQuery({ball.center[0], ball.center[1], ball.center[2]}, ball.radius, plane.origin, plane.normal,
-                    plane.height, plane.unit) {}
 
   /// Returns +1 if the plane misses the ball, -1 if it cuts it, 0 if that is not certain.
   [[nodiscard]] int plane_sign() const {
@@ -58,11 +54,11 @@ struct HeightQuery {
  private:
   __attribute__((always_inline))
   HeightQuery(const Vector3<double>& center, double ball_radius, const Vector3<double>& origin,
-              const Vector3<double>& normal, double plane_height, double unit)
+              const Vector3<double>& normal, double plane_height)
       : to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z}, radius(ball_radius) {
     height = frame::height(normal, to_center, plane_height);
     const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
-    size = 2 * larger(widest, unit);  // no coordinate in the frame is beyond sqrt(3) widest
+    size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
     height_error = bounds::kHeight * bounds::kUnit * size;
   }
 };
