@@ -35,18 +35,14 @@ __attribute__((noinline)) PlaneSide unsure_plane_side(const Ball& ball, const Pr
     return kernels().counted.plane_side(ball, parts, counts);
 }
 
-/// The first stage is so short that the call of a kernel would cost as much. No radius is so large that its difference
-/// from a height would overflow.
+/// The first stage is so short that the call of a kernel would cost as much.
 template <class Counts>
 TOUCHSTONE_INLINE PlaneSide plane_side(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
-  const double reach = parts.plane.reach;
-  const double widest = larger(larger(std::abs(ball.center[0]), std::abs(ball.center[1])), std::abs(ball.center[2]));
-  if (widest <= reach) [[likely]] {
-    const HeightQuery query(ball, parts.plane);
-    if (query.knows_side()) [[likely]] {
-      counts.count(Stage::Double);
-      return query.side();
-    }
+  const GivenHeight height(ball, parts.plane);
+  PlaneSide side;
+  if (height.is_in_reach() && height.find_side(side)) [[likely]] {
+    counts.count(Stage::Double);
+    return side;
   }
   return unsure_plane_side(ball, parts, counts);
 }

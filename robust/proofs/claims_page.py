@@ -34,7 +34,8 @@ LEFT = {
     **dict.fromkeys(("kTiny", "kSmallest", "kFramePoint", "kFrameDirection", "kFrameLength", "kExtent", "kHeight",
                      "kDistance", "kNear", "kBoxReach", "kBoxRounding", "kLaneDistance", "kLaneVertex", "kLift", "kSlope",
                      "kLiftedEdge", "kLiftedMaximum", "kPerSquare", "kClosest"), AFTER_STEPS),
-    **dict.fromkeys(("kWide", "kNarrow", "kLaneCentre", "kLaneStored", "kLaneTiny", "kWideError"), COUNTED),
+    **dict.fromkeys(("kWide", "kNarrow", "kLaneCentre", "kLaneStored", "kLaneTiny", "kWideError", "kGivenHeight"),
+                    COUNTED),
     "kNormalUnderflow": "an argument about underflow, in rationals; measured, against rationals",
 }
 LEFT_OF_SCENES = {

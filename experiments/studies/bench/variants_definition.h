@@ -31,7 +31,7 @@ bool contact_without(const Ball& ball, const Triangle& triangle) {
   return filtered::contact(filtered::view_of(ball, triangle), counts);
 }
 
-/// As after a first stage that knows no sign. Requires numbers in its range.
+/// As after a first stage that knows no sign. Requires numbers in its range, and round to nearest.
 inline bool contact_without_first(const Ball& ball, const Triangle& triangle) {
   const filtered::BallTriangleView view = filtered::view_of(ball, triangle);
   filtered::TriangleSigns signs{};
@@ -47,7 +47,7 @@ inline bool contact_without_first(const Ball& ball, const Triangle& triangle) {
     }
   }
   filtered::NoCounts counts;
-  return filtered::unsure_contact(view, signs, FilterResult::Unsure, counts);
+  return filtered::UnsureTriangle<filtered::NoCounts>(view, signs, counts).contact();
 }
 
 /// An edge and a ball in expansions.

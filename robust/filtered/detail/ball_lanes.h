@@ -58,6 +58,21 @@ struct BallLanes {
     certain_hit_sq = inner * inner * all_lanes(kNarrow);
     boundary_sq = (all_lanes(kNear) * error) * (all_lanes(kNear) * error);
   }
+
+  /// Returns the balls whose plane is not missed.
+  [[nodiscard]] unsigned met_plane() const { return ~missed_plane & 0xF; }
+  /// Writes the query of each ball.
+  void write_queries(FrameQuery (&queries)[kLanes]) const {
+    double all_x[kLanes], all_y[kLanes], hit[kLanes], miss[kLanes], boundary[kLanes];
+    store(all_x, x), store(all_y, y);
+    store(hit, certain_hit_sq), store(miss, certain_miss_sq), store(boundary, boundary_sq);
+    for (int ball = 0; ball < kLanes; ++ball) {
+      FrameQuery& query = queries[ball];
+      query.x = all_x[ball], query.y = all_y[ball];
+      query.certain_hit_sq = (may_hit >> ball & 1) != 0 ? hit[ball] : -1;
+      query.certain_miss_sq = miss[ball], query.boundary_sq = boundary[ball];
+    }
+  }
 };
 
 /// The feet as seen from the edges that were added.
@@ -100,29 +115,16 @@ inline CertainContacts scan_for(const BallLanes& balls, const EdgeIndex& edges) 
 
 /// The same by the hierarchy of edges, for one ball after the other.
 inline CertainContacts walk_for(const BallLanes& balls, const EdgeIndex& edges) {
-  double x[kLanes], y[kLanes], hit[kLanes], miss[kLanes], boundary[kLanes];
-  store(x, balls.x), store(y, balls.y);
-  store(hit, balls.certain_hit_sq), store(miss, balls.certain_miss_sq), store(boundary, balls.boundary_sq);
   CertainContacts certain{0, balls.missed_plane};
-  for (unsigned met = ~balls.missed_plane & 0xF; met != 0; met &= met - 1) {
-    const int lane = __builtin_ctz(met);
-    const unsigned bit = 1U << lane;
-    FrameQuery query;
-    query.x = x[lane], query.y = y[lane];
-    query.certain_hit_sq = (balls.may_hit & bit) != 0 ? hit[lane] : -1;
-    query.certain_miss_sq = miss[lane], query.boundary_sq = boundary[lane];
-    const int sign = certain_distance_sign((balls.cut_plane & bit) != 0 ? -1 : 0, query, edges);
+  FrameQuery queries[kLanes];
+  balls.write_queries(queries);
+  for (unsigned met = balls.met_plane(); met != 0; met &= met - 1) {
+    const int ball = __builtin_ctz(met);
+    const unsigned bit = 1U << ball;
+    const int sign = certain_distance_sign((balls.cut_plane & bit) != 0 ? -1 : 0, queries[ball], edges);
     if (sign != 0) (sign < 0 ? certain.touching : certain.separate) |= bit;
   }
   return certain;
-}
-
-/// Returns which of four balls certainly touch the polygon, and which certainly do not. Requires a frame from
-/// Frame::kSubnormal up, and balls that the frame reaches.
-inline CertainContacts certain_contacts(const Ball* four, const Frame& frame, const EdgeIndex& edges) {
-  const BallLanes balls(four, frame);
-  if ((balls.missed_plane & 0xF) == 0xF) return {0, 0xF};
-  return edges.is_scanned() ? scan_for(balls, edges) : walk_for(balls, edges);
 }
 
 }  // namespace TOUCHSTONE_TARGET

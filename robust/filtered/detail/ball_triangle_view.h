@@ -32,6 +32,16 @@ struct TriangleSigns {
   double to_center[4], edge[4];
 };
 
+/// The sign on which alone contact depends after a first stage that could not decide it, as for most balls near
+/// contact.
+struct LoneSign {
+  /// The places of the bits of vertex 0, of edge 0 with its line, and of the plane. Bits from kNone on go with others.
+  static constexpr int kVertices = 0, kLines = 3, kPlane = 6, kNone = 7;
+
+  unsigned bit = 0;              ///< 0 if contact depends on several signs
+  double to_center[4], edge[4];  ///< maxima, as in TriangleSigns
+};
+
 /// The result of the first stage. OutOfRange: some number is too large for this stage.
 enum class FilterResult : unsigned char { No, Yes, Unsure, OutOfRange };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "robust/filtered/detail/given_plane.h"
 #include "robust/filtered/detail/sheared_edge.h"
 
 namespace touchstone::filtered {
@@ -96,13 +97,14 @@ std::optional<std::vector<EdgeTree::Edge>> lifted_edges(const Polygon& polygon,
 
 GivenPlane::GivenPlane(const Frame& frame) {
   if (frame.unit.exponent < Frame::kSubnormal || frame.unit.exponent > kLargest) return;
-  const LengthUnit& frame_unit = frame.unit;
+  const auto given = [&frame](double length) { return frame.unit.unscaled(length); };
+  const Vector3<double> origin{given(frame.origin.x), given(frame.origin.y), given(frame.origin.z)};
   reach = frame.reachable;
-  unit = frame_unit.unscaled(1);
-  origin = {frame_unit.unscaled(frame.origin.x), frame_unit.unscaled(frame.origin.y),
-            frame_unit.unscaled(frame.origin.z)};
-  normal = frame.normal;
-  height = frame_unit.unscaled(frame.plane_height);
+  height = given(frame.plane_height);
+  origin_xy = DoublePair{origin.x, origin.y}, origin_z = DoublePair{origin.z, 0};
+  normal_xy = DoublePair{frame.normal.x, frame.normal.y}, normal_z = DoublePair{frame.normal.z, 0};
+  const double largest = std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
+  error = bounds::kGivenHeight * (largest + given(1));
 }
 
 std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<ScaledVertex>& vertices,

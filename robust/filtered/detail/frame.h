@@ -33,23 +33,6 @@ struct Frame {
   int dropped_axis;     ///< along which vertices are lifted
 };
 
-/// The plane of a frame in the caller's unit of length, for balls that need not be scaled.
-///
-/// Scaling by a power of two changes nothing but what underflows, and bounds.h allows for that from Frame::kSubnormal
-/// up. Up to kLargest, nothing overflows.
-struct GivenPlane {
-  static constexpr int kLargest = 900;  ///< of a frame's exponent
-
-  double reach = -1;       ///< the limit for coordinates of centres; negative if there is no such plane
-  double unit = 1;         ///< the frame's
-  Vector3<double> origin;  ///< vertex 0
-  Vector3<double> normal;
-  double height = 0;  ///< of the plane above the origin
-
-  GivenPlane() = default;
-  explicit GivenPlane(const Frame& frame);
-};
-
 /// A polygon in a frame.
 struct FramedPolygon {
   Frame frame;

@@ -23,7 +23,7 @@ TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 /// flush-to-zero, and raises no flags except INEXACT and UNDERFLOW.
 struct HeightQuery {
   Vector3<double> to_center;  ///< from the frame's origin to the centre
-  double size;                ///< at least the frame's unit and at least every coordinate of the centre in the frame
+  double size;                ///< at least 1 and at least every coordinate of the centre in the frame
   double radius;
   double height, height_error;  ///< the height of the centre above the plane
 
@@ -31,13 +31,9 @@ struct HeightQuery {
   __attribute__((always_inline)) HeightQuery(const Ball& ball, const Frame& frame)
       : HeightQuery(
             {frame.unit.scaled(ball.center[0]), frame.unit.scaled(ball.center[1]), frame.unit.scaled(ball.center[2])},
-            frame.unit.scaled(ball.radius), frame.origin, frame.normal, frame.plane_height, 1.0) {
+            frame.unit.scaled(ball.radius), frame.origin, frame.normal, frame.plane_height) {
     assert(size <= 8 * Frame::kReach);
   }
-  /// In the caller's unit of length. Requires coordinates up to plane.reach.
-  __attribute__((always_inline)) HeightQuery(const Ball& ball, const GivenPlane& plane)
-      : HeightQuery({ball.center[0], ball.center[1], ball.center[2]}, ball.radius, plane.origin, plane.normal,
-                    plane.height, plane.unit) {}
 
   /// Returns +1 if the plane misses the ball, -1 if it cuts it, 0 if that is not certain.
   [[nodiscard]] int plane_sign() const {
@@ -58,11 +54,11 @@ struct HeightQuery {
  private:
   __attribute__((always_inline))
   HeightQuery(const Vector3<double>& center, double ball_radius, const Vector3<double>& origin,
-              const Vector3<double>& normal, double plane_height, double unit)
+              const Vector3<double>& normal, double plane_height)
       : to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z}, radius(ball_radius) {
     height = frame::height(normal, to_center, plane_height);
     const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
-    size = 2 * larger(widest, unit);  // no coordinate in the frame is beyond sqrt(3) widest
+    size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
     height_error = bounds::kHeight * bounds::kUnit * size;
   }
 };
@@ -152,6 +148,27 @@ inline bool odd_ends_above(std::span<const EdgeTree::End> ends, double y) {
   return ((ends.end() - above) & 1) != 0;
 }
 
+/// One step of a walk: the boxes of a node that are farther than a limit, and what these say about the ray.
+struct NodeStep {
+  Pack squared;        ///< as in NodeView
+  unsigned far;        ///< a bit a box
+  unsigned crossings;  ///< a bit a box that is far: the ray crosses its edges an odd number of times
+
+  TOUCHSTONE_INLINE NodeStep(const EdgeTree& tree, const EdgeTree::Node& node, const FrameQuery& query,
+                             double limit_sq) {
+    const NodeView view(node, query);
+    squared = view.squared;
+    far = negative_lanes(all_lanes(limit_sq * bounds::kBoxReach) - view.squared);
+    // As many ends above the ray as below it are odd in number only if the ray parts the lowest from the highest.
+    const Pack y = all_lanes(query.y), parted = (y - load(node.lowest_end)) ^ (y - load(node.highest_end));
+    const unsigned met = far & view.right & negative_lanes(parted);
+    crossings = met & ~node.with_more_ends;
+    for (unsigned more = met & node.with_more_ends; more != 0; more &= more - 1)
+      if (odd_ends_above(tree.ends_of(node, static_cast<unsigned>(__builtin_ctz(more))), query.y))
+        crossings ^= more & -more;
+  }
+};
+
 /// Calls visit(leaf, view) for all leaves. Otherwise as the walk of a tree.
 template <class Visit>
 TOUCHSTONE_INLINE bool scan(const std::vector<EdgeTree::Leaf>& leaves, const FrameQuery& query, const Visit& visit) {
@@ -172,7 +189,6 @@ template <bool nearest_first = false, class Visit>
 bool walk(const EdgeIndex& index, const FrameQuery& query, const double& limit_sq, const Visit& visit) {
   if (index.is_scanned()) return scan(index.leaves(), query, visit);
   const EdgeTree& tree = index.tree();
-  const Pack y = all_lanes(query.y);
   std::int32_t stack[EdgeTree::kStackSize];
   std::size_t open = 0;
   stack[open++] = tree.root();
@@ -187,24 +203,17 @@ bool walk(const EdgeIndex& index, const FrameQuery& query, const double& limit_s
       continue;
     }
     const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(number)];
-    const NodeView view(node, query);
-    const unsigned far = negative_lanes(all_lanes(limit_sq * bounds::kBoxReach) - view.squared);
-    // As many ends above the ray as below it are odd in number only if the ray parts the lowest from the highest.
-    const Pack parted = (y - load(node.lowest_end)) ^ (y - load(node.highest_end));
-    const unsigned met = far & view.right & negative_lanes(parted);
-    crossings ^= met & ~node.with_more_ends;
-    for (unsigned more = met & node.with_more_ends; more != 0; more &= more - 1)
-      if (odd_ends_above(tree.ends_of(node, static_cast<unsigned>(__builtin_ctz(more))), query.y))
-        crossings ^= more & -more;
+    const NodeStep step(tree, node, query, limit_sq);
+    crossings ^= step.crossings;
     unsigned last = EdgeTree::kWidth;
     if constexpr (nearest_first) {
       double distances[kLanes];
-      store(distances, view.squared);
+      store(distances, step.squared);
       for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane)
-        if ((far >> lane & 1) == 0 && (last == EdgeTree::kWidth || distances[lane] < distances[last])) last = lane;
+        if ((step.far >> lane & 1) == 0 && (last == EdgeTree::kWidth || distances[lane] < distances[last])) last = lane;
     }
     // Without branches, which depend on the foot.
-    const unsigned beyond = far | 1U << last;
+    const unsigned beyond = step.far | 1U << last;
     for (unsigned lane = EdgeTree::kWidth; lane-- > 0;) {
       stack[open] = node.child[lane];
       open += ~beyond >> lane & 1;
@@ -214,16 +223,27 @@ bool walk(const EdgeIndex& index, const FrameQuery& query, const double& limit_s
   return (__builtin_popcount(crossings) & 1) != 0;
 }
 
+/// A bit for each edge of a leaf that the ball certainly touches, that the foot may lie on, and that the ball may
+/// touch.
+struct EdgeMarks {
+  unsigned hit, near_boundary, unsure;
+
+  TOUCHSTONE_INLINE EdgeMarks(const EdgeTree::Leaf& leaf, const LeafView& view, const FrameQuery& query) {
+    const unsigned lanes = (1U << leaf.count) - 1;
+    hit = negative_lanes(view.squared - all_lanes(query.certain_hit_sq)) & lanes;
+    near_boundary = ~negative_lanes(all_lanes(query.boundary_sq) - view.squared) & lanes;
+    unsure = ~negative_lanes(all_lanes(query.certain_miss_sq) - view.squared) & lanes;
+  }
+};
+
 /// Returns +1 if the ball certainly misses the polygon, -1 if it certainly overlaps it, 0 if neither is certain.
 /// `plane`: the certain sign of the distance to the plane less the radius, -1 or 0.
 TOUCHSTONE_INLINE int certain_distance_sign(int plane, const FrameQuery& query, const EdgeIndex& edges) {
   const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
   unsigned hit = 0, near_boundary = 0, unsure = 0;
   const bool inside = walk(edges, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-    const unsigned lanes = (1U << leaf.count) - 1;
-    hit |= negative_lanes(view.squared - all_lanes(query.certain_hit_sq)) & lanes;
-    near_boundary |= ~negative_lanes(all_lanes(query.boundary_sq) - view.squared) & lanes;
-    unsure |= ~negative_lanes(all_lanes(query.certain_miss_sq) - view.squared) & lanes;
+    const EdgeMarks marks(leaf, view, query);
+    hit |= marks.hit, near_boundary |= marks.near_boundary, unsure |= marks.unsure;
     return hit != 0;
   });
   if (hit != 0) return -1;

@@ -8,6 +8,7 @@
 #include "robust/filtered/detail/polygon_stages.h"
 #include "robust/filtered/detail/triangle_closest.h"
 #include "robust/filtered/detail/triangle_groups_contact.h"
+#include "robust/filtered/detail/walk_together.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
@@ -46,15 +47,44 @@ inline constexpr KernelTable<Counts> kKernelTable{
     .first_contact = polygon_first_contact<Counts>,
 };
 
+/// Asks about one polygon and four balls together.
+class FourBalls {
+ public:
+  explicit FourBalls(const PreparedPolygon::Parts& parts) : parts_(parts) {}
+
+  /// Returns which of four balls certainly touch the polygon, and which certainly do not.
+  [[nodiscard]] CertainContacts certain_contacts(std::span<const Ball> four) {
+    for (const Ball& ball : four)
+      if (!frame_reaches_at_once(ball, parts_)) [[unlikely]]
+        return {0, 0};
+    const BallLanes balls(four.data(), *parts_.frame);
+    const EdgeIndex& edges = *parts_.edges;
+    if (balls.met_plane() == 0) return {0, 0xF};
+    if (edges.is_scanned()) return scan_for(balls, edges);
+    if (apart_ == 0) {
+      WalkTogether walk(balls, edges);
+      if (!walk.gave_up()) return walk.contacts();
+      apart_ = kApart;
+    }
+    --apart_;
+    return walk_for(balls, edges);
+  }
+
+ private:
+  /// The number of groups of four that walk apart after one that met many boxes: such balls seldom come alone.
+  static constexpr unsigned kApart = 16;
+
+  const PreparedPolygon::Parts& parts_;
+  unsigned apart_ = 0;
+};
+
 inline void balls_contact(std::span<const Ball> balls, const PreparedPolygon::Parts& parts, std::span<bool> touches) {
   NoCounts counts;
-  const auto reached = [&parts](const Ball& ball) { return frame_reaches_at_once(ball, parts); };
+  FourBalls asked(parts);
   std::size_t i = 0;
   for (; i + kLanes <= balls.size() && parts.edges; i += kLanes) {
     const std::span<const Ball> four = balls.subspan(i, kLanes);
-    CertainContacts certain{0, 0};
-    if (reached(four[0]) && reached(four[1]) && reached(four[2]) && reached(four[3])) [[likely]]
-      certain = certain_contacts(four.data(), *parts.frame, *parts.edges);
+    const CertainContacts certain = asked.certain_contacts(four);
     for (unsigned lane = 0; lane < kLanes; ++lane)
       touches[i + lane] = ((certain.touching | certain.separate) >> lane & 1) != 0 ? (certain.touching >> lane & 1) != 0
                                                                                    : contact(four[lane], parts, counts);

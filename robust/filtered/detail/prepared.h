@@ -12,6 +12,7 @@
 #include "robust/filtered/detail/bigint_polygon.h"
 #include "robust/filtered/detail/edge_index.h"
 #include "robust/filtered/detail/frame.h"
+#include "robust/filtered/detail/given_plane.h"
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/parts_of.h"
 #include "robust/filtered/detail/vector3.h"

@@ -172,12 +172,13 @@ constexpr bool uses([[maybe_unused]] Stage stage) {
     return true;
 }
 
-/// Returns the exact sign. Calls `bigint()` only if no other stage decides. Requires round to nearest, without
-/// flush-to-zero.
-template <SignKind kind, class BigInteger, class Counts>
+/// Returns the exact sign. Calls `bigint()` only if no other stage decides. Leaves out the stages before `first`.
+/// Requires round to nearest, without flush-to-zero.
+template <SignKind kind, Stage first = Stage::Permanent, class BigInteger, class Counts>
 int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& bigint) {
-  constexpr bool permanent = uses<Counts>(Stage::Permanent), fixed_integer = uses<Counts>(Stage::FixedInteger);
-  constexpr bool double_double = uses<Counts>(Stage::DoubleDouble);
+  constexpr bool permanent = first <= Stage::Permanent && uses<Counts>(Stage::Permanent);
+  constexpr bool double_double = first <= Stage::DoubleDouble && uses<Counts>(Stage::DoubleDouble);
+  constexpr bool fixed_integer = uses<Counts>(Stage::FixedInteger);
   if (const int sign = permanent ? certain_sign(expression<kind>(PermanentView{operands}), bounds::kTiny) : 0) {
     counts.count(Stage::Permanent);
     return sign;

@@ -7,7 +7,8 @@
 /// The expressions whose signs decide all queries, without divisions and roots.
 ///
 /// Each is written once, over any number type: doubles and vectors of doubles, doubles that carry a bound
-/// (numbers/permanent.h), double-doubles, integers. robust/proofs runs the same functions over a type that records
+/// (numbers/permanent.h), double-doubles, integers; some also over vectors whose components are lanes
+/// (numbers/lane_vector.h). robust/proofs runs the same functions over a type that records
 /// their operations, and proves every constant of bounds.h from the record.
 ///
 /// For a ball (c, r) and an edge from vertex a to vertex b: to_center = c - a, edge = b - a; normal = N.
@@ -17,7 +18,7 @@ namespace signs {
 
 /// |c - a|^2 - r^2: the vertex is outside the ball (+), on its sphere (0), inside (-).
 template <class V, class R>
-constexpr auto vertex(const Vector3<V>& to_center, const R& radius) {
+constexpr auto vertex(const V& to_center, const R& radius) {
   return dot(to_center, to_center) - radius * radius;
 }
 
@@ -35,7 +36,7 @@ constexpr auto beyond(const Vector3<V>& to_center, const Vector3<E>& edge) {
 
 /// |(b - a) x (c - a)|^2 - r^2 |b - a|^2: the edge's line passes outside the ball (+), touches (0), cuts it (-).
 template <class V, class E, class R>
-constexpr auto line(const Vector3<V>& to_center, const Vector3<E>& edge, const R& radius) {
+constexpr auto line(const V& to_center, const E& edge, const R& radius) {
   const auto moment = cross(edge, to_center);
   return dot(moment, moment) - (radius * radius) * dot(edge, edge);
 }
@@ -51,7 +52,7 @@ constexpr auto line_ahead(const Vector3<V>& to_center, const Vector3<V>& ahead, 
 
 /// The normal of a triangle with edge vectors u, v from one vertex.
 template <class V>
-constexpr auto normal(const Vector3<V>& u, const Vector3<V>& v) {
+constexpr auto normal(const V& u, const V& v) {
   return cross(u, v);
 }
 
@@ -63,7 +64,7 @@ constexpr auto front(const Vector3<N>& normal, const Vector3<V>& to_center) {
 
 /// (N.(c - a))^2 - r^2 N.N: the plane passes outside the ball (+), touches it (0), cuts it (-).
 template <class N, class V, class R>
-constexpr auto plane(const Vector3<N>& normal, const Vector3<V>& to_center, const R& radius) {
+constexpr auto plane(const N& normal, const V& to_center, const R& radius) {
   const auto height = dot(normal, to_center);
   return height * height - (radius * radius) * dot(normal, normal);
 }

@@ -6,6 +6,7 @@
 #include "geometry/contact/answer.h"
 #include "geometry/detail/floating_point_state.h"
 #include "robust/filtered/detail/bigint_sign.h"
+#include "robust/filtered/detail/lone_sign.h"
 #include "robust/filtered/detail/scaled_triangle.h"
 #include "robust/filtered/detail/sign_ladder.h"
 #include "robust/filtered/detail/triangle_filter.h"
@@ -60,7 +61,7 @@ class UnsureTriangle {
     const double longest = largest_edge();
     const Vector3<DoubleDouble> u = edge(0), v = edge(1);
     const auto zero = [](const DoubleDouble& a, const DoubleDouble& b) { return a.high == 0 || b.high == 0; };  // exact
-    return {difference(view_.center, view_.vertex[i]),
+    return {exact_difference(view_.center, view_.vertex[i]),
             edge(i),
             signs::normal(u, v),
             {signs_.to_center[i], longest, 2 * longest * longest},
@@ -68,12 +69,7 @@ class UnsureTriangle {
   }
 
  private:
-  static Vector3<DoubleDouble> difference(const double* a, const double* b) {
-    return {two_difference(a[0], b[0]), two_difference(a[1], b[1]), two_difference(a[2], b[2])};
-  }
-  [[nodiscard]] Vector3<DoubleDouble> edge(int i) const {
-    return difference(view_.vertex[i == 2 ? 0 : i + 1], view_.vertex[i]);
-  }
+  [[nodiscard]] Vector3<DoubleDouble> edge(int i) const { return exact_edge(view_, i); }
   [[nodiscard]] double largest_edge() const {
     return std::max(std::max(signs_.edge[0], signs_.edge[1]), signs_.edge[2]);
   }
@@ -81,14 +77,7 @@ class UnsureTriangle {
   template <SignKind kind>
   [[nodiscard]] int sign(const CertainSigns& certain, int i) const {
     if (const int known = certain.of(i)) return known;
-    constexpr bool needs_normal = kind == SignKind::Plane || kind == SignKind::Side;
-    const Vector3<DoubleDouble> to_center = difference(view_.center, view_.vertex[i]), along = edge(i);
-    const double longest = largest_edge();
-    const Maxima maxima{signs_.to_center[i], longest, 2 * longest * longest};
-    const Vector3<DoubleDouble> normal_edges[] = {needs_normal ? edge(0) : along, needs_normal ? edge(1) : along};
-    const auto normal = needs_normal ? signs::normal(normal_edges[0], normal_edges[1]) : along;
-    const EdgeOperands operands{to_center, along, normal, view_.radius(), 0, maxima, false, normal_edges, false};
-    return exact_sign<kind>(operands, counts_, [&] { return bigint_sign(kind, view_, i); });
+    return exact_sign<kind>(view_, {signs_.to_center[i], largest_edge(), 0}, i, counts_);
   }
   [[nodiscard]] int plane_sign() const {
     for (int i = 0; i < 3; ++i)
@@ -163,25 +152,38 @@ __attribute__((noinline)) bool scaled_contact(const BallTriangleView& view, doub
   return UnsureTriangle<Counts>(same, signs, counts).contact();
 }
 
-/// Returns whether ball and triangle touch, for queries that the first stage could not decide.
+/// Returns whether ball and triangle touch, by as many signs as that takes. Requires round to nearest, without
+/// flush-to-zero.
 template <class Counts>
-__attribute__((noinline)) bool unsure_contact(const BallTriangleView& view, const TriangleSigns& signs,
-                                              FilterResult result, Counts& counts) {
-  const FloatingPointState nearest;
-  if (result == FilterResult::OutOfRange) return pinned(scaled_contact(view, largest_number(view), counts));
+__attribute__((noinline)) bool contact_by_signs(const BallTriangleView& view, Counts& counts) {
+  TriangleSigns signs;
+  const FilterResult result = triangle_filter(view, signs);
+  if (result == FilterResult::OutOfRange) return scaled_contact(view, largest_number(view), counts);
+  if (result != FilterResult::Unsure) {  // in the caller's floating-point state it was
+    counts.count(Stage::Double);
+    return result == FilterResult::Yes;
+  }
   const UnsureTriangle<Counts> triangle(view, signs, counts);
   if (triangle.tiny())
-    if (const double largest = largest_number(view); largest < 0x1p-30)
-      return pinned(scaled_contact(view, largest, counts));
-  return pinned(triangle.contact());
+    if (const double largest = largest_number(view); largest < 0x1p-30) return scaled_contact(view, largest, counts);
+  return triangle.contact();
+}
+
+/// Returns whether ball and triangle touch, for queries that the first stage could not decide.
+template <class Counts>
+__attribute__((noinline)) bool unsure_contact(const BallTriangleView& view, const LoneSign& sign, Counts& counts) {
+  const FloatingPointState nearest;
+  if (sign.bit != 0) [[likely]]
+    return pinned(contact_by_lone_sign(view, sign, counts));
+  return pinned(contact_by_signs(view, counts));
 }
 
 template <class Counts>
 TOUCHSTONE_INLINE bool contact(BallTriangleView view, Counts& counts) {
-  TriangleSigns signs;
-  const FilterResult result = triangle_filter(view, signs);
+  LoneSign lone;
+  const FilterResult result = triangle_filter(view, lone);
   if (result >= FilterResult::Unsure) [[unlikely]]
-    return unsure_contact(view, signs, result, counts);
+    return unsure_contact(view, lone, counts);
   counts.count(Stage::Double);
   return result == FilterResult::Yes;
 }

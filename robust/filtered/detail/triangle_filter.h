@@ -111,6 +111,18 @@ struct BallAtTriangle {
     const unsigned plane = lanes(plane_out.positive), outside = lanes(side_in.negative), missed = edges_missed();
     return (plane != 0) | ((outside != 0) & (missed == all));
   }
+  /// Returns the bit of the sign on which alone contact depends, or 0. Requires that contact is not certain: then the
+  /// plane is neither missed nor, by a foot inside, cut, and no edge is touched.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned lone_sign() const {
+    const unsigned inside = lanes(side_in.positive), outside = lanes(side_in.negative);
+    const unsigned vertices = all ^ lanes(vertex_out.positive);
+    const unsigned lines = all ^ lanes(line_out.positive | after_start.negative | after_end.positive);
+    // A line counts alone only if the foot on it is certainly between its ends.
+    const unsigned unbounded = lines & ~lanes(after_start.positive & after_end.negative);
+    const unsigned open = vertices << LoneSign::kVertices | lines << LoneSign::kLines | unbounded << LoneSign::kNone;
+    const unsigned of_edges = (open & (open - 1)) == 0 && outside != 0 ? open : 0;
+    return inside == all ? 1U << LoneSign::kPlane : of_edges;
+  }
 };
 
 /// Returns whether ball and triangle are small enough for these lanes. If coordinates are at most half the limit,
@@ -120,15 +132,9 @@ TOUCHSTONE_INLINE bool in_range(const Vector3<Pack>& vertex, const double* ball)
   return negative_lanes(all_lanes(bounds::kLargest / 2) - input) == 0;
 }
 
-/// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
-/// `always`.
-template <bool always, bool scaled>
-TOUCHSTONE_INLINE FilterResult filter_edges(const TriangleLanes& triangle, const BallAtTriangle<scaled>& ball,
-                                            TriangleSigns& signs) {
-  const bool yes = ball.certainly_touches(), no = ball.certainly_misses();
-  // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted.
-  if (!always && yes != no) [[likely]]
-    return yes ? FilterResult::Yes : FilterResult::No;
+/// Writes all signs.
+template <bool scaled>
+TOUCHSTONE_INLINE void write(TriangleSigns& signs, const TriangleLanes& triangle, const BallAtTriangle<scaled>& ball) {
   const auto both = [](const LaneSigns& s) {
     return CertainSigns{BallAtTriangle<>::lanes(s.positive), BallAtTriangle<>::lanes(s.negative)};
   };
@@ -138,15 +144,33 @@ TOUCHSTONE_INLINE FilterResult filter_edges(const TriangleLanes& triangle, const
   signs.reachable = ball.edges_missed() ^ BallAtTriangle<>::all;
   store(signs.to_center, ball.m_center);
   store(signs.edge, triangle.m_edge);
-  return yes ? FilterResult::Yes : no ? FilterResult::No : FilterResult::Unsure;
+}
+/// Writes the lone sign, if doubles cannot decide contact.
+TOUCHSTONE_INLINE void write(LoneSign& sign, const TriangleLanes& triangle, const BallAtTriangle<>& ball) {
+  sign.bit = ball.lone_sign();
+  store(sign.to_center, ball.m_center);
+  store(sign.edge, triangle.m_edge);
 }
 
 /// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
-/// `always`; never if the result is OutOfRange.
+/// `always`.
+template <bool always, class Signs, bool scaled>
+TOUCHSTONE_INLINE FilterResult filter_edges(const TriangleLanes& triangle, const BallAtTriangle<scaled>& ball,
+                                            Signs& signs) {
+  const bool yes = ball.certainly_touches(), no = ball.certainly_misses();
+  // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted.
+  if (!always && yes != no) [[likely]]
+    return yes ? FilterResult::Yes : FilterResult::No;
+  write(signs, triangle, ball);
+  return yes ? FilterResult::Yes : no ? FilterResult::No : FilterResult::Unsure;
+}
+
+/// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs`, a TriangleSigns or a
+/// LoneSign, if they cannot, or always if `always`; never if the result is OutOfRange.
 ///
 /// Valid in every rounding direction and under flush-to-zero. Raises no flags except INEXACT and UNDERFLOW.
-template <bool always = false>
-TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, TriangleSigns& signs) {
+template <bool always = false, class Signs>
+TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Signs& signs) {
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view.center)) [[unlikely]]
     return FilterResult::OutOfRange;

@@ -7,6 +7,7 @@
 
 #include "experiments/workloads/random.h"
 #include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/numbers/lane_vector.h"
 #include "tests/robust/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {
@@ -73,6 +74,28 @@ TEST(FilteredDoubleDoubleVector, CrossIsWithinItsBound) {
     EXPECT_LE(abs(exactly(computed.x) - x), kCrossError) << "index " << i;
     EXPECT_LE(abs(exactly(computed.y) - y), kCrossError) << "index " << i;
     EXPECT_LE(abs(exactly(computed.z) - z), kCrossError) << "index " << i;
+  }
+}
+
+filtered::LaneVector in_lanes(const Vector3<DoubleDouble>& v) {
+  return {{filtered::pack(v.x.high, v.y.high, v.z.high, 0), filtered::pack(v.x.low, v.y.low, v.z.low, 0)}};
+}
+
+void expect_same(const DoubleDouble& a, const DoubleDouble& b) {
+  EXPECT_EQ(a.high, b.high);
+  EXPECT_EQ(a.low, b.low);
+}
+
+// The operations are the same, so are all bits.
+TEST(FilteredDoubleDoubleVector, IsTheSameInLanes) {
+  for (std::uint64_t i = 0; i < kVectors; ++i) {
+    Random random(2014, i);
+    const Vector3<DoubleDouble> a = vector(random), b = partner(random, a), apart = cross(a, b);
+    expect_same(dot(in_lanes(a), in_lanes(b)), dot(a, b));
+    double high[filtered::kLanes], low[filtered::kLanes];
+    const filtered::LaneVector together = cross(in_lanes(a), in_lanes(b));
+    store(high, together.lanes.high), store(low, together.lanes.low);
+    for (int axis = 0; axis < 3; ++axis) expect_same({high[axis], low[axis]}, apart[axis]);
   }
 }
 

@@ -84,6 +84,25 @@ TEST(FilteredManyEdges, AreAnsweredInBatchesAsOneByOne) {
   }
 }
 
+// Small balls whose radius is the nearest double to their distance, which doubles cannot decide.
+TEST(FilteredManyEdges, AreAnsweredInBatchesAtContact) {
+  workloads::Workload workload;
+  workload.family = Family::Star, workload.vertices = 192;
+  const Polygon polygon = in_plane(workloads::draw_outline(workload, 2026, 0));
+  const filtered::PreparedPolygon prepared(polygon);
+  std::vector<Ball> balls;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Random random(2026, i, 96);
+    const Eigen::Vector3d near(random.unit() - 0.5, random.unit() - 0.5, random.unit() / 16);
+    const Eigen::Vector3d center = Eigen::Vector3d(polygon.vertex(i % polygon.vertex_count())) + near;
+    balls.push_back({center, filtered::answer({center, 0}, prepared).distance});
+  }
+  const std::unique_ptr<bool[]> touches(new bool[balls.size()]);
+  filtered::contact(balls, prepared, {touches.get(), balls.size()});
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    EXPECT_EQ(touches[i], filtered::contact(balls[i], prepared)) << "ball " << i;
+}
+
 // The distance of the plane, in units of the polygon's size, exceeds what squares can hold.
 TEST(FilteredManyEdges, InAPlaneFarFromTheOriginAreAnsweredAsByExact) {
   workloads::Workload workload;

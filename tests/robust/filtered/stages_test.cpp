@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/workloads/random.h"
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
@@ -168,6 +169,22 @@ TEST(Stages, FixedIntegersDecideTangencyOnTheLattice) {
        Stage::FixedInteger},
   };
   for (const StagedCase& c : cases) expect_stage(c);
+}
+
+// Double-doubles round both terms of the sign, and differently: all that they say of a tangent ball is within their
+// bound.
+TEST(Stages, DoubleDoublesDecideNoTangentBall) {
+  for (std::uint64_t i = 0; i < 500 * TOUCHSTONE_SAMPLES; ++i) {
+    workloads::Random random(2026, i);
+    const auto number = [&random] { return 0.5 + random.unit() / 2; };
+    const double height = number(), x = number(), y = number();
+    const Polygon polygon({{-3 - number(), 0, 0}, {3 + number(), 0, 0}, {number(), 4 + number(), 0}});
+    for (const Ball& ball : {Ball{{x - 0.5, y, height}, height}, Ball{{x - 0.5, -height, 0}, height}}) {
+      StageCounts counts;
+      EXPECT_TRUE(filtered::contact(ball, triangle_of(polygon), counts)) << "index " << i;
+      EXPECT_GE(counts.last(), Stage::FixedInteger) << "index " << i;
+    }
+  }
 }
 
 TEST(Stages, UnlimitedIntegersDecideTheRest) {

@@ -64,6 +64,16 @@ TEST(FrameBounds, OfHeightsCoverUnderflowInTheGivenUnit) {
   EXPECT_LE(error_of_height(given), bound_of(bounds::kHeight));
 }
 
+// S is twice the larger of the unit and W, which is at most the sum of the ball's and the origin's largest numbers,
+// rounded. Of what is computed with kGivenHeight the constant part is rounded three times, and both are rounded once
+// more; the product with the ball's largest number may underflow.
+TEST(FrameBounds, OfGivenHeightsAreNoLess) {
+  const mpq_class u = bounds::kUnit, given = bounds::kGivenHeight, needed = 2 * mpq_class(bounds::kHeight) * u;
+  EXPECT_GE(given * power(1 - u, 5), needed * (1 + u));
+  EXPECT_LE(given, needed * (1 + mpq_class(0x1p-40))) << "it is loose";
+  EXPECT_LE(mpq_class(0x1p-1021), given * u / power(2, -Frame::kSubnormal)) << "underflow, and the unit's part";
+}
+
 /// How far the root of the computed square of the length of (x, y) may be from that of the exact numbers, if it is at
 /// most `longest`: as much as (x, y) moves, and the square's own rounding, two operations in a row whose effect the
 /// root halves.

@@ -102,14 +102,20 @@ inline DoubleWord<Word> unnormalised_product(const DoubleWord<Word>& a, const Do
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
 }
 
+/// Returns the sum of three unnormalised products: the last steps of `dot`.
+template <class Word>
+inline DoubleWord<Word> sum_of_products(const DoubleWord<Word>& x, const DoubleWord<Word>& y,
+                                        const DoubleWord<Word>& z) {
+  const DoubleWord<Word> first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
+  return two_sum(second.high, (((x.low + y.low) + first.low) + z.low) + second.low);
+}
+
 /// Returns a.b, with half the operations of separate products and sums and a third of their latency. Error:
 /// bounds::kDot.
 template <class Word>
 inline DoubleWord<Word> dot(const Vector3<DoubleWord<Word>>& a, const Vector3<DoubleWord<Word>>& b) {
   const DoubleWord<Word> x = unnormalised_product(a.x, b.x), y = unnormalised_product(a.y, b.y);
-  const DoubleWord<Word> z = unnormalised_product(a.z, b.z);
-  const DoubleWord<Word> first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
-  return two_sum(second.high, (((x.low + y.low) + first.low) + z.low) + second.low);
+  return sum_of_products(x, y, unnormalised_product(a.z, b.z));
 }
 
 /// a b - c d. Error: bounds::kCross.
