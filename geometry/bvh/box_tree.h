@@ -19,13 +19,13 @@ namespace touchstone {
 /// the floats, and so do the smallest, except for boxes 2^-160 times as large: no scene is too large or too small.
 ///
 /// The tree depends only on the boxes, not on the caller's rounding mode and flush-to-zero setting. Source: [wald2007]
-/// (binned surface area heuristic), [ylitie2017] (wide nodes with quantised boxes).
+/// (binned surface area heuristic), [ylitie2017] (quantised boxes, and nodes that cost a walk least).
 ///
 /// Why not a library: `touchstone bench-scenes` compares. For a million triangles and small balls near them a scene on
-/// this tree took 0.6 to 1 of the processor time of Embree 3, whose boxes are floats that cannot support exact answers;
-/// less than half of the time of Boost's R-tree; a twentieth of that of CGAL's AABB tree. For random balls it took half
-/// of Embree's time to find the nearest triangle, and 1 to 1.4 times to test little more than boxes. Per triangle this
-/// tree takes 13 bytes; the libraries take 117, 65 and 136.
+/// this tree took 0.4 to 0.9 of the time of Embree 3, whose boxes are floats that cannot support exact answers; less
+/// than half of the time of Boost's R-tree; a tenth of that of CGAL's AABB tree, for the nearest triangle a third. For
+/// random balls it took less than half of Embree's time to find the nearest triangle, and 0.9 to 1.1 times to test
+/// little more than boxes. Per triangle this tree takes 8 bytes; the libraries take 111, 65 and 135.
 class BoxTree {
  public:
   static constexpr std::size_t kWidth = 8;                         ///< the most children of a node

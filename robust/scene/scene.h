@@ -83,7 +83,7 @@ class Scene {
   /// Throws std::invalid_argument if the name is taken; Rejected, naming the object and the face, for a triangle that
   /// exact::validate rejects as a polygon and for a polygon without a normal; and whatever set_pose throws. Cost: about
   /// 1 us per triangle; 0.1 us per vertex of a polygon, and 1 to 3 us more in the first query whose ball comes near it.
-  /// Memory: about 57 bytes per triangle of a closed mesh, 60 more where no two triangles share a vertex, and more if
+  /// Memory: about 52 bytes per triangle of a closed mesh, 60 more where no two triangles share a vertex, and more if
   /// the triangles lie so that leaves hold few.
   std::uint32_t add(std::string name, Faces faces, const Pose& pose = {});
 

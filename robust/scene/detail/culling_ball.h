@@ -28,13 +28,15 @@ inline constexpr double kWide = 1 + 0x1p-47, kWideFloat = 1 + 0x1p-20;
 /// Added to the square of a ball's reach to cover underflow of squares in floats. Subnormal numbers would be slow.
 inline constexpr double kTinyFloat = 0x1p-120;
 /// A coordinate is this share of the nearest float away from it at most, or the least normal number.
-inline constexpr float kApartFloat = 0x1p-22F;
+inline constexpr double kApartFloat = 0x1p-22;
 /// Balls whose numbers are larger are tested in doubles. Boxes reach 2^40 at most.
 inline constexpr double kLargestFloat = 0x1p50;
 
 /// Returns how far from a number its nearest float may be at most, and as much again for the ends of the interval that
 /// is made of it.
-inline float apart(float nearest) { return std::abs(nearest) * kApartFloat + std::numeric_limits<float>::min(); }
+inline float apart(float nearest) {
+  return std::abs(nearest) * static_cast<float>(kApartFloat) + std::numeric_limits<float>::min();
+}
 
 /// Returns how far an interval is from another, that of a centre's coordinate from `first` to `last`; 0 if they meet.
 template <class T>

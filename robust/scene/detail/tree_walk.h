@@ -50,8 +50,9 @@ class FoundLeaves {
   std::size_t size_ = 0;
 };
 
-/// Calls visit(leaves) for all leaves that `culling` may touch, some at a time: as soon as there are kEnough. Stops if
-/// it returns true, and returns whether it did. Calls prefetch_leaf(leaf) some time before it visits the leaf.
+/// Calls visit(leaves) for all leaves that `culling` may touch, each time that kEnough of them or more are found, and
+/// at the end. Stops if it returns true, and returns whether it did. Calls prefetch_leaf(leaf) some time before it
+/// visits the leaf.
 ///
 /// `culling` is a CullingBall or a CullingMotion. A search for any leaf needs one; where all count, the processor
 /// overlaps the work of several.

@@ -49,7 +49,7 @@ TOUCHSTONE_INLINE bool any_of_leaves(std::span<const Leaf> leaves, const Contact
   return false;
 }
 
-/// What floats know of the distances of a leaf's triangles.
+/// The distances of a leaf's triangles, as floats know them.
 class LeafDistances {
  public:
   /// Knows nothing.
