@@ -23,7 +23,7 @@ namespace culling {
 /// Added to a ball's radius to cover underflow in centres, radii and boxes, which is at most 2^-1074 in each.
 inline constexpr double kTiny = 0x1p-500;
 /// Multiplied with the square of a ball's reach to cover its rounding and that of the squares that are compared with
-/// it, in doubles and in floats. Proved in tests/robust/proofs/culling_test.cpp, as are the next two constants.
+/// it, in doubles and in floats. Proved in tests/robust/proofs/culling_test.cpp, as are the next three constants.
 inline constexpr double kWide = 1 + 0x1p-47, kWideFloat = 1 + 0x1p-20;
 /// Added to the square of a ball's reach to cover underflow of squares in floats. Subnormal numbers would be slow.
 inline constexpr double kTinyFloat = 0x1p-120;
