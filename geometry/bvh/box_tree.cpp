@@ -397,8 +397,7 @@ class Builder {
     const std::uint32_t left = split(all, first, depth + 1), right = split(all, second, depth + 1);
     Half& here = all[place];
     here.left = left, here.right = right;
-    here.cost[0] = range.bounds.surface() + all[left].cost[least_share(all, here, kWidth) - 1] +
-                   all[right].cost[kWidth - least_share(all, here, kWidth) - 1];
+    here.cost[0] = range.bounds.surface() + shared_cost(all, here, least_share(all, here, kWidth), kWidth);
     for (std::size_t most = 2; most <= kWidth; ++most)
       here.cost[most - 1] = std::min(here.cost[most - 2], shared_cost(all, here, least_share(all, here, most), most));
     return place;
@@ -416,16 +415,12 @@ class Builder {
     return best;
   }
 
-  /// Makes the node for a range that was split.
+  /// Makes the node for a range that was split, and those below it.
   void collapse(Subtree& tree, std::uint32_t place, const std::vector<Half>& all, std::uint32_t root) {
     std::vector<std::uint32_t> children;
-    if (all[root].left == 0) {
-      children.push_back(root);
-    } else {
-      const std::size_t share = least_share(all, all[root], kWidth);
-      choose(children, all, all[root].left, share);
-      choose(children, all, all[root].right, kWidth - share);
-    }
+    const std::size_t share = least_share(all, all[root], kWidth);
+    choose(children, all, all[root].left, share);
+    choose(children, all, all[root].right, kWidth - share);
     make_node(
         tree, place, children, [&](std::uint32_t half) { return all[half].left == 0; },
         [&](std::uint32_t half) -> const Range& { return all[half].range; },

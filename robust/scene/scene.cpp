@@ -176,8 +176,8 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
     fastest_walks(tally).nearest_polygon(object.polygons, search, tally);
     return false;
   });
-  if (auto found = search.nearest()) return found;
-  // All faces are farther than the largest double, so no ball reaches them.
+  if (search.has_shrunk()) return search.nearest();
+  // All faces are farther than the largest double or nearly so: balls cannot tell which matter.
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
     const std::vector<std::uint32_t>& order = object.triangles.placed->tree.order();

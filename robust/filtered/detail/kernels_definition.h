@@ -71,7 +71,7 @@ class FourBalls {
   }
 
  private:
-  /// The number of groups of four that walk apart after one that met many boxes: such balls seldom come alone.
+  /// The number of groups of four that walk apart from one on that meets many boxes: such balls seldom come alone.
   static constexpr unsigned kApart = 16;
 
   const PreparedPolygon::Parts& parts_;

@@ -69,7 +69,7 @@ class CullingMotion {
         entry_[axis] = -culling::offset(center_[axis], side, inverse);
         exit_[axis] = -culling::offset(center_[axis], -side, inverse);
       } else {
-        // No infinite side times the inverse is NaN, no finite one is more than 2^-90.
+        // No side of a box times the inverse is more than 2^-350.
         inverse_[axis] = 0x1p-400, entry_[axis] = -1, exit_[axis] = 2;
       }
       forward_[axis] = !(inverse_[axis] < 0);

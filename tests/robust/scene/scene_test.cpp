@@ -187,6 +187,23 @@ TEST(Scene, FindsTheNearestFaceBeyondTheLargestDouble) {
   EXPECT_EQ(found->face, (FaceId{0, 1}));
 }
 
+// The walk meets some of these faces, since differences of their coordinates overflow, and not the nearest.
+TEST(Scene, FindsTheNearestOfFacesSomeOfWhichAreMet) {
+  const double most = 0x1p1023, nearer = -0x1.a8279c73e2cp+1021;
+  Scene one;
+  one.add("one", {{{{-most, most, 0}, {-most, most, -1}, {-most, 0x1.0000000000001p+1023, 0}},
+                   {{nearer, nearer, 0}, {nearer, nearer, -1}, {nearer, -0x1.a8279c73e2c01p+1021, 0}}},
+                  {}});
+  EXPECT_EQ(one.nearest({{most, most, 0}, 0})->face, (FaceId{0, 0}));
+
+  const Triangle ahead{{-most, 0, 0}, {-most, 1, 0}, {-most, 0, 1}};
+  const Triangle aside{{-most, 0x1p1010, 0}, {-most, 0x1p1010, 1}, {-most, 0x1p1011, 0}};
+  Scene two;
+  two.add("ahead", {{ahead, ahead}, {}});
+  two.add("aside", {{aside}, {}});
+  EXPECT_EQ(two.nearest({{most, 0, 0}, 0})->face, (FaceId{0, 0}));
+}
+
 TEST(Scene, IsEmptyAtFirst) {
   const Scene scene;
   EXPECT_FALSE(scene.touches({{0, 0, 0}, 1}));
