@@ -345,7 +345,7 @@ class Report(unittest.TestCase):
         answers = sum(int(row["cases"]) for row in rows if row["family"] == "all")
         self.assertEqual(answers, sum(int(row["cases"]) for row in rows if row["family"] != "all"))
         text = Page(report(only)[0]).text
-        self.assertIn(f"filtered, which decides exactly, gave no wrong answer in {answers:,}.", text)
+        self.assertIn(f"filtered, which decides exactly, gave no wrong answer in {answers:,} questions.", text)
         self.assertIn(f"The certified path under attack{answers:,}200 cases0{rounded(100 * upper_limit(200))}", text)
 
     def test_outlines_that_are_asked_about_in_both_placements_count_once(self):

@@ -11,10 +11,18 @@ LEFT, RIGHT, ROW, BAR, TOP = 130, 700, 46, 11, 44  # of the drawing, in its unit
 LEAST = -60  # the exponent at its left
 LENGTHS = {"1 nm": 1e-9, "1 µm": 1e-6, "1 mm": 1e-3}  # on a part of 1 m
 OPACITY = (1, 0.65, 0.35)
+UNITS = {"m": 1, "mm": 1e-3, "µm": 1e-6, "nm": 1e-9, "pm": 1e-12, "fm": 1e-15}
+HALO = 'style="paint-order: stroke; stroke: var(--soft); stroke-width: 4px; stroke-linejoin: round"'  # keeps lines apart from words
 
 
 def x_of(share):
     return LEFT + (RIGHT - LEFT) * (1 - math.log2(max(min(share, 1), 2.0**LEAST)) / LEAST)
+
+
+def length(share):
+    """On a part of 1 m, in two digits."""
+    unit = next((unit for unit, metres in UNITS.items() if share >= 0.1 * metres), "fm")
+    return f"{share / UNITS[unit]:.2g}\N{NARROW NO-BREAK SPACE}{unit}"
 
 
 def line(x, top, bottom, more=""):
@@ -26,19 +34,18 @@ def text(x, y, words, anchor="start", more=""):
 
 
 def bars(data, method, top):
-    """One a distance; a word in their place where no wrong answer was found."""
+    """One a distance, and their words, which come after all lines; a word in their place where no wrong answer was found."""
     shares = [data.furthest(method, distance, CONTACT) for distance in data.distances]
     if not any(shares):
-        return text(LEFT + 8, top + ROW / 2, "none found", more='font-weight="600"')
-    drawn = ""
+        return "", text(LEFT + 8, top + ROW / 2, "none found", more='font-weight="600"')
+    drawn = words = ""
     for i, share in enumerate(shares):
         y = top + 4 + i * (BAR + 1)
         if share:
             drawn += (f'<rect x="{LEFT}" y="{y}" width="{x_of(share) - LEFT:.1f}" height="{BAR}" fill="{look_of(method).colour}" '
-                      f'stroke="none" opacity="{OPACITY[i]}"/>' + text(x_of(share) + 4, y + BAR - 1.5, share_of_size(share), more='font-size="10.5"'))
-        else:
-            drawn += text(LEFT + 4, y + BAR - 1.5, "none", more='font-size="10.5"')
-    return drawn
+                      f'stroke="none" opacity="{OPACITY[i]}"/>')
+        words += text((x_of(share) if share else LEFT) + 4, y + BAR - 1.5, length(share) if share else "none", more=f'font-size="10.5" {HALO}')
+    return drawn, words
 
 
 def picture(data):
@@ -47,12 +54,15 @@ def picture(data):
         return ""
     methods = in_order(data.methods)
     bottom = TOP + ROW * len(methods)
-    drawn = "".join(text(LEFT - 8, TOP + ROW * i + ROW / 2 + 3, escaped(method), "end", 'font-family="monospace"') + bars(data, method, TOP + ROW * i)
-                    for i, method in enumerate(methods))
+    drawn = words = ""
+    for i, method in enumerate(methods):
+        own_bars, own_words = bars(data, method, TOP + ROW * i)
+        drawn += text(LEFT - 8, TOP + ROW * i + ROW / 2 + 3, escaped(method), "end", 'font-family="monospace"') + own_bars
+        words += own_words
     for exponent in range(LEAST, 1, 10):
         drawn += line(x_of(2.0**exponent), TOP, bottom, 'opacity=".18"') + text(x_of(2.0**exponent), bottom + 15, power("2", exponent) if exponent else "1", "middle")
-    for words, share in LENGTHS.items():
-        drawn += line(x_of(share), TOP - 10, bottom, 'stroke-dasharray="3 3"') + text(x_of(share), TOP - 15, words, "middle")
+    for named, share in LENGTHS.items():
+        drawn += line(x_of(share), TOP - 10, bottom, 'stroke-dasharray="3 3"') + text(x_of(share), TOP - 15, named, "middle")
     key = "".join(f'<rect x="{LEFT + 190 * i}" y="{bottom + 45}" width="24" height="{BAR}" fill="currentColor" opacity="{OPACITY[i]}" stroke="none"/>'
                   + text(LEFT + 190 * i + 30, bottom + 55, f"polygon {DISTANCES[distance]}") for i, distance in enumerate(data.distances))
     said = "; ".join(f"{method}: " + (", ".join(share_of_size(s) if s else "none" for s in shares) if any(
@@ -62,7 +72,7 @@ viewBox="0 0 {RIGHT + 50} {bottom + 66}" role="img" aria-labelledby="reach-title
 <title id="reach-title">The furthest wrong answer of each method from contact, as a share of the polygon's size, at growing distances from the
 origin. {escaped(said)}.</title>
 <g>{text(LEFT - 8, TOP - 15, "on a part of 1 m:", "end")}</g>
-<g>{drawn}</g>
-<g>{text((LEFT + RIGHT) / 2, bottom + 33, "furthest wrong answer from contact, as a share of the polygon’s size", "middle")}{key}</g>
+<g>{drawn}{words}</g>
+<g>{text((LEFT + RIGHT) / 2, bottom + 33, "furthest wrong answer from contact, as a share of the polygon’s size (logarithmic)", "middle")}{key}</g>
 </svg></div><figcaption>How far from contact each method was found wrong, by random samples and by a search that moves coordinates: a ball whose
-radius is off by so much is still answered wrongly.</figcaption></figure>"""
+radius is off by so much is still answered wrongly. Lengths are those on a part of 1 m.</figcaption></figure>"""

@@ -17,7 +17,7 @@ def headline(asked):
     certified = f"{code(never_failed.CERTIFIED)}, which decides exactly, "
     if failed:
         return text + certified + "gave some, against its guarantee."
-    return text + certified + (f"gave {'none' if wrong else 'no wrong answer'} in {count(answers)}." if answers else "was not asked.")
+    return text + certified + (f"gave {'none' if wrong else 'no wrong answer'} in {count(answers)} questions." if answers else "was not asked.")
 
 
 def how_often(found):
