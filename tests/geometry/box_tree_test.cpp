@@ -208,6 +208,31 @@ void expect_same(const BoxTree& tree, const BoxTree& expected, const std::string
   EXPECT_EQ(tree.growth(), expected.growth()) << where;
 }
 
+/// The tree of these boxes, and after they have moved, is the same whatever state the caller and all cores are in.
+void expect_same_everywhere(const std::vector<Box>& boxes, const std::vector<Box>& moved) {
+  const BoxTree expected(boxes);
+  BoxTree expected_moved = expected;
+  expected_moved.refit(moved);
+  for (const int mode : contact_tests::kModes)
+    for (const unsigned flush : contact_tests::kFlushes) {
+      const std::string where =
+          std::to_string(boxes.size()) + " boxes, mode " + std::to_string(mode) + ", flush " + std::to_string(flush);
+      std::optional<BoxTree> tree;
+      std::thread([&] {
+        const contact_tests::Environment changed(mode, flush);
+        // The settings at a thread's first call of this kind are those of all cores in its later ones.
+        tbb::parallel_for(0, 2, [](int) {});
+        tree.emplace(boxes);
+      }).join();
+      expect_same(*tree, expected, where);
+      {
+        const contact_tests::Environment changed(mode, flush);
+        tree->refit(moved);
+      }
+      expect_same(*tree, expected_moved, where);
+    }
+}
+
 // Beside boxes of size 1, which stand about 2^40 in the tree, those of 2^-170 are subnormal floats, which a machine
 // that flushes them takes for nothing.
 TEST(BoxTree, IsTheSameInEveryFloatingPointEnvironment) {
@@ -220,28 +245,22 @@ TEST(BoxTree, IsTheSameInEveryFloatingPointEnvironment) {
       boxes.push_back({low, low + Eigen::Vector3d::Constant(size / 64)});
       moved.push_back({-boxes.back().high, -boxes.back().low});
     }
-    const BoxTree expected(boxes);
-    BoxTree expected_moved = expected;
-    expected_moved.refit(moved);
-    for (const int mode : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
-        const std::string where =
-            std::to_string(count) + " boxes, mode " + std::to_string(mode) + ", flush " + std::to_string(flush);
-        std::optional<BoxTree> tree;
-        std::thread([&] {
-          const contact_tests::Environment changed(mode, flush);
-          // The settings at a thread's first call of this kind are those of all cores in its later ones.
-          tbb::parallel_for(0, 2, [](int) {});
-          tree.emplace(boxes);
-        }).join();
-        expect_same(*tree, expected, where);
-        {
-          const contact_tests::Environment changed(mode, flush);
-          tree->refit(moved);
-        }
-        expect_same(*tree, expected_moved, where);
-      }
+    expect_same_everywhere(boxes, moved);
   }
+}
+
+// Strips in a plane, which are best cut along their subnormal sides. They come in order, so that cores join boxes that
+// differ.
+TEST(BoxTree, IsTheSameWhereSubnormalSidesDecide) {
+  constexpr std::size_t count = 60'000;
+  Random random(2026, 0, 63);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double y = 0x1p-170 * static_cast<double>(i) / static_cast<double>(count);
+    const Eigen::Vector3d low{0.5 * random.unit(), y, 0};
+    boxes.push_back({low, low + Eigen::Vector3d(0.5, 0x1p-180, 0)});
+  }
+  expect_same_everywhere(boxes, boxes);
 }
 
 TEST(BoxTree, IsTheSameForManyBoxesHoweverOftenItIsBuilt) {

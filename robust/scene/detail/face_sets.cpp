@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "geometry/detail/each_in_parallel.h"
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/parts_in_parallel.h"
 #include "robust/scene/detail/lifted_box.h"
@@ -52,18 +53,9 @@ void expect_valid(const std::vector<Triangle>& triangles) {
   for_each_face(triangles.size(), number, [&](std::size_t i) { scene::expect_valid(triangles[i]); });
 }
 
-/// Calls f(i) for each i below `count`, on all cores.
-template <class F>
-void for_each_number(std::size_t count, const F& f) {
-  parts_in_parallel(count, 4096, [&f](std::size_t begin, std::size_t end) {
-    const FloatingPointState nearest;
-    for (std::size_t i = begin; i < end; ++i) f(i);
-  });
-}
-
 std::vector<Box> boxes_of(const std::vector<Triangle>& triangles) {
   std::vector<Box> boxes(triangles.size());
-  for_each_number(triangles.size(), [&](std::size_t i) { boxes[i] = box(triangles[i]); });
+  each_in_parallel(triangles.size(), 4096, [&](std::size_t i) { boxes[i] = box(triangles[i]); });
   return boxes;
 }
 
@@ -132,17 +124,14 @@ std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const LazyPrepar
 
 PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_number)
     : tree(std::move(tree_)), triangles(by_number, tree.order()), groups(tree.leaf_count()) {
-  parts_in_parallel(groups.size(), 256, [&](std::size_t begin, std::size_t end) {
-    const FloatingPointState nearest;
-    for (std::size_t i = begin; i < end; ++i) {
-      std::array<Triangle, BoxTree::kMostInLeaf> leaf;
-      std::size_t count = 0;
-      for (std::size_t place = i * BoxTree::kMostInLeaf; count < leaf.size(); ++place, ++count) {
-        if (tree.order()[place] == BoxTree::kNone) break;
-        leaf[count] = triangles[place].copy();
-      }
-      groups[i] = filtered::group_of(std::span(leaf).first(count));
+  each_in_parallel(groups.size(), 256, [&](std::size_t i) {
+    std::array<Triangle, BoxTree::kMostInLeaf> leaf;
+    std::size_t count = 0;
+    for (std::size_t place = i * BoxTree::kMostInLeaf; count < leaf.size(); ++place, ++count) {
+      if (tree.order()[place] == BoxTree::kNone) break;
+      leaf[count] = triangles[place].copy();
     }
+    groups[i] = filtered::group_of(std::span(leaf).first(count));
   });
 }
 
