@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -105,7 +102,7 @@ class TriangleLeaves {
     return filtered::lanes_contact(ball, inner, groups_[leaf.number], all_triangles(leaf));
   }
 
-  /// Returns what floats know of the distances from a ball's centre. Requires a ball that touches the leaf's box.
+  /// Returns what floats know of the distances from a ball's centre: nothing if the ball is beyond the group's reach.
   [[nodiscard]] TOUCHSTONE_INLINE LeafDistances distances(const Ball& ball, const Leaf& leaf) const {
     const filtered::TriangleGroup& group = groups_[leaf.number];
     double seen[4];
