@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/contact/fast_motion.h"
 
+#include <Eigen/Geometry>
 #include <array>
 
 #include "geometry/contact/detail/fast_motion_definitions.h"

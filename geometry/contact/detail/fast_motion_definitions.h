@@ -3,6 +3,7 @@
 
 // The definitions of the templates of fast_motion.h, for the scalars that fast_definitions.h describes.
 
+#include <Eigen/Geometry>
 #include <optional>
 
 #include "geometry/contact/detail/fast_definitions.h"
