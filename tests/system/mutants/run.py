@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: python3 run.py [--corpus] [--one-in N] SOURCE BUILD [NAME...]
+"""Usage: python3 run.py [--corpus] [--one-in N | --part I/N] SOURCE BUILD [NAME...]
 
 A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file; translation
 units that see it are compiled again and linked before the libraries into a program of tests, which is run: it must
@@ -7,7 +7,7 @@ fail. A program that crashes has noticed the bug only if it passes with the unch
 way. Exit status 1 if a mutant survives, or if its text is not found exactly once.
 
 With --one-in N only about one mutant in N is planted; the hash of the commit draws them, so that every commit plants
-others, and the same commit the same ones.
+others, and the same commit the same ones. --part I/N plants the I-th of N parts, which together are all.
 
 With --corpus nothing but the cases of tests/corpus may tell of the bug, and the case that does is named. Those planted
 in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out, those that change
@@ -203,10 +203,20 @@ def drawn(mutants, one_in, commit):
     return [mutant for mutant in mutants if mutant["name"] in chosen]
 
 
+def part_of(mutants, part):
+    """The I-th part of N, from "I/N": every N-th mutant, because neighbours take about as long as each other."""
+    i, n = map(int, part.split("/"))
+    if not 1 <= i <= n:
+        raise ValueError(f"there is no part {part}")
+    return mutants[i - 1::n]
+
+
 def parsed(arguments):
     parser = argparse.ArgumentParser()
     parser.add_argument("--corpus", action="store_true")
-    parser.add_argument("--one-in", type=int, default=1)
+    some = parser.add_mutually_exclusive_group()
+    some.add_argument("--one-in", type=int, default=1)
+    some.add_argument("--part", default="1/1")
     parser.add_argument("source")
     parser.add_argument("build")
     parser.add_argument("names", nargs="*")
@@ -221,6 +231,7 @@ def main(*arguments):
         commit = commit_of(source)
         print(f"One in {options.one_in} of {len(mutants)}, drawn by commit {commit or '(none)'}")
         mutants = drawn(mutants, options.one_in, commit)
+    mutants = part_of(mutants, options.part)
     workshop = Workshop(source, build, sorted({program_of(mutant) for mutant in mutants}))
     programs = sorted({(program_of(mutant), suites_of(mutant)) for mutant in mutants})
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:

@@ -35,6 +35,12 @@ class Commands(unittest.TestCase):
                          ["/usr/bin/c++", "lib/a.cpp.o", "-o", "tests/contact_tests", "lib/b.cpp.o"])
 
 
+class Parts(unittest.TestCase):
+    def test_parts_hold_each_mutant_once(self):
+        parts = [run.part_of(list(range(10)), f"{i}/3") for i in (1, 2, 3)]
+        self.assertEqual(sorted(sum(parts, [])), list(range(10)))
+
+
 class Fake(run.Workshop):
     """Its programs are shell scripts."""
 

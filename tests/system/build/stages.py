@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: stages.py ROOT
+
+./check runs the stages that it is told to and no others, and stops at the first that fails. Each stage of the table is
+short, and its commands and packages exist. The commands themselves, which take long, are replaced."""
+import hashlib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LONGEST, LONGEST_OF_CI = 25, 90  # minutes
+STUBS = """
+need_packages() { echo "packages $*"; }
+run() {
+  echo "run $1"
+  [ "$1" != coq ]  # as if one of its commands failed
+  echo "ran $1"
+}
+"""
+COMMIT = "0123456789abcdef0123456789abcdef01234567"
+
+
+def bash(script):
+    """The lines that a script prints which knows the stages and the packages."""
+    return subprocess.run(["bash", "-euc", f". .ci/packages; . .ci/stages; {script}"], cwd=ROOT, check=True,
+                          stdout=subprocess.PIPE, text=True).stdout.splitlines()
+
+
+class Table(unittest.TestCase):
+    def test_every_stage_has_commands(self):
+        patterns = re.findall(r"^    ([a-z][^()]*)\)", (ROOT / ".ci/stages").read_text(), re.MULTILINE)
+        branches = " ".join(f"{pattern}) echo $name ;;" for pattern in patterns)
+        self.assertEqual(bash(f"for name in quick ${{stages[@]}}; do case $name in {branches} esac; done"), ["quick", *NAMES])
+
+    def test_every_stage_is_short(self):
+        minutes = {name: int(bash(f"echo ${{minutes[{name}]}}")[0]) for name in NAMES}
+        longest = sorted(minutes[name] for name in NAMES[1:])
+        self.assertLessEqual(longest[-1], LONGEST)
+        self.assertLessEqual(minutes["tests"] + longest[-1] + longest[-2], LONGEST_OF_CI)
+
+    def test_the_packages_of_every_stage_are_listed(self):
+        groups = bash('for group in "${packages_of_all[@]}" ${packages[@]}; do list=packages_$group; echo "$group ${!list}"; done')
+        self.assertGreater(len(groups), 4)
+
+    def test_two_stages_run_all_tests_with_sanitizers(self):
+        folders = re.findall(r"add_subdirectory\((\w+)\)", (ROOT / "tests/CMakeLists.txt").read_text())
+        loops = re.findall(r"for folder in ([\w ]+); do test_in asan-ubsan", (ROOT / ".ci/stages").read_text())
+        self.assertEqual(sorted(" ".join(loops).split()), sorted(folders))
+
+    def test_two_other_stages_are_drawn_and_each_sometimes(self):
+        commits = [hashlib.sha1(str(i).encode()).hexdigest() for i in range(200)]
+        draws = [line.split() for line in bash(f"for commit in {' '.join(commits)}; do drawn $commit; done")]
+        self.assertEqual({len(set(draw)) for draw in draws}, {2})
+        self.assertEqual({name for draw in draws for name in draw}, set(NAMES[1:]))
+
+
+class Check(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        shutil.copy(ROOT / "check", self.root)
+        shutil.copytree(ROOT / ".ci", self.root / ".ci")
+        with (self.root / ".ci/stages").open("a") as stages:
+            stages.write(STUBS)
+        (self.root / "git").write_text(f"#!/bin/sh\necho {COMMIT}\n")
+        (self.root / "git").chmod(0o755)
+
+    def check(self, *arguments, ci="", status=0):
+        """The stages that run, and the groups of packages that are installed."""
+        environment = dict(os.environ, CI=ci, PATH=f"{self.root}:{os.environ['PATH']}")
+        done = subprocess.run([self.root / "check", *arguments], env=environment, capture_output=True, text=True)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        self.said = done.stdout + done.stderr
+        return re.findall(r"^ran (.*)", self.said, re.MULTILINE), " ".join(re.findall(r"^packages (.*)", self.said, re.MULTILINE)).split()
+
+    def test_alone_it_runs_the_tests(self):
+        self.assertEqual(self.check()[0], ["tests"])
+        self.assertIn("All tests passed", self.said)
+
+    def test_in_CI_it_also_runs_what_the_commit_draws(self):
+        self.assertEqual(self.check(ci="true")[0], ["tests", *bash(f"drawn {COMMIT}")[0].split()])
+
+    def test_what_is_named_runs_alone_in_CI_too(self):
+        for ci in "", "true":
+            ran, packages = self.check("--stage", "matrix", "dev", ci=ci)
+            self.assertEqual(ran, ["matrix", "dev"])
+            self.assertIn("emulation", packages)
+            self.assertNotIn("coq", packages)
+            self.assertEqual(self.check("--no-install", "--quick", ci=ci)[0], ["quick"])
+
+    def test_all_run_until_one_fails(self):
+        self.assertEqual(self.check("--full", status=1)[0], NAMES[:NAMES.index("coq")])
+        self.assertNotIn("All tests passed", self.said)
+
+    def test_the_list_names_all(self):
+        self.check("--stages")
+        self.assertEqual([line.split()[0] for line in self.said.splitlines()], NAMES)
+
+    def test_what_it_does_not_understand_is_refused(self):
+        for arguments, message in ((["--stage"], "--stage needs a name"), (["--stage", "--no-install"], "--stage needs a name"),
+                                   (["--stage", "dev", "nonsense"], "no stage is called nonsense"),
+                                   (["--stage", "dev", "--full"], "--stage and --full exclude each other"),
+                                   (["--quick", "--full"], "--quick and --full exclude each other"), (["dev"], "unknown option dev")):
+            self.assertEqual(self.check(*arguments, status=2), ([], []))
+            self.assertIn(f"check: {message}", self.said)
+
+
+if __name__ == "__main__":
+    ROOT = pathlib.Path(sys.argv.pop(1))
+    NAMES = bash('printf "%s\\n" "${stages[@]}"')
+    unittest.main()
