@@ -86,6 +86,11 @@ class Check(unittest.TestCase):
     def test_in_CI_it_also_runs_what_the_commit_draws(self):
         self.assertEqual(self.check(ci="true")[0], ["tests", *bash(f"drawn {COMMIT}")[0].split()])
 
+    def test_outside_a_repository_it_says_that_nothing_is_drawn(self):
+        (self.root / "git").write_text("#!/bin/sh\nexit 128\n")
+        self.assertEqual(self.check(ci="true")[0], ["tests"])
+        self.assertIn("no commit selects other stages", self.said)
+
     def test_what_is_named_runs_alone_in_CI_too(self):
         for ci in "", "true":
             ran, packages = self.check("--stage", "matrix", "dev", ci=ci)
