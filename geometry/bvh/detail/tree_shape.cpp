@@ -93,7 +93,8 @@ class Builder {
 
   /// Returns how many leaves these boxes need at least.
   [[nodiscard]] static float leaves_for(std::uint32_t count) {
-    return static_cast<float>((count + BoxTree::kMostInLeaf - 1) / BoxTree::kMostInLeaf);
+    const auto leaves = (count + BoxTree::kMostInLeaf - 1) / BoxTree::kMostInLeaf;
+    return static_cast<float>(leaves);
   }
 
   /// Returns what add(result, item) makes of `none` and the items of a range, and join(result, other) of the results of
