@@ -21,7 +21,7 @@ namespace {
 
 namespace py = pybind11;
 using Face = std::vector<std::uint32_t>;
-using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+using Indices = Numbers<std::int64_t>;
 
 [[noreturn]] void reject(const std::string& message) { throw Rejected({RejectionCode::MalformedCase, message}); }
 

@@ -164,6 +164,22 @@ class Arrays(unittest.TestCase):
         for same in (np.asfortranarray(balls), balls.astype(np.int64), balls.astype(np.float32), wide[::2, ::2], balls.tolist()):
             self.assertEqual(touchstone.filtered.contact(same, square).tolist(), expected)
 
+    def test_that_are_not_aligned_give_the_same(self):
+        def beside(array):
+            bytes_of = np.zeros(array.nbytes + 1, np.uint8)
+            same = bytes_of[1:].view(array.dtype).reshape(array.shape)
+            same[...] = array
+            self.assertFalse(same.flags.aligned)
+            return same
+
+        square, balls, motions = touchstone.Polygon(SQUARE), random_balls(64), random_motions(64)
+        triangles, mesh = np.array([SQUARE[:3]], float), touchstone.Mesh(SQUARE, [[0, 1, 2, 3]])
+        self.assertEqual(touchstone.Polygon(beside(np.array(SQUARE, float))), square)
+        self.assertEqual(touchstone.filtered.answer(beside(balls), square), touchstone.filtered.answer(balls, square))
+        self.assertEqual(touchstone.exact.first_contact(beside(motions), square), touchstone.exact.first_contact(motions, square))
+        self.assertEqual(touchstone.TriangleSet(beside(triangles)), touchstone.TriangleSet(triangles))
+        self.assertEqual(touchstone.Mesh(beside(np.array(SQUARE, float)), beside(np.array([[0, 1, 2, 3]]))), mesh)
+
     def test_are_not_written_to_and_may_be_read_only(self):
         square, balls = touchstone.Polygon(SQUARE), random_balls(64)
         before = balls.copy()
@@ -252,6 +268,25 @@ class Refusals(unittest.TestCase):
         self.assertTrue(touchstone.filtered.contact(np.ma.array(ball), square))
         with self.assertRaises(TypeError):
             touchstone.filtered.contact(ball, SQUARE)
+
+
+    def test_are_value_errors_where_lists_are_nested_without_end(self):
+        square, itself, deep, mutual = touchstone.Polygon(SQUARE), [], [], [[]]
+        itself.append(itself)
+        mutual[0].append((mutual, 1))
+        for _ in range(100_000):
+            deep = [deep]
+        for nested in (itself, mutual, deep, [0, 0, 0, itself]):
+            for ask in (lambda: touchstone.filtered.contact(nested, square), lambda: touchstone.exact.first_contact(nested, square),
+                        lambda: touchstone.Polygon(nested), lambda: touchstone.Polygon(SQUARE, [nested]),
+                        lambda: touchstone.TriangleSet(nested), lambda: touchstone.Mesh(nested, [[0, 1, 2]]),
+                        lambda: touchstone.Scene().add("nested", nested),
+                        lambda: touchstone.Scene().add("square", square, nested)):
+                with self.assertRaisesRegex(ValueError, "nested more than 32 deep"):
+                    ask()
+            for faces in (nested, [nested]):
+                with self.assertRaises((TypeError, ValueError)):
+                    touchstone.Mesh(SQUARE, faces)
 
 
 def one_of_each_class():
