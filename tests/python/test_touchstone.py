@@ -330,6 +330,19 @@ class Uninitialised(unittest.TestCase):
                     use()
 
 
+    def test_objects_of_the_base_class_cannot_be_made(self):
+        base = touchstone.Polygon.__base__
+        for make in (base, lambda: base.__new__(base), type("Derived", (base,), {}), lambda: copy.copy(type("D", (base,), {}))()):
+            with self.assertRaisesRegex(TypeError, "cannot create"):
+                make()
+
+
+class LoopNamed(touchstone.Polygon):
+    def __init__(self, name, outer):
+        super().__init__(outer)
+        self.name = name
+
+
 class Pickling(unittest.TestCase):
     def test_makes_equal_objects_in_every_protocol(self):
         for thing in one_of_each_class():
