@@ -129,13 +129,14 @@ std::vector<std::string> names_of(const SharedScene& scene) {
 
 NearestFace nearest_face_from(std::uint32_t object, std::uint32_t face, int kind, std::size_t index,
                               const Coordinates& point, double distance) {
-  return {{object, face}, {static_cast<Feature::Kind>(kind), index}, {point[0], point[1], point[2]}, distance};
+  return {
+      {object, face}, {enumerator_of<Feature::Kind>(kind, "feature"), index}, {point[0], point[1], point[2]}, distance};
 }
 
 void add_nearest_face(py::module_& module) {
   py::class_<NearestFace> type(module, "NearestFace",
                                "The face of a scene that is nearest to a centre, and its closest point.");
-  make_picklable(type, type, [](const NearestFace& n) {
+  make_picklable(type, [](const NearestFace& n) {
     return py::make_tuple(n.face.object, n.face.face, static_cast<int>(n.feature.kind), n.feature.index,
                           coordinates_of(n.point), n.distance);
   });
@@ -163,7 +164,7 @@ void add_nearest_face(py::module_& module) {
 
 void add_first_face(py::module_& module) {
   py::class_<FirstFace> type(module, "FirstFace", "The face of a scene that a moving ball touches first.");
-  make_picklable(type, type, [](const FirstFace& f) { return py::make_tuple(f.face.object, f.face.face, f.contact); });
+  make_picklable(type, [](const FirstFace& f) { return py::make_tuple(f.face.object, f.face.face, f.contact); });
   type.def(py::init([](std::uint32_t object, std::uint32_t face, const FirstContact& contact) {
              return FirstFace{{object, face}, contact};
            }),

@@ -344,6 +344,44 @@ class LoopNamed(touchstone.Polygon):
 
 
 class Pickling(unittest.TestCase):
+    def test_keeps_the_class_and_the_attributes_of_a_subclass(self):
+        named = LoopNamed("square", SQUARE)
+        named.tags = ["flat"]
+        copies = [pickle.loads(pickle.dumps(named, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+        for same in (*copies, copy.copy(named), copy.deepcopy(named)):
+            self.assertEqual((type(same), same, same.__dict__), (LoopNamed, named, {"name": "square", "tags": ["flat"]}))
+        self.assertIs(copy.copy(named).tags, named.tags)
+        self.assertIsNot(copy.deepcopy(named).tags, named.tags)
+
+    def test_keeps_the_subclass_of_every_class(self):
+        for thing in one_of_each_class():
+            if isinstance(thing, touchstone.Scene):
+                continue
+            derived = type("Derived", (type(thing),), {"__slots__": ("mark",)})
+            globals()["Derived"] = derived  # where `pickle` looks for it
+            derived.__module__, derived.__qualname__ = __name__, "Derived"
+            _, made_of, _ = thing.__reduce__()
+            whole = derived(*made_of[2])
+            whole.mark = 7
+            for same in (pickle.loads(pickle.dumps(whole)), copy.copy(whole), copy.deepcopy(whole)):
+                self.assertEqual((type(same), same, same.mark), (derived, thing, 7))
+        with self.assertRaisesRegex(TypeError, "cannot pickle"):
+            pickle.dumps(type("Derived", (touchstone.Scene,), {})())
+
+    def test_refuses_numbers_that_stand_for_no_word(self):
+        checked = 0
+        enumerators = {touchstone.Answer: (0, 2, 4, 5), touchstone.FirstContact: (0, 3), touchstone.NearestFace: (2,)}
+        for thing in one_of_each_class():
+            if type(thing) not in enumerators:
+                continue
+            _, (_, kind, members), _ = thing.__reduce__()
+            for place in enumerators[kind]:
+                for number in (-1, 3, 99, 256, 2**31 - 1):
+                    with self.assertRaisesRegex(ValueError, f"none of number {number}"):
+                        kind(*members[:place], number, *members[place + 1:])
+                    checked += 1
+        self.assertEqual(checked, 35)
+
     def test_makes_equal_objects_in_every_protocol(self):
         for thing in one_of_each_class():
             if isinstance(thing, touchstone.Scene):
