@@ -198,6 +198,30 @@ class Scenes(unittest.TestCase):
         self.assertEqual(scene.nearest([-1, 0.5, 1.75, 0], ["quads"]).face, 0)
         self.assertEqual(repr(scene), "Scene(5 objects, 30 faces)")
 
+    def test_take_faces_that_are_not_planar_as_polygons_do(self):
+        warped = np.array([[0.0, 0, 0], [2, 0, 2], [2, 2, 0], [0, 2, 2]])
+        scene = touchstone.Scene()
+        scene.add("warped", touchstone.Mesh(warped, [[0, 1, 2, 3]]))
+        balls = random_balls(100)
+        self.assertEqual(scene.touches(balls).tolist(), touchstone.exact.contact(balls, touchstone.Polygon(warped)).tolist())
+
+    def test_refuse_faces_of_a_mesh_that_are_no_polygons(self):
+        loops = {"loop-meets-itself": [[[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 3, 0]],  # a bow-tie
+                                       [[0, 0, 0], [4, 0, 0], [2, 0, 0], [2, 2, 0]],  # back along an edge
+                                       [[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 0, 0], [0, 4, 0]],  # a vertex on an edge
+                                       [[0, 0, 1], [2, 2, 0], [2, 0, 1], [0, 3, 0]]],  # a bow-tie once it is lifted
+                 "repeated-vertex": [[[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, 1, 0]]],
+                 "zero-normal": [[[0, 0, 0], [1, 1, 1], [2, 2, 2], [3, 3, 3]], [[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0]]]}
+        for code, points in ((code, points) for code, all_of_it in loops.items() for points in all_of_it):
+            mesh = touchstone.Mesh(CUBE_VERTICES.tolist() + points, [[0, 1, 3, 2], list(range(8, 8 + len(points)))])
+            with self.assertRaisesRegex(touchstone.Rejected, "face 1 of the mesh: the outer loop") as caught:
+                self.scene.add("quads", mesh)
+            self.assertEqual(caught.exception.code, code, points)
+            with self.assertRaises(touchstone.Rejected) as alone:
+                touchstone.Polygon(points)
+            self.assertEqual(alone.exception.code, code, points)
+        self.assertEqual(len(self.scene), 2)
+
     def test_without_faces_have_no_nearest_face(self):
         scene = touchstone.Scene()
         self.assertEqual((scene.nearest([0, 0, 0, 1]), scene.touches([0, 0, 0, 1])), (None, False))
