@@ -26,11 +26,11 @@ using scene::FirstFace;
 using scene::NearestFace;
 
 /// An object's number or name.
-using ObjectKey = std::variant<std::uint32_t, std::string>;
+using ObjectKey = std::variant<std::uint32_t, Name>;
 
 std::uint32_t number_of(const scene::Scene& scene, const ObjectKey& key) {
   if (const auto* const number = std::get_if<std::uint32_t>(&key)) return *number;
-  return scene.find(std::get<std::string>(key));
+  return scene.find(std::get<Name>(key).utf8);
 }
 
 /// None stands for all objects.
@@ -43,7 +43,7 @@ scene::Scene::Objects objects_of(const scene::Scene& scene, const ObjectKeys& ke
   return numbers;
 }
 
-std::uint32_t add(SharedScene& scene, const std::string& name, const py::object& faces, const py::object& pose) {
+std::uint32_t add(SharedScene& scene, const Name& name, const py::object& faces, const py::object& pose) {
   scene::Faces converted = scene_faces_of(faces);
   const Pose at = pose_of(pose);
   return scene.change([&](scene::Scene& held) { return held.add(name, std::move(converted), at); });

@@ -222,6 +222,19 @@ class Scenes(unittest.TestCase):
             self.assertEqual(alone.exception.code, code, points)
         self.assertEqual(len(self.scene), 2)
 
+    def test_have_names_that_are_strings(self):
+        cube = touchstone.Mesh(CUBE_VERTICES, CUBE_FACES)
+        for name in (b"\xff", b"cube", "\ud800", 7, None):
+            with self.assertRaises(TypeError):
+                self.scene.add(name, cube)
+        for name in (b"\xff", b"cube", "\ud800"):
+            for use in (self.scene.pose, self.scene.face_count, lambda key: self.scene.set_pose(key, None),
+                        lambda key: self.scene.touches(self.balls, [key])):
+                with self.assertRaises(TypeError):
+                    use(name)
+        self.scene.add("w\u00fcrfel \U0001f3b2", cube)
+        self.assertEqual(self.scene.names, ["cube", "turned", "w\u00fcrfel \U0001f3b2"])
+
     def test_without_faces_have_no_nearest_face(self):
         scene = touchstone.Scene()
         self.assertEqual((scene.nearest([0, 0, 0, 1]), scene.touches([0, 0, 0, 1])), (None, False))
