@@ -5,7 +5,6 @@
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
-#include <shared_mutex>
 #include <string>
 #include <variant>
 
@@ -46,7 +45,7 @@ scene::Scene::Objects objects_of(const scene::Scene& scene, const ObjectKeys& ke
 std::uint32_t add(SharedScene& scene, const Name& name, const py::object& faces, const py::object& pose) {
   scene::Faces converted = scene_faces_of(faces);
   const Pose at = pose_of(pose);
-  return scene.change([&](scene::Scene& held) { return held.add(name, std::move(converted), at); });
+  return scene.change([&](scene::Scene& held) { return held.add(name.utf8, std::move(converted), at); });
 }
 
 void set_pose(SharedScene& scene, const ObjectKey& object, const py::object& matrix) {

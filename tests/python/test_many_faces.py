@@ -14,6 +14,7 @@ CUBE_VERTICES = np.array([[x, y, z] for x in (0.0, 2) for y in (0, 2) for z in (
 CUBE_FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6],
                        [0, 6, 4], [1, 5, 7], [1, 7, 3]])
 CUBE_TRIANGLES = CUBE_VERTICES[CUBE_FACES]
+MOST = 200  # batches that are asked while an object moves 10 times; each move waits for about four
 TURN = np.array([[0.0, -1, 0, 5], [1, 0, 0, 0], [0, 0, 1, -3]])  # a quarter about z, then a step
 
 
@@ -265,25 +266,26 @@ class Scenes(unittest.TestCase):
             self.scene.set_pose(1, pose)
             allowed.append(self.scene.touches(self.balls).tolist())
         self.assertNotEqual(*allowed)
-        found, done = [], threading.Event()
+        found, moved = [], threading.Event()
+        many = np.tile(self.balls, (1000, 1))  # so long that there is no moment at which nobody asks
 
         def move():
-            while not done.is_set():
-                for pose in poses:
-                    self.scene.set_pose(1, pose)
+            for pose in poses * 5:
+                self.scene.set_pose(1, pose)
+            moved.set()
 
         def ask():
-            for _ in range(50):
-                found.append(self.scene.touches(self.balls).tolist())
+            while not moved.is_set() and len(found) < MOST:
+                found.append(self.scene.touches(many)[-len(self.balls):].tolist())
 
-        mover, asking = threading.Thread(target=move), [threading.Thread(target=ask) for _ in range(2)]
-        for thread in (mover, *asking):
+        threads = [threading.Thread(target=work) for work in (ask, ask, ask, ask, move)]
+        for thread in threads:
             thread.start()
-        for thread in asking:
+        for thread in threads:
             thread.join()
-        done.set()
-        mover.join()
-        self.assertTrue(found and all(answers in allowed for answers in found))
+        # A move waits for the batches before it. Were later ones let in first, it would wait until all are asked.
+        self.assertLess(len(found), MOST)
+        self.assertEqual({tuple(answers) for answers in found}, {tuple(answers) for answers in allowed})
 
 
 if __name__ == "__main__":
