@@ -42,12 +42,12 @@ py::tuple members_of(const Answer& a) {
 }
 Answer answer_from(int plane, bool plane_tangent, int foot, const std::vector<std::size_t>& edges_hit, int relation,
                    int kind, std::size_t index, const Coordinates& point, double distance, double off_plane) {
-  return {.plane = static_cast<PlaneSide>(plane),
+  return {.plane = enumerator_of<PlaneSide>(plane, "plane"),
           .plane_tangent = plane_tangent,
-          .foot = static_cast<PointLocation>(foot),
+          .foot = enumerator_of<PointLocation>(foot, "foot"),
           .edges_hit = edges_hit,
-          .relation = static_cast<Relation>(relation),
-          .nearest = {static_cast<Feature::Kind>(kind), index},
+          .relation = enumerator_of<Relation>(relation, "relation"),
+          .nearest = {enumerator_of<Feature::Kind>(kind, "nearest"), index},
           .point = Eigen::Vector3d(point[0], point[1], point[2]),
           .distance = distance,
           .off_plane = off_plane};
@@ -58,7 +58,7 @@ Answer answer_from(int plane, bool plane_tangent, int foot, const std::vector<st
 void add_answer(py::module_& module) {
   py::class_<Answer> type(module, "Answer",
                           "The full answer about a ball and a polygon, in the words of the contract.");
-  make_picklable(type, type, members_of);
+  make_picklable(type, members_of);
   type.def(py::init(&answer_from), "Takes what `pickle` kept.")
       .def_property_readonly("plane", [](const Answer& a) { return text(to_string(a.plane)); })
       .def_readonly("plane_tangent", &Answer::plane_tangent)

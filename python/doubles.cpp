@@ -29,12 +29,15 @@ class DefaultState {
   std::fenv_t found_;
 };
 
-/// Is a number masked, of an array or of those in a list of lists?
-bool has_masked(py::handle numbers, py::handle masked_array, py::handle is_masked) {
+/// Is a number masked, of an array or of those in a list of lists? Throws if the lists are nested more deeply than an
+/// array can be.
+bool has_masked(py::handle numbers, py::handle masked_array, py::handle is_masked, int depth = 0) {
+  constexpr int kMostDimensions = 32;  // of NumPy
   if (py::isinstance(numbers, masked_array)) return is_masked(numbers).cast<bool>();
   if (!py::isinstance<py::list>(numbers) && !py::isinstance<py::tuple>(numbers)) return false;
+  if (depth == kMostDimensions) throw py::value_error("expected numbers, got lists nested more than 32 deep");
   for (const py::handle part : numbers)
-    if (has_masked(part, masked_array, is_masked)) return true;
+    if (has_masked(part, masked_array, is_masked, depth + 1)) return true;
   return false;
 }
 

@@ -5,12 +5,17 @@
 
 namespace touchstone::python {
 
-/// Doubles in rows, in C order.
-using Doubles = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+/// An array of numbers in C order, aligned, so that C++ may read it in place. Made of any other array, it is a copy.
+template <class Number>
+using Numbers = pybind11::array_t<Number, pybind11::array::c_style | pybind11::array::forcecast |
+                                              pybind11::detail::npy_api::NPY_ARRAY_ALIGNED_>;
+/// Doubles in rows.
+using Doubles = Numbers<double>;
 
 /// Converts a list of lists or an array; each number becomes the nearest double. Copies only if the input is not an
-/// array of doubles in C order. Does not depend on the caller's rounding mode and flush-to-zero setting. Throws
-/// pybind11::type_error for values that are not real numbers (complex numbers, strings, dates) or are masked.
+/// aligned array of doubles in C order. Does not depend on the caller's rounding mode and flush-to-zero setting. Throws
+/// pybind11::type_error for values that are not real numbers (complex numbers, strings, dates) or are masked, and
+/// pybind11::value_error for lists that are nested more deeply than arrays can be, such as a list that holds itself.
 [[nodiscard]] Doubles doubles_of(pybind11::handle numbers);
 
 }  // namespace touchstone::python

@@ -24,10 +24,10 @@ py::tuple members_of(const FirstContact& f) {
 }
 FirstContact first_contact_from(int kind, double time, bool momentary, int feature, std::size_t index,
                                 const Coordinates& point) {
-  return {static_cast<FirstContactKind>(kind),
+  return {enumerator_of<FirstContactKind>(kind, "kind"),
           time,
           momentary,
-          {static_cast<Feature::Kind>(feature), index},
+          {enumerator_of<Feature::Kind>(feature, "feature"), index},
           {point[0], point[1], point[2]}};
 }
 
@@ -38,7 +38,7 @@ void add_first_contact(py::module_& module) {
       module, "FirstContact",
       "The first contact of a moving ball, in the words of the contract: `kind` is 'start', 'way'\n"
       "or 'none'. Without a contact `time` is infinite.");
-  make_picklable(type, type, members_of);
+  make_picklable(type, members_of);
   type.def(py::init(&first_contact_from), "Takes what `pickle` kept.")
       .def_property_readonly("kind", [](const FirstContact& f) { return text(to_string(f.kind)); })
       .def_property_readonly("contact", &FirstContact::contact)

@@ -21,7 +21,7 @@ namespace {
 
 namespace py = pybind11;
 using Face = std::vector<std::uint32_t>;
-using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+using Indices = Numbers<std::int64_t>;
 
 [[noreturn]] void reject(const std::string& message) { throw Rejected({RejectionCode::MalformedCase, message}); }
 
@@ -128,7 +128,7 @@ void add_mesh(py::module_& module) {
                         "finite, a number out of range and a face of fewer than three vertices. Two meshes are equal "
                         "if vertices and faces\n"
                         "are, one by one.");
-  make_picklable(type, type, [](const Mesh& mesh) { return py::make_tuple(vertices_of(mesh), faces_of(mesh)); });
+  make_picklable(type, [](const Mesh& mesh) { return py::make_tuple(vertices_of(mesh), faces_of(mesh)); });
   type.def(py::init([](const py::object& vertices, const py::object& faces) { return mesh_of(vertices, faces); }),
            py::arg("vertices"), py::arg("faces"))
       .def_static("read", read, py::arg("path"),

@@ -26,7 +26,20 @@ void add_rejected(py::module_& module) {
   });
 }
 
+/// Makes the base class of pybind11's classes raise a TypeError where pybind11 would end the process: for an object of
+/// no class that the module registers. The base is the module's own (CMakeLists.txt). Call it before classes are added,
+/// which inherit what it sets.
+void refuse_bare_objects() {
+  auto* const base = reinterpret_cast<PyTypeObject*>(py::detail::get_internals().instance_base);
+  base->tp_new = [](PyTypeObject* type, PyObject*, PyObject*) -> PyObject* {
+    if (!py::detail::all_type_info(type).empty()) return py::detail::make_new_instance(type);
+    PyErr_Format(PyExc_TypeError, "cannot create '%s' objects", type->tp_name);
+    return nullptr;
+  };
+}
+
 PYBIND11_MODULE(_touchstone, module) {
+  refuse_bare_objects();
   add_rejected(module);
   add_answer(module);
   add_first_contact(module);

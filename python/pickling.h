@@ -7,16 +7,20 @@
 
 namespace touchstone::python {
 
-/// Lets `pickle` and `copy` make an object again as maker(*arguments_of(object)), in every protocol. The default would
-/// create a pybind11 base object, which crashes the interpreter.
+/// Lets `pickle` and `copy` make an object again as type(*arguments_of(object)), in every protocol. An object of a
+/// subclass keeps its class and its attributes, and its `__init__` is not called. The default would create a pybind11
+/// base object, which crashes the interpreter.
 template <class T, class Arguments>
-void make_picklable(pybind11::class_<T>& type, const pybind11::object& maker, const Arguments& arguments_of) {
-  const auto reduce = [maker, arguments_of](const T& object) {
-    return pybind11::make_tuple(maker, arguments_of(object));
+void make_picklable(pybind11::class_<T>& type, const Arguments& arguments_of) {
+  namespace py = pybind11;
+  const auto reduce = [type, arguments_of](const py::object& object) {
+    const py::tuple made_of =
+        py::make_tuple(py::type::of(object), type, py::tuple(arguments_of(object.cast<const T&>())));
+    return py::make_tuple(py::module_::import("touchstone").attr("_remade"), made_of, object.attr("__getstate__")());
   };
   type.def("__reduce__", reduce);
   type.def(
-      "__reduce_ex__", [reduce](const T& object, int) { return reduce(object); }, pybind11::arg("protocol"));
+      "__reduce_ex__", [reduce](const py::object& object, int) { return reduce(object); }, py::arg("protocol"));
 }
 
 /// Makes `pickle` and `copy` raise a TypeError that says why.

@@ -28,7 +28,7 @@ void add_polygon(py::module_& module) {
       "non-convex and have either orientation. Raises Rejected, which names the loop and the "
       "vertex or edge, if the contract rejects it. Prepared once for each path that queries it. "
       "Two polygons are equal if their loops are, vertex by vertex.");
-  make_picklable(type, type, [](const ValidPolygon& p) { return py::make_tuple(p.loop(0), holes_of(p)); });
+  make_picklable(type, [](const ValidPolygon& p) { return py::make_tuple(p.loop(0), holes_of(p)); });
   type.def(py::init<py::object, std::vector<py::object>>(), py::arg("outer"),
            py::arg("holes") = std::vector<py::object>())
       .def_property_readonly(

@@ -5,7 +5,6 @@
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
-#include <shared_mutex>
 #include <string>
 #include <variant>
 
@@ -26,11 +25,11 @@ using scene::FirstFace;
 using scene::NearestFace;
 
 /// An object's number or name.
-using ObjectKey = std::variant<std::uint32_t, std::string>;
+using ObjectKey = std::variant<std::uint32_t, Name>;
 
 std::uint32_t number_of(const scene::Scene& scene, const ObjectKey& key) {
   if (const auto* const number = std::get_if<std::uint32_t>(&key)) return *number;
-  return scene.find(std::get<std::string>(key));
+  return scene.find(std::get<Name>(key).utf8);
 }
 
 /// None stands for all objects.
@@ -43,10 +42,10 @@ scene::Scene::Objects objects_of(const scene::Scene& scene, const ObjectKeys& ke
   return numbers;
 }
 
-std::uint32_t add(SharedScene& scene, const std::string& name, const py::object& faces, const py::object& pose) {
+std::uint32_t add(SharedScene& scene, const Name& name, const py::object& faces, const py::object& pose) {
   scene::Faces converted = scene_faces_of(faces);
   const Pose at = pose_of(pose);
-  return scene.change([&](scene::Scene& held) { return held.add(name, std::move(converted), at); });
+  return scene.change([&](scene::Scene& held) { return held.add(name.utf8, std::move(converted), at); });
 }
 
 void set_pose(SharedScene& scene, const ObjectKey& object, const py::object& matrix) {
@@ -129,13 +128,14 @@ std::vector<std::string> names_of(const SharedScene& scene) {
 
 NearestFace nearest_face_from(std::uint32_t object, std::uint32_t face, int kind, std::size_t index,
                               const Coordinates& point, double distance) {
-  return {{object, face}, {static_cast<Feature::Kind>(kind), index}, {point[0], point[1], point[2]}, distance};
+  return {
+      {object, face}, {enumerator_of<Feature::Kind>(kind, "feature"), index}, {point[0], point[1], point[2]}, distance};
 }
 
 void add_nearest_face(py::module_& module) {
   py::class_<NearestFace> type(module, "NearestFace",
                                "The face of a scene that is nearest to a centre, and its closest point.");
-  make_picklable(type, type, [](const NearestFace& n) {
+  make_picklable(type, [](const NearestFace& n) {
     return py::make_tuple(n.face.object, n.face.face, static_cast<int>(n.feature.kind), n.feature.index,
                           coordinates_of(n.point), n.distance);
   });
@@ -163,7 +163,7 @@ void add_nearest_face(py::module_& module) {
 
 void add_first_face(py::module_& module) {
   py::class_<FirstFace> type(module, "FirstFace", "The face of a scene that a moving ball touches first.");
-  make_picklable(type, type, [](const FirstFace& f) { return py::make_tuple(f.face.object, f.face.face, f.contact); });
+  make_picklable(type, [](const FirstFace& f) { return py::make_tuple(f.face.object, f.face.face, f.contact); });
   type.def(py::init([](std::uint32_t object, std::uint32_t face, const FirstContact& contact) {
              return FirstFace{{object, face}, contact};
            }),

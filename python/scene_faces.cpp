@@ -25,7 +25,7 @@ scene::Faces faces_of(const Mesh& mesh) {
     Loop loop;
     for (const std::uint32_t number : numbers) loop.push_back(mesh.vertices[number]);
     try {
-      faces.polygons.emplace_back(loop);
+      faces.polygons.push_back(validated(Polygon(loop)));
     } catch (const Rejected& rejected) {
       throw Rejected({rejected.rejection().code, "face " + std::to_string(i) + " of the mesh: " + rejected.what()});
     }

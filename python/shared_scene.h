@@ -6,12 +6,13 @@
 #include <mutex>
 #include <shared_mutex>
 
+#include "python/fair_shared_mutex.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::python {
 
-/// A scene that Python threads may ask and change at once: questions share it, a change has it alone. Both release the
-/// interpreter, also while they wait.
+/// A scene that Python threads may ask and change at once: questions share it, a change has it alone. Each waits for what
+/// was asked before it, and for nothing later. Both release the interpreter, also while they wait.
 class SharedScene {
  public:
   /// Returns f(scene).
@@ -30,7 +31,7 @@ class SharedScene {
   }
 
  private:
-  mutable std::shared_mutex mutex_;
+  mutable FairSharedMutex mutex_;
   scene::Scene scene_;
 };
 

@@ -72,7 +72,7 @@ void add_triangle_set(py::module_& module) {
                                "floats with a proved error bound, and those that floats leave open one by one. Raises "
                                "Rejected, which names the\n"
                                "triangle, if the contract rejects one. Two sets are equal if their triangles are.");
-  make_picklable(type, type, [](const TriangleSet& set) { return py::make_tuple(array_of(set.triangles())); });
+  make_picklable(type, [](const TriangleSet& set) { return py::make_tuple(array_of(set.triangles())); });
   const py::arg balls("balls");
   type.def(py::init([](const py::object& rows) {
              const Triangles triangles(rows);

@@ -28,10 +28,13 @@ Polygon polygon_of(pybind11::handle outer, const std::vector<pybind11::object>& 
 
 }  // namespace
 
-ValidPolygon::ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes)
-    : polygon_(polygon_of(outer, holes)) {
-  if (const auto fault = exact::validate(polygon_)) throw Rejected(*fault);
+Polygon validated(Polygon polygon) {
+  if (const auto fault = exact::validate(polygon)) throw Rejected(*fault);
+  return polygon;
 }
+
+ValidPolygon::ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes)
+    : polygon_(validated(polygon_of(outer, holes))) {}
 
 Doubles ValidPolygon::loop(std::size_t number) const {
   const std::size_t begin = polygon_.loop_begin(number), count = polygon_.loop_end(number) - begin;

@@ -16,6 +16,9 @@
 
 namespace touchstone::python {
 
+/// Returns the polygon. Throws Rejected if `exact::validate` rejects it.
+[[nodiscard]] Polygon validated(Polygon polygon);
+
 /// A valid polygon. It is prepared for each path when that path first queries it, from any thread.
 class ValidPolygon {
  public:

@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <pybind11/pytypes.h>
+#include <pybind11/cast.h>
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "geometry/contact/answer.h"
 
 namespace touchstone::python {
 
 inline pybind11::str text(std::string_view word) { return {word.data(), word.size()}; }
+
+/// Returns the enumerator of a number. Throws pybind11::value_error if there is none: each has a word.
+template <class Enumerator>
+Enumerator enumerator_of(int number, const char* name) {
+  const auto value = static_cast<Enumerator>(number);
+  if (to_string(value).empty())
+    throw pybind11::value_error(std::string(name) + ": there is none of number " + std::to_string(number));
+  return value;
+}
 
 /// Returns a feature as in a verdict: {'kind': 'edge', 'index': 3}; the face has no index.
 inline pybind11::dict feature_of(const Feature& feature) {
@@ -20,8 +31,30 @@ inline pybind11::dict feature_of(const Feature& feature) {
   return keys;
 }
 
+/// The name of an object, from a str that UTF-8 can express; pybind11 takes any bytes for a std::string.
+struct Name {
+  std::string utf8;
+};
+
 /// A point as `pickle` keeps it.
 using Coordinates = std::array<double, 3>;
 inline Coordinates coordinates_of(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
 }  // namespace touchstone::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<touchstone::python::Name> {
+ public:
+  PYBIND11_TYPE_CASTER(touchstone::python::Name, const_name("str"));
+
+  bool load(handle source, bool convert) {
+    make_caster<std::string> utf8;
+    if (!isinstance<str>(source) || !utf8.load(source, convert)) return false;
+    value.utf8 = cast_op<std::string>(std::move(utf8));
+    return true;
+  }
+};
+
+}  // namespace pybind11::detail

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -38,6 +39,13 @@ inline const Triangle& required(const Triangle& triangle) {
 inline const Eigen::Vector3d& required(const Eigen::Vector3d& center) {
   assert(center.allFinite());
   return center;
+}
+
+/// Returns the items of a batch. Asserts of each what the functions above assert of one.
+template <class Item>
+std::span<const Item> required(std::span<const Item> items) {
+  for (const Item& item : items) (void)required(item);
+  return items;
 }
 
 /// Throws std::invalid_argument, naming both, if two spans that belong together differ in length.

@@ -27,5 +27,14 @@ from ._touchstone import (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, Nea
 for _kind in (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, NearestFace, Polygon, Rejected, Scene, TriangleSet):
     _kind.__module__ = __name__  # where users find them
 
+
+
+def _remade(kind, base, arguments):
+    """Makes an object of a class, or of a subclass of it, whose __init__ is not called: for `pickle` and `copy`."""
+    made = base.__new__(kind)
+    base.__init__(made, *arguments)
+    return made
+
+
 __all__ = ["Answer", "BrokenMesh", "FirstContact", "FirstFace", "Mesh", "NearestFace", "Polygon", "Rejected", "Scene", "TriangleSet", "__version__", "exact",
            "fast", "filtered"]

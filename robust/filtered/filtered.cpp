@@ -112,11 +112,11 @@ ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle, St
 
 void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches) {
   expect_equal_lengths("balls", balls.size(), "answers", touches.size());
-  kernels().balls_contact(balls, parts_of(polygon), touches);
+  kernels().balls_contact(required(balls), parts_of(polygon), touches);
 }
 void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) {
   expect_equal_lengths("triangles", triangles.size(), "answers", touches.size());
-  kernels().triangles_contact(ball, triangles, touches);
+  kernels().triangles_contact(required(ball), required(triangles), touches);
 }
 
 }  // namespace touchstone::filtered

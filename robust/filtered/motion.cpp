@@ -95,11 +95,11 @@ int compare_times(const Motion& motion, const Triangle& first, const Triangle& s
 
 void contact(std::span<const Motion> motions, const PreparedPolygon& polygon, std::span<bool> touches) {
   expect_equal_lengths("motions", motions.size(), "answers", touches.size());
-  kernels().motions_contact(motions, parts_of(polygon), touches);
+  kernels().motions_contact(required(motions), parts_of(polygon), touches);
 }
 void contact(const Motion& motion, std::span<const Triangle> triangles, std::span<bool> touches) {
   expect_equal_lengths("triangles", triangles.size(), "answers", touches.size());
-  kernels().motion_triangles_contact(motion, triangles, touches);
+  kernels().motion_triangles_contact(required(motion), required(triangles), touches);
 }
 
 }  // namespace touchstone::filtered

@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "geometry/detail/each_in_parallel.h"
 #include "geometry/detail/floating_point_state.h"
 #include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/detail/edge_sweep.h"
@@ -21,6 +22,7 @@
 #include "robust/mesh/detail/face_graph.h"
 #include "robust/mesh/detail/face_plane.h"
 #include "robust/mesh/detail/parts.h"
+#include "robust/mesh/detail/vertex_tree.h"
 #include "robust/mesh/weld.h"
 
 namespace touchstone::mesh {
@@ -59,6 +61,21 @@ struct Faces {
   }
 };
 
+/// Returns the graph of the faces that are accepted, whose edges are split at the vertices of the mesh on them.
+FaceGraph graph_of(const Mesh& welded, const Faces& faces, const std::atomic<bool>& stop) {
+  constexpr std::size_t kAtOnce = 256;
+  const VertexTree vertices(welded.vertices);
+  FaceGraph graph(welded, faces.accepted);
+  std::vector<std::vector<std::uint32_t>> on_edge(graph.edge_count());
+  each_in_parallel(on_edge.size(), kAtOnce, [&](std::size_t edge) {
+    if (stop) return;
+    const HalfEdge h = graph.edge(edge).half_edges[0];
+    on_edge[edge] = vertices.between(graph.origin(h), graph.origin(graph.next(h)));
+  });
+  graph.split(on_edge);
+  return graph;
+}
+
 class Merger {
  public:
   Merger(const Mesh& welded, double tolerance, const std::atomic<bool>& stop)
@@ -66,7 +83,7 @@ class Merger {
         tolerance_(tolerance),
         stop_(stop),
         faces_(welded, stop),
-        graph_(welded, faces_.accepted),
+        graph_(graph_of(welded, faces_, stop)),
         parts_(graph_, welded.faces.size()) {}
 
   std::optional<MergedMesh> run() {
@@ -141,8 +158,9 @@ class Merger {
   [[nodiscard]] std::variant<MergedFace, Conflict> polygon_of(std::uint32_t part) const {
     std::vector<std::uint32_t> faces = parts_.faces(part);
     if (faces.size() == 1) {
+      if (faces_.planes[faces[0]]) return MergedFace{polygon_of(parts_.boundary(part)), std::move(faces), 0};
       Polygon face = Faces::polygon_of(mesh_, faces[0]);
-      const double off = faces_.planes[faces[0]] ? 0 : off_plane(face, points_of(faces));
+      const double off = off_plane(face, points_of(faces));
       return MergedFace{std::move(face), std::move(faces), off};
     }
     if (auto conflict = parts_.torn_edge(part)) return std::move(*conflict);

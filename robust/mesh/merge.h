@@ -30,8 +30,8 @@ struct RejectedFace {
   Rejection rejection;  ///< the reason
 };
 
-/// The numbers of edges of the welded mesh, each counted in the first member that applies. Edges of rejected faces are
-/// not counted.
+/// The numbers of edges of the welded mesh after they are split (merge_faces), each counted in the first member that
+/// applies. Edges of rejected faces are not counted.
 struct EdgeCounts {
   std::size_t border = 0;        ///< of one face
   std::size_t non_manifold = 0;  ///< of more than two faces
@@ -49,22 +49,24 @@ struct EdgeCounts {
 struct MergedMesh {
   std::vector<MergedFace> faces;       ///< ordered by their lowest face of the mesh
   std::vector<RejectedFace> rejected;  ///< ascending
-  EdgeCounts edges;                    ///< of the welded mesh
+  EdgeCounts edges;                    ///< of the welded mesh, after they are split
   std::size_t splits = 0;              ///< how often a region was cut into parts because it was not a valid polygon
 };
 
 /// Merges neighbouring coplanar faces into polygons with holes, each as large as possible.
 ///
-/// Equal vertices are welded. Two faces are merged across an edge if no other face has that edge, the two run through
-/// it in opposite directions, lie exactly in one plane, and lie on opposite sides of the edge. Every face that
-/// `exact::validate` accepts becomes part of exactly one polygon; the other faces are listed. Guarantees:
+/// Equal vertices are welded. Then every edge is split at the vertices of the mesh that lie exactly on it
+/// (T-junctions); two faces that alone had the whole edge alone have its parts. Two faces are merged across an edge if
+/// no other face has that edge, the two run through it in opposite directions, lie exactly in one plane, and lie on
+/// opposite sides of the edge. Every face that `exact::validate` accepts becomes part of exactly one polygon; the other
+/// faces are listed. Guarantees:
 ///  (1) `exact::validate` accepts every polygon;
 ///  (2) without a tolerance every polygon is the union of its faces, as a set of points, and its outer loop has their
 ///      orientation; `off_plane` is 0 except for faces that are not planar, which stay as they are;
 ///  (3) with a tolerance t every polygon made of more than one face has off_plane <= t, so no distance from the polygon
 ///      differs from the distance from the union by more than t;
-///  (4) every vertex of the mesh on the boundary of a polygon is a vertex of the polygon, even on straight runs, so
-///      neighbours share whole edges; a polygon made of one face has the corners of that face;
+///  (4) every vertex of the mesh on an edge of a polygon is a vertex of the polygon, even on straight runs, so
+///      neighbours share whole edges; except that a face that is not planar keeps its own corners alone;
 ///  (5) the result depends only on the mesh and the tolerance, not on the caller's rounding mode or flush-to-zero
 ///  setting,
 ///      which are left as found.
@@ -76,8 +78,9 @@ struct MergedMesh {
 /// the resulting polygon is farther off.
 ///
 /// Throws std::invalid_argument for a tolerance that is negative or not finite, and whatever weld() throws. Cost: about
-/// 10 us per face. Each cut costs another examination of the parts, so a region that is cut often costs the square of
-/// its size: 24000 faces with 4000 vertices where their region touches itself take about 40 s.
+/// 10 us per face, and a share of a microsecond per vertex that splits an edge. Each cut costs another examination of
+/// the parts, so a region that is cut often costs the square of its size: 24000 faces with 4000 vertices where their
+/// region touches itself take about 40 s.
 [[nodiscard]] MergedMesh merge_faces(const Mesh& mesh, double tolerance = 0);
 
 /// The same, but returns nothing if `stop` is set, by a signal handler or another thread, before the result is

@@ -64,6 +64,21 @@ TEST(ReadPly, ReadsBinaryOfEitherByteOrder) {
   }
 }
 
+// The first byte of the data may be that of "\n", which is data unless the header ends its lines with it.
+TEST(ReadPly, EndsTheHeaderAsItsOtherLinesEnd) {
+  constexpr double first = std::bit_cast<double>(std::uint64_t{0x3ff0'0000'0000'000a});  // the low byte is 0x0a
+  const std::string data = row({first, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, std::endian::little) +
+                           bytes(std::uint8_t{3}) + row<std::int32_t>({0, 1, 2}, std::endian::little);
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string header;
+    for (const char c : ply_header("binary_little_endian", vertex_element("double") + kFaceElement))
+      header += c == '\n' ? end : std::string(1, c);
+    const Mesh mesh = read(".ply", header + data);
+    EXPECT_EQ(points(mesh), (Points{{first, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}}));
+  }
+}
+
 template <class Count, class Index>
 void reads_lists_of(const std::string& count_type, const std::string& index_type) {
   for (const auto& [format, order] : kByteOrders) {

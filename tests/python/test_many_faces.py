@@ -14,6 +14,7 @@ CUBE_VERTICES = np.array([[x, y, z] for x in (0.0, 2) for y in (0, 2) for z in (
 CUBE_FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6],
                        [0, 6, 4], [1, 5, 7], [1, 7, 3]])
 CUBE_TRIANGLES = CUBE_VERTICES[CUBE_FACES]
+MOST = 200  # batches that are asked while an object moves 10 times; each move waits for about four
 TURN = np.array([[0.0, -1, 0, 5], [1, 0, 0, 0], [0, 0, 1, -3]])  # a quarter about z, then a step
 
 
@@ -198,6 +199,43 @@ class Scenes(unittest.TestCase):
         self.assertEqual(scene.nearest([-1, 0.5, 1.75, 0], ["quads"]).face, 0)
         self.assertEqual(repr(scene), "Scene(5 objects, 30 faces)")
 
+    def test_take_faces_that_are_not_planar_as_polygons_do(self):
+        warped = np.array([[0.0, 0, 0], [2, 0, 2], [2, 2, 0], [0, 2, 2]])
+        scene = touchstone.Scene()
+        scene.add("warped", touchstone.Mesh(warped, [[0, 1, 2, 3]]))
+        balls = random_balls(100)
+        self.assertEqual(scene.touches(balls).tolist(), touchstone.exact.contact(balls, touchstone.Polygon(warped)).tolist())
+
+    def test_refuse_faces_of_a_mesh_that_are_no_polygons(self):
+        loops = {"loop-meets-itself": [[[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 3, 0]],  # a bow-tie
+                                       [[0, 0, 0], [4, 0, 0], [2, 0, 0], [2, 2, 0]],  # back along an edge
+                                       [[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 0, 0], [0, 4, 0]],  # a vertex on an edge
+                                       [[0, 0, 1], [2, 2, 0], [2, 0, 1], [0, 3, 0]]],  # a bow-tie once it is lifted
+                 "repeated-vertex": [[[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, 1, 0]]],
+                 "zero-normal": [[[0, 0, 0], [1, 1, 1], [2, 2, 2], [3, 3, 3]], [[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0]]]}
+        for code, points in ((code, points) for code, all_of_it in loops.items() for points in all_of_it):
+            mesh = touchstone.Mesh(CUBE_VERTICES.tolist() + points, [[0, 1, 3, 2], list(range(8, 8 + len(points)))])
+            with self.assertRaisesRegex(touchstone.Rejected, "face 1 of the mesh: the outer loop") as caught:
+                self.scene.add("quads", mesh)
+            self.assertEqual(caught.exception.code, code, points)
+            with self.assertRaises(touchstone.Rejected) as alone:
+                touchstone.Polygon(points)
+            self.assertEqual(alone.exception.code, code, points)
+        self.assertEqual(len(self.scene), 2)
+
+    def test_have_names_that_are_strings(self):
+        cube = touchstone.Mesh(CUBE_VERTICES, CUBE_FACES)
+        for name in (b"\xff", b"cube", "\ud800", 7, None):
+            with self.assertRaises(TypeError):
+                self.scene.add(name, cube)
+        for name in (b"\xff", b"cube", "\ud800"):
+            for use in (self.scene.pose, self.scene.face_count, lambda key: self.scene.set_pose(key, None),
+                        lambda key: self.scene.touches(self.balls, [key])):
+                with self.assertRaises(TypeError):
+                    use(name)
+        self.scene.add("w\u00fcrfel \U0001f3b2", cube)
+        self.assertEqual(self.scene.names, ["cube", "turned", "w\u00fcrfel \U0001f3b2"])
+
     def test_without_faces_have_no_nearest_face(self):
         scene = touchstone.Scene()
         self.assertEqual((scene.nearest([0, 0, 0, 1]), scene.touches([0, 0, 0, 1])), (None, False))
@@ -228,25 +266,26 @@ class Scenes(unittest.TestCase):
             self.scene.set_pose(1, pose)
             allowed.append(self.scene.touches(self.balls).tolist())
         self.assertNotEqual(*allowed)
-        found, done = [], threading.Event()
+        found, moved = [], threading.Event()
+        many = np.tile(self.balls, (1000, 1))  # so long that there is no moment at which nobody asks
 
         def move():
-            while not done.is_set():
-                for pose in poses:
-                    self.scene.set_pose(1, pose)
+            for pose in poses * 5:
+                self.scene.set_pose(1, pose)
+            moved.set()
 
         def ask():
-            for _ in range(50):
-                found.append(self.scene.touches(self.balls).tolist())
+            while not moved.is_set() and len(found) < MOST:
+                found.append(self.scene.touches(many)[-len(self.balls):].tolist())
 
-        mover, asking = threading.Thread(target=move), [threading.Thread(target=ask) for _ in range(2)]
-        for thread in (mover, *asking):
+        threads = [threading.Thread(target=work) for work in (ask, ask, ask, ask, move)]
+        for thread in threads:
             thread.start()
-        for thread in asking:
+        for thread in threads:
             thread.join()
-        done.set()
-        mover.join()
-        self.assertTrue(found and all(answers in allowed for answers in found))
+        # A move waits for the batches before it. Were later ones let in first, it would wait until all are asked.
+        self.assertLess(len(found), MOST)
+        self.assertEqual({tuple(answers) for answers in found}, {tuple(answers) for answers in allowed})
 
 
 if __name__ == "__main__":

@@ -164,6 +164,22 @@ class Arrays(unittest.TestCase):
         for same in (np.asfortranarray(balls), balls.astype(np.int64), balls.astype(np.float32), wide[::2, ::2], balls.tolist()):
             self.assertEqual(touchstone.filtered.contact(same, square).tolist(), expected)
 
+    def test_that_are_not_aligned_give_the_same(self):
+        def beside(array):
+            bytes_of = np.zeros(array.nbytes + 1, np.uint8)
+            same = bytes_of[1:].view(array.dtype).reshape(array.shape)
+            same[...] = array
+            self.assertFalse(same.flags.aligned)
+            return same
+
+        square, balls, motions = touchstone.Polygon(SQUARE), random_balls(64), random_motions(64)
+        triangles, mesh = np.array([SQUARE[:3]], float), touchstone.Mesh(SQUARE, [[0, 1, 2, 3]])
+        self.assertEqual(touchstone.Polygon(beside(np.array(SQUARE, float))), square)
+        self.assertEqual(touchstone.filtered.answer(beside(balls), square), touchstone.filtered.answer(balls, square))
+        self.assertEqual(touchstone.exact.first_contact(beside(motions), square), touchstone.exact.first_contact(motions, square))
+        self.assertEqual(touchstone.TriangleSet(beside(triangles)), touchstone.TriangleSet(triangles))
+        self.assertEqual(touchstone.Mesh(beside(np.array(SQUARE, float)), beside(np.array([[0, 1, 2, 3]]))), mesh)
+
     def test_are_not_written_to_and_may_be_read_only(self):
         square, balls = touchstone.Polygon(SQUARE), random_balls(64)
         before = balls.copy()
@@ -254,6 +270,25 @@ class Refusals(unittest.TestCase):
             touchstone.filtered.contact(ball, SQUARE)
 
 
+    def test_are_value_errors_where_lists_are_nested_without_end(self):
+        square, itself, deep, mutual = touchstone.Polygon(SQUARE), [], [], [[]]
+        itself.append(itself)
+        mutual[0].append((mutual, 1))
+        for _ in range(100_000):
+            deep = [deep]
+        for nested in (itself, mutual, deep, [0, 0, 0, itself]):
+            for ask in (lambda: touchstone.filtered.contact(nested, square), lambda: touchstone.exact.first_contact(nested, square),
+                        lambda: touchstone.Polygon(nested), lambda: touchstone.Polygon(SQUARE, [nested]),
+                        lambda: touchstone.TriangleSet(nested), lambda: touchstone.Mesh(nested, [[0, 1, 2]]),
+                        lambda: touchstone.Scene().add("nested", nested),
+                        lambda: touchstone.Scene().add("square", square, nested)):
+                with self.assertRaisesRegex(ValueError, "nested more than 32 deep"):
+                    ask()
+            for faces in (nested, [nested]):
+                with self.assertRaises((TypeError, ValueError)):
+                    touchstone.Mesh(SQUARE, faces)
+
+
 def one_of_each_class():
     square = touchstone.Polygon(SQUARE, [[[1, 1, 0], [1, 2, 0], [2, 1, 0]]])
     mesh = touchstone.Mesh(SQUARE, [[0, 1, 2, 3]])
@@ -295,7 +330,58 @@ class Uninitialised(unittest.TestCase):
                     use()
 
 
+    def test_objects_of_the_base_class_cannot_be_made(self):
+        base = touchstone.Polygon.__base__
+        for make in (base, lambda: base.__new__(base), type("Derived", (base,), {}), lambda: copy.copy(type("D", (base,), {}))()):
+            with self.assertRaisesRegex(TypeError, "cannot create"):
+                make()
+
+
+class LoopNamed(touchstone.Polygon):
+    def __init__(self, name, outer):
+        super().__init__(outer)
+        self.name = name
+
+
 class Pickling(unittest.TestCase):
+    def test_keeps_the_class_and_the_attributes_of_a_subclass(self):
+        named = LoopNamed("square", SQUARE)
+        named.tags = ["flat"]
+        copies = [pickle.loads(pickle.dumps(named, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+        for same in (*copies, copy.copy(named), copy.deepcopy(named)):
+            self.assertEqual((type(same), same, same.__dict__), (LoopNamed, named, {"name": "square", "tags": ["flat"]}))
+        self.assertIs(copy.copy(named).tags, named.tags)
+        self.assertIsNot(copy.deepcopy(named).tags, named.tags)
+
+    def test_keeps_the_subclass_of_every_class(self):
+        for thing in one_of_each_class():
+            if isinstance(thing, touchstone.Scene):
+                continue
+            derived = type("Derived", (type(thing),), {"__slots__": ("mark",)})
+            globals()["Derived"] = derived  # where `pickle` looks for it
+            derived.__module__, derived.__qualname__ = __name__, "Derived"
+            _, made_of, _ = thing.__reduce__()
+            whole = derived(*made_of[2])
+            whole.mark = 7
+            for same in (pickle.loads(pickle.dumps(whole)), copy.copy(whole), copy.deepcopy(whole)):
+                self.assertEqual((type(same), same, same.mark), (derived, thing, 7))
+        with self.assertRaisesRegex(TypeError, "cannot pickle"):
+            pickle.dumps(type("Derived", (touchstone.Scene,), {})())
+
+    def test_refuses_numbers_that_stand_for_no_word(self):
+        checked = 0
+        enumerators = {touchstone.Answer: (0, 2, 4, 5), touchstone.FirstContact: (0, 3), touchstone.NearestFace: (2,)}
+        for thing in one_of_each_class():
+            if type(thing) not in enumerators:
+                continue
+            _, (_, kind, members), _ = thing.__reduce__()
+            for place in enumerators[kind]:
+                for number in (-1, 3, 99, 256, 2**31 - 1):
+                    with self.assertRaisesRegex(ValueError, f"none of number {number}"):
+                        kind(*members[:place], number, *members[place + 1:])
+                    checked += 1
+        self.assertEqual(checked, 35)
+
     def test_makes_equal_objects_in_every_protocol(self):
         for thing in one_of_each_class():
             if isinstance(thing, touchstone.Scene):

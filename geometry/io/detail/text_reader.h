@@ -50,8 +50,12 @@ class TextReader {
     return {SourceLocation::Unit::Line, std::max<std::size_t>(line_number_, 1)};
   }
   [[nodiscard]] bool line_is_done() const { return rest_.empty(); }
-  /// Returns the position of the byte after the current line.
-  [[nodiscard]] std::size_t position() const { return position_; }
+  /// Returns the position of the byte after the current line. If all lines before it end with "\r" alone, so does this
+  /// one: a "\n" that follows is data.
+  [[nodiscard]] std::size_t position() const {
+    const bool first_other_end = other_ends_ == 1 && lines_passed_ > 1;
+    return first_other_end && text_.substr(0, position_).ends_with("\r\n") ? position_ - 1 : position_;
+  }
 
   [[noreturn]] void broken(const std::string& reason) const { source_.broken(place(), reason); }
 
@@ -153,6 +157,7 @@ class TextReader {
     while (position_ < text_.size() && !ends_line(text_[position_])) ++position_;
     const std::string_view line = text_.substr(begin, position_ - begin);
     if (text_.substr(position_, 2) == "\r\n") ++position_;
+    if (text_.substr(position_, 1) == "\n") ++other_ends_;
     if (position_ < text_.size()) ++position_;
     ++lines_passed_;
     return syntax_.comments ? line.substr(0, line.find('#')) : line;
@@ -173,6 +178,7 @@ class TextReader {
   TextSyntax syntax_;
   std::size_t position_ = 0;
   std::size_t lines_passed_ = 0;
+  std::size_t other_ends_ = 0;   // of the lines passed, not "\r" alone
   std::size_t line_number_ = 0;  // where the current line begins
   std::string_view rest_;        // the rest of the current line, from the next field on
   std::string joined_;           // the current line, if it was continued

@@ -17,11 +17,40 @@ FaceGraph::FaceGraph(const Mesh& welded, const std::vector<bool>& in_use) {
       }
     begin_.push_back(static_cast<HalfEdge>(face_.size()));
   }
+  join(std::vector<std::uint32_t>(face_.size(), 0));
+}
 
-  const auto ends = [this](HalfEdge h) { return std::minmax(origin_[h], origin_[next(h)]); };
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_of;
+void FaceGraph::split(const std::vector<std::vector<std::uint32_t>>& on_edge) {
+  if (std::ranges::all_of(on_edge, [](const auto& vertices) { return vertices.empty(); })) return;
+  const FaceGraph whole = std::move(*this);
+  *this = FaceGraph();
+  begin_.push_back(0);
+  std::vector<std::uint32_t> apart;
+  for (std::uint32_t face = 0; face + 1 < whole.begin_.size(); ++face) {
+    const auto [first, last] = whole.sides(face);
+    for (HalfEdge h = first; h < last; ++h) {
+      const auto [kind, half_edges] = whole.edge_of(h);
+      origin_.push_back(whole.origin(h));
+      const auto& vertices = on_edge[whole.edge_[h]];
+      if (whole.origin(h) == whole.origin(half_edges[0]))
+        origin_.insert(origin_.end(), vertices.begin(), vertices.end());
+      else
+        origin_.insert(origin_.end(), vertices.rbegin(), vertices.rend());
+      apart.resize(origin_.size(), kind == EdgeKind::Shared ? whole.edge_[h] + 1 : 0);
+    }
+    face_.resize(origin_.size(), face);
+    begin_.push_back(static_cast<HalfEdge>(face_.size()));
+  }
+  join(apart);
+}
+
+void FaceGraph::join(const std::vector<std::uint32_t>& apart) {
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> ends_of;
   ends_of.reserve(face_.size());
-  for (HalfEdge h = 0; h < face_.size(); ++h) ends_of.emplace_back(ends(h));
+  for (HalfEdge h = 0; h < face_.size(); ++h) {
+    const auto [low, high] = std::minmax(origin_[h], origin_[next(h)]);
+    ends_of.emplace_back(low, high, apart[h]);
+  }
   by_edge_.resize(face_.size());
   std::iota(by_edge_.begin(), by_edge_.end(), 0U);
   std::sort(by_edge_.begin(), by_edge_.end(),

@@ -32,6 +32,11 @@ class FaceGraph {
   /// Cost: O(n log n).
   FaceGraph(const Mesh& welded, const std::vector<bool>& in_use);
 
+  /// Splits edges: on_edge[e] are vertices between the ends of edge e, in order from the origin of its first half-edge.
+  /// Faces that share an edge share its parts, whatever other edges have the same ends as these. Half-edges and edges
+  /// get other numbers. Cost: O(n log n), nothing if there are no such vertices.
+  void split(const std::vector<std::vector<std::uint32_t>>& on_edge);
+
   [[nodiscard]] std::uint32_t face(HalfEdge h) const { return face_[h]; }
   [[nodiscard]] std::uint32_t origin(HalfEdge h) const { return origin_[h]; }
   [[nodiscard]] HalfEdge next(HalfEdge h) const { return h + 1 == begin_[face_[h] + 1] ? begin_[face_[h]] : h + 1; }
@@ -52,6 +57,11 @@ class FaceGraph {
   }
 
  private:
+  FaceGraph() = default;
+
+  /// Makes an edge of all half-edges with the same ends and the same number in `apart`.
+  void join(const std::vector<std::uint32_t>& apart);
+
   std::vector<HalfEdge> begin_;               // by face
   std::vector<std::uint32_t> face_, origin_;  // by half-edge
   std::vector<std::uint32_t> edge_;           // by half-edge

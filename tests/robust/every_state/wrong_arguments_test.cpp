@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/filtered.h"
+#include "robust/filtered/motion.h"
+#include "robust/filtered/triangle_set.h"
 #include "robust/mesh/merge.h"
 #include "robust/mesh/weld.h"
 #include "robust/scene/scene.h"
@@ -133,6 +136,40 @@ TEST(WrongArgumentsDeathTest, BallsThatAreNoneAreAsserted) {
     EXPECT_DEATH((void)fast::first_contact(Motion{wrong, {0, 0, 0}}, kTriangle), "find_fault");
     EXPECT_DEATH((void)exact::first_contact(Motion{wrong, {0, 0, 0}}, exact_polygon), "find_fault");
   }
+}
+
+// Of polygons, four balls at once are decided together, without single calls.
+TEST(WrongArgumentsDeathTest, BatchesAreAssertedAsSingleCallsAre) {
+  const filtered::PreparedPolygon polygon(square());
+  const filtered::TriangleSet set(std::array{kTriangle});
+  const scene::Scene scene = scene_of_one();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Triangle wrong_triangle{{0, 0, 0}, {nan, 0, 0}, {0, 1, 0}};
+  const std::array triangles{kTriangle, kTriangle, kTriangle, kTriangle};
+  const std::array wrong_triangles{kTriangle, wrong_triangle};
+  const Motion motion{kBall, {0, 0, 0}};
+  std::array<bool, 4> out{};
+  const std::span<bool> four(out), two(four.first(2)), one(four.first(1));
+  for (const Ball& wrong : {Ball{{nan, 0, 0}, 1}, Ball{{0, 0, 0}, -1}}) {
+    const std::array balls{kBall, kBall, kBall, wrong};
+    const Motion wrong_motion{wrong, {0, 0, 0}};
+    const std::array motions{motion, motion, motion, wrong_motion};
+    EXPECT_DEATH(filtered::contact(std::span(balls), polygon, four), "find_fault");
+    EXPECT_DEATH(filtered::contact(wrong, std::span(triangles), four), "find_fault");
+    EXPECT_DEATH(filtered::contact(std::span(motions), polygon, four), "find_fault");
+    EXPECT_DEATH(filtered::contact(wrong_motion, std::span(triangles), four), "find_fault");
+    EXPECT_DEATH(filtered::contact(wrong, set, one), "find_fault");
+    EXPECT_DEATH((void)filtered::any_contact(wrong, set), "find_fault");
+    EXPECT_DEATH((void)filtered::triangles_hit(wrong, set), "find_fault");
+    EXPECT_DEATH(scene.touches(std::span(balls), four), "find_fault");
+    EXPECT_DEATH((void)scene.touched(std::span(balls)), "find_fault");
+    EXPECT_DEATH((void)scene.nearest(std::span(balls)), "find_fault");
+    EXPECT_DEATH(scene.touches(std::span(motions), four), "find_fault");
+    EXPECT_DEATH((void)scene.touched(std::span(motions)), "find_fault");
+    EXPECT_DEATH((void)scene.first_contact(std::span(motions)), "find_fault");
+  }
+  EXPECT_DEATH(filtered::contact(kBall, std::span(wrong_triangles), two), "allFinite");
+  EXPECT_DEATH(filtered::contact(motion, std::span(wrong_triangles), two), "allFinite");
 }
 
 TEST(WrongArgumentsDeathTest, TrianglesAndIndicesThatAreNoneAreAsserted) {

@@ -90,6 +90,31 @@ TEST(Merge, LooksToTheSideToWhichItsFacesLook) {
   });
 }
 
+/// How many of the mesh's vertices lie on an edge of the polygon and are not its ends.
+std::size_t vertices_within_edges(const Mesh& mesh, const Polygon& polygon) {
+  const exact::PreparedPolygon prepared(polygon);
+  // At a vertex two edges meet.
+  return static_cast<std::size_t>(std::ranges::count_if(mesh.vertices, [&](const Eigen::Vector3d& vertex) {
+    return exact::edges_hit({vertex, 0}, prepared).size() == 1;
+  }));
+}
+
+// Guarantee (4). Faces of the meshes do not have it.
+TEST(Merge, HasEveryVertexOnItsEdges) {
+  std::size_t in_faces = 0, in_holes = 0;
+  for_each_random_mesh(TOUCHSTONE_SAMPLES / 2, [&](const Mesh& mesh, std::uint64_t, const std::string& what) {
+    const MergedMesh merged = merge_faces(mesh);
+    for (const MergedFace& face : merged.faces) {
+      EXPECT_EQ(vertices_within_edges(mesh, face.polygon), 0U) << what;
+      std::size_t within = 0;
+      for (const std::uint32_t part : face.faces) within += vertices_within_edges(mesh, face_of(mesh, part));
+      (face.polygon.loop_count() > 1 ? in_holes : in_faces) += within;
+    }
+  });
+  EXPECT_GT(in_faces, 100U);
+  EXPECT_GT(in_holes, 10U);
+}
+
 // As large as they can be: faces on either side of a shared edge in one plane are together where nothing was cut.
 TEST(Merge, KeepsNothingApartThatNeedNotBe) {
   for_each_random_mesh(TOUCHSTONE_SAMPLES, [](const Mesh& mesh, std::uint64_t, const std::string& what) {

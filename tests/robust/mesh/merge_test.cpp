@@ -187,15 +187,50 @@ TEST(Merge, CutsSheetsThatAreJoinedCrosswise) {
   for (const MergedFace& face : merged.faces) EXPECT_EQ(face.polygon.loop_count(), 1U);
 }
 
-// Without T-vertices known as such, the two halves are neighbours over no edge.
-TEST(Merge, DoesNotMergeOverTVertices) {
+// The lower half has a vertex on the edge between the two that the upper half lacks.
+TEST(Merge, MergesOverATJunction) {
   const Mesh halves{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, -1, 0}, {2, -1, 0}},
                     {{0, 1, 2}, {0, 4, 3}, {3, 4, 5}, {3, 5, 1}}};
-  EXPECT_EQ(groups(merged_soundly(halves)), (std::vector<Numbers>{{0}, {1, 2, 3}}));
+  const MergedMesh merged = merged_soundly(halves);
+  EXPECT_EQ(groups(merged), (std::vector<Numbers>{{0, 1, 2, 3}}));
+  EXPECT_EQ(merged.edges, (EdgeCounts{.border = 5, .merged = 4}));
+}
+
+// Guarantee (4) at a crease: the upper triangle takes both vertices on its edge, in their order along it, though one of
+// them belongs to no face.
+TEST(Merge, SplitsEdgesAtTheVerticesOnThem) {
+  const Mesh roof{{{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {3, 0, 0}, {1, 0, 0}, {2, -1, 1}},
+                  {{0, 1, 2}, {0, 5, 3}, {3, 5, 1}}};
+  const MergedMesh merged = merged_soundly(roof);
+  ASSERT_EQ(groups(merged), (std::vector<Numbers>{{0}, {1, 2}}));
+  EXPECT_EQ(merged.faces[0].polygon, Polygon({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}, {2, 1, 0}}));
+  EXPECT_EQ(merged.edges, (EdgeCounts{.border = 4, .merged = 1, .crease = 3}));
+}
+
+// A square of two triangles, and a fin that stands on half of the edge between them.
+TEST(Merge, MergesOverAnEdgeOnAPartOfWhichAnotherFaceStands) {
+  const Mesh finned{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}, {1, 1, 1}},
+                    {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}}};
+  const MergedMesh merged = merged_soundly(finned);
+  EXPECT_EQ(groups(merged), (std::vector<Numbers>{{0, 1}, {2}}));
+  EXPECT_EQ(merged.edges, (EdgeCounts{.border = 7, .merged = 2}));
+}
+
+TEST(Merge, SplitsNoEdgeAtAVertexOneDoubleBesideIt) {
+  Mesh roof{{{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {1, 0x1p-1074, 0}}, {{0, 1, 2}}};
+  EXPECT_EQ(merged_soundly(roof).faces[0].polygon.vertex_count(), 3U);
+  roof.vertices[3].y() = 0;
+  EXPECT_EQ(merged_soundly(roof).faces[0].polygon.vertex_count(), 4U);
+}
+
+// A face that is not planar would be lifted onto another plane, had it more vertices.
+TEST(Merge, KeepsTheCornersOfAFaceThatIsNotPlanar) {
+  const Mesh warped{{{0, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}, {1, 0, 0}}, {{0, 1, 2, 3}}};
+  EXPECT_EQ(merged_soundly(warped).faces[0].polygon.vertex_count(), 4U);
 }
 
 // A C whose ends lie against each other, but for a vertex that one of them lacks.
-TEST(Merge, CutsARegionThatMeetsItselfOverATVertex) {
+TEST(Merge, ClosesARingOverATJunction) {
   Mesh ring = grid(3, 3, [](int i, int j) { return i != 1 || j != 1; });
   // The edge above the lowest square of the left column gets a vertex, in that square alone.
   ring.vertices.emplace_back(0.5, 1, 0);
@@ -204,8 +239,9 @@ TEST(Merge, CutsARegionThatMeetsItselfOverATVertex) {
     if (face == std::vector<std::uint32_t>{0, 5, 4}) face = {0, 5, middle};
   ring.faces.push_back({0, middle, 4});
   const MergedMesh merged = merged_soundly(ring);
-  EXPECT_EQ(merged.faces.size(), 2U);
-  EXPECT_EQ(merged.splits, 1U);
+  ASSERT_EQ(merged.faces.size(), 1U);
+  EXPECT_EQ(merged.faces[0].polygon.loop_count(), 2U);
+  EXPECT_EQ(merged.splits, 0U);
 }
 
 TEST(Merge, NamesTheFacesThatAreNone) {

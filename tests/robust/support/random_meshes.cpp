@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using workloads::Random;
 
 constexpr std::uint64_t kSeed = 2026;
-constexpr std::uint64_t kSignStream = ~std::uint64_t{0};  // balls take one for each face
+constexpr std::uint64_t kSignStream = ~std::uint64_t{0}, kCutStream = kSignStream - 1;  // balls take one for each face
 
 /// Columns of random heights, most of them 0, their tops and the walls between them; a face here and there is left out,
 /// flipped, doubled, folded back or has another face without area beside it.
@@ -67,6 +67,25 @@ Mesh draw_mesh(std::uint64_t index) {
         quad({{{i, j + 1, z}, {i + 1, j + 1, z}, {i + 1, j + 1, z + 1}, {i, j + 1, z + 1}}});
     }
   return mesh::weld(mesh);
+}
+
+/// The mesh with some faces cut in two from the middle of a side, where their neighbours lack a vertex. Halves of small
+/// integers are exact.
+Mesh bisected(const Mesh& mesh, std::uint64_t index) {
+  Random random(kSeed, index, kCutStream);
+  Mesh cut{mesh.vertices, {}};
+  for (const auto& face : mesh.faces) {
+    const auto k = static_cast<std::size_t>(random.integer(0, 2));
+    const std::uint32_t a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+    if (a == b || random.integer(0, 2) != 0) {
+      cut.faces.push_back(face);
+      continue;
+    }
+    const auto middle = static_cast<std::uint32_t>(cut.vertices.size());
+    cut.vertices.emplace_back((mesh.vertices[a] + mesh.vertices[b]) / 2);
+    cut.faces.insert(cut.faces.end(), {{a, middle, c}, {middle, b, c}});
+  }
+  return mesh::weld(cut);
 }
 
 /// The mesh moved so that its first vertex is the origin; as it was where that would round.
@@ -147,6 +166,7 @@ void for_each_random_mesh(std::uint64_t count,
                           const std::function<void(const Mesh&, std::uint64_t, const std::string&)>& f) {
   for (std::uint64_t index = 0; index < count; ++index) {
     Mesh mesh = draw_mesh(index);
+    if (index % 3 == 2) mesh = bisected(bisected(mesh, index), index);
     if (index % 2 == 1) mesh = from_first_vertex(std::move(mesh));
     Random random(kSeed, index, kSignStream);
     contact_tests::sign_zeros(mesh, random);

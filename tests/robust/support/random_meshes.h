@@ -30,7 +30,7 @@ namespace touchstone::mesh_tests {
 
 /// Calls f(mesh, index, words) for random meshes of triangles, welded: steps and terraces of several planes with gaps,
 /// touching in vertices, some faces flipped, doubled, folded back or without area; in an exact lattice frame, so that
-/// neighbours are exactly coplanar. A function of the index.
+/// neighbours are exactly coplanar. Every third mesh has T-junctions. A function of the index.
 void for_each_random_mesh(std::uint64_t count,
                           const std::function<void(const Mesh&, std::uint64_t, const std::string&)>& f);
 
