@@ -87,11 +87,19 @@ std::string page(const CommandDescription& command, const std::string& version) 
     text += ".fi\n";
   }
   text +=
-      ".SH EXIT STATUS\n.TP\n0\nDone, and nothing was found wrong.\n.TP\n1\nDone, and something was found wrong, such "
-      "as an "
-      "expectation that is not met.\n.TP\n2\nWrong input, a wrong command line, or output that cannot be "
-      "written.\n.TP\n"
-      "130\nInterrupted.\n";
+      ".SH EXIT STATUS\n"
+      ".TP\n"
+      "0\n"
+      "Done, and nothing was found wrong.\n"
+      ".TP\n"
+      "1\n"
+      "Done, and something was found wrong, such as an expectation that is not met.\n"
+      ".TP\n"
+      "2\n"
+      "Wrong input, a wrong command line, or output that cannot be written.\n"
+      ".TP\n"
+      "130\n"
+      "Interrupted.\n";
   if (!command.name.empty()) text += ".SH SEE ALSO\n.BR touchstone (1)\n";
   return text;
 }

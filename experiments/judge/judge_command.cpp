@@ -148,8 +148,8 @@ harness::Command judge_command() {
   command.force(options->force);
   command.texts("FILE", options->files, "Files of cases; none: standard input");
   command.footer(
-      "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for wrong input or "
-      "an\n"
+      "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for "
+      "wrong input or an\n"
       "engine that cannot be started, 130 if interrupted.");
   command.example("judge --engine './engine --flags =mine' --keys contact --at-rest --summary tests/corpus/*.jsonl");
   command.runs([options] { return run_judge(*options); });

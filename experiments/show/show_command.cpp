@@ -144,10 +144,10 @@ harness::Command show_command() {
   command.text("--png", options->png, "Write the pictures to this file (PNG); needs python3 with matplotlib");
   command.force(options->force);
   command.footer(
-      "From above: the polygon, the ball, the foot of its centre and the nearest point (of a moving ball: its way, "
-      "and\n"
-      "the first touched point). From the side: a section. Below: the radii next to the ball's, in doubles, and what "
-      "exact\n"
+      "From above: the polygon, the ball, the foot of its centre and the nearest point (of a moving "
+      "ball: its way, and\n"
+      "the first touched point). From the side: a section. Below: the radii next to the ball's, in "
+      "doubles, and what exact\n"
       "and each method say of contact with each. Exit status: 2 for wrong input, 1 if no PNG could be drawn, else 0.");
   command.example("show tests/corpus/edge.jsonl --samples 3 --html edge.html");
   command.runs([options] {

@@ -86,8 +86,8 @@ harness::Command thesis_command() {
   command.keep_line(options->line);
   command.footer(
       "Makes one entry for each figure and table that the thesis lists, and for each known error of its method: the\n"
-      "numbers that can be computed, the stated numbers, whether they agree, and a picture. Writes CSV files, "
-      "run.json,\n"
+      "numbers that can be computed, the stated numbers, whether they agree, and a picture. Writes CSV "
+      "files, run.json,\n"
       "pictures (SVG and PNG) and index.html, which shows all of them.");
   command.whole("--samples", options->samples, "Random balls for each outline and radius (20000; with --quick 2000)",
                 100);

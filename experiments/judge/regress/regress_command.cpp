@@ -219,13 +219,13 @@ harness::Command regress_command() {
   command.keep_line(options->line);
   command.footer(
       "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative\n"
-      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that the change of a "
-      "single\n"
-      "answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right "
-      "or\n"
-      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --methods or "
-      "--engine\nnames, or if "
-      "--write names an existing file without --force.");
+      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that the "
+      "change of a single\n"
+      "answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong "
+      "instead of right or\n"
+      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that "
+      "--methods or --engine\n"
+      "names, or if --write names an existing file without --force.");
   command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used");
   command
       .flag("--allow-missing", options->allow_missing,

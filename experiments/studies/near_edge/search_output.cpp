@@ -192,12 +192,12 @@ std::string search_table(const Settings& settings, const Onsets& onsets, const W
                       power_of_two(onset.furthest.empty() ? 0 : onset.furthest.front().share), power_of_two(climbed));
     }
   return text +
-         "Offsets of the radius (foot-*: of a coordinate of the centre) from the threshold, as shares of the "
-         "polygon's\n"
-         "size, tested at the powers of two from 2^-60 to 1, and at 64 steps beyond the furthest wrong one. Rotated "
-         "polygons;\n"
-         "the truth is filtered, and exact for climbed cases. Distance from the origin, in sizes. Furthest: over all "
-         "samples;\n"
+         "Offsets of the radius (foot-*: of a coordinate of the centre) from the threshold, as shares "
+         "of the polygon's\n"
+         "size, tested at the powers of two from 2^-60 to 1, and at 64 steps beyond the furthest wrong one. "
+         "Rotated polygons;\n"
+         "the truth is filtered, and exact for climbed cases. Distance from the origin, in sizes. Furthest: "
+         "over all samples;\n"
          "climbed: after moving their coordinates.\n";
 }
 

@@ -97,8 +97,7 @@ const harness::Table<Row>& table() {
            harness::rate_columns<Row>("failed piles", &Row::pile_rate, "piles_"),
            {{"furthest",
              "of the wrong answers, the largest difference of distance and radius, as a share of the triangle's "
-             "largest "
-             "coordinate difference",
+             "largest coordinate difference",
              path(&Row::tally, &Tally::furthest)}}}));
   return table;
 }

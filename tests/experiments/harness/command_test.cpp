@@ -53,8 +53,7 @@ struct Declared {
 
 constexpr const char* kUnchanged =
     "touchstone measure --seed 7 --threads 3 --methods all --count 20 --offset -2 --step 0.5 --oracle exact --colour "
-    "green "
-    "--output results/it";
+    "green --output results/it";
 
 TEST(Command, KeepsWhatTheVariablesHeldWhereNothingIsSaid) {
   Declared declared;
