@@ -141,11 +141,9 @@ harness::Command area_command() {
   auto options = std::make_shared<AreaOptions>();
   command.keep_line(options->line);
   command.footer(
-      "Runs the whole process with the storage at every place of a grid, and reports which runs "
-      "complete, and why the\n"
-      "others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights "
-      "and radii at its\n"
-      "angle), stations.csv, and pictures of them.");
+      "Runs the whole process with the storage at every place of a grid, and reports which runs complete, and why "
+      "the others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and "
+      "radii at its angle), stations.csv, and pictures of them.");
   command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, experiments/FORMATS.md has its keys")
       .required();
   add_cell_options(command, *options);
