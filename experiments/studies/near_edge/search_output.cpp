@@ -75,7 +75,7 @@ template <class Row>
 std::vector<harness::Column<Row>> subject_columns() {
   return {{"family", "the family of polygons, or `all`", [](const Row& row) { return row.group->family; }},
           {"threshold", "the threshold that balls cross", [](const Row& row) { return row.group->threshold; }},
-          {"origin_distance", "of the polygon from the origin, in its sizes",
+          {"origin_distance", "of the polygon from the origin, in multiples of its size",
            [](const Row& row) { return row.group->distance; }, "{:.0f}"},
           {"method", "the method", &Row::method},
           {"test", "the decision that is compared", [](const Row& row) { return test_word(row.group->threshold); }}};
@@ -128,7 +128,7 @@ const harness::Table<WorstRow>& worst_table() {
   return table;
 }
 
-/// 2^-50.3, to which a share is rounded for people; nothing where there is none.
+/// 2^-50.3, to which a share is rounded for people; nothing without a share.
 std::string power_of_two(double share) { return share > 0 ? fmt::format("2^{:.1f}", std::log2(share)) : "none seen"; }
 
 }  // namespace
