@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "experiments/harness/completion.h"
+#include "experiments/harness/counted.h"
 #include "experiments/harness/manual.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
@@ -14,34 +15,16 @@
 #include "experiments/harness/write_file.h"
 
 namespace touchstone::commands {
-namespace {
 
 using harness::Command;
-using harness::CommandDescription;
 
-CommandDescription program_of(const std::string& about, const std::vector<Command>& commands) {
-  CommandDescription program{.name = {},
-                             .about = about,
-                             .footer = {},
-                             .options = {{.name = "--version",
-                                          .value = {},
-                                          .about = "Print the version, the commit and the engines",
-                                          .fallback = {},
-                                          .words = {}}},
-                             .examples = {"help near-edge"},
-                             .subcommands = {}};
-  for (const Command& command : commands) program.subcommands.push_back(command.description());
-  return program;
-}
-
-}  // namespace
-
-std::vector<Command> help_commands(const std::string& about, std::vector<Command> commands) {
+std::vector<Command> help_commands(const std::string& about, const std::string& heading,
+                                   std::vector<Command> commands) {
   Command completion("completion", "Print a script that completes commands and options in a shell");
   auto shell = std::make_shared<std::string>("bash");
   completion.choice("SHELL", *shell, {"bash", "zsh"}, "The shell");
   completion.footer(
-      "The installed program has both scripts. Otherwise: bash reads the script by `. FILE`; zsh finds it as the file\n"
+      "The installed program has both scripts. Otherwise: bash reads the script by `. FILE`; zsh finds it as the file "
       "_touchstone in a folder of $fpath.");
   completion.example("completion bash");
 
@@ -56,9 +39,11 @@ std::vector<Command> help_commands(const std::string& about, std::vector<Command
   manual.keep_line(options->line);
   manual.example("manual && man ./results/manual/touchstone-near-edge.1");
 
+  completion.heading(heading);
+  manual.heading(heading);
   commands.push_back(completion);
   commands.push_back(manual);
-  const CommandDescription program = program_of(about, commands);
+  const harness::CommandDescription program = harness::description_of(about, commands);
   completion.runs([shell, program] {
     return harness::run_alone([&] {
       fmt::print("{}", *shell == "bash" ? harness::bash_completion(program) : harness::zsh_completion(program));
@@ -71,7 +56,7 @@ std::vector<Command> help_commands(const std::string& about, std::vector<Command
       const std::string version = harness::version_text().substr(0, harness::version_text().find('\n'));
       const auto pages = harness::manual_pages(program, version);
       for (const auto& [name, text] : pages) harness::write_file(folder.path() / name, text);
-      fmt::print("{} pages in {}\n", pages.size(), options->folder);
+      fmt::print("{} in {}\n", harness::counted(pages.size(), "page"), options->folder);
       return 0;
     });
   });

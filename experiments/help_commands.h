@@ -9,8 +9,8 @@
 namespace touchstone::commands {
 
 /// Returns the command that prints a completion script for a shell and the one that writes the manual pages. Both cover
-/// these commands and themselves. `about`: the text of the program.
-[[nodiscard]] std::vector<harness::Command> help_commands(const std::string& about,
+/// these commands and themselves. `about`: the text of the program; `heading`: under which it lists the two.
+[[nodiscard]] std::vector<harness::Command> help_commands(const std::string& about, const std::string& heading,
                                                           std::vector<harness::Command> commands);
 
 }  // namespace touchstone::commands

@@ -65,14 +65,19 @@ int main(int argc, char** argv) {
   std::set_terminate(end_out_of_memory);
   try {
     using namespace touchstone::commands;
-    std::vector<touchstone::harness::Command> commands{
-        judge_command(),   methods_command(),  near_edge_command(), angles_command(),     meshes_command(),
-        merging_command(), motions_command(),  cases_command(),     bench_command(),      bench_scenes_command(),
-        soak_command(),    recorded_command(), tradeoff_command(),  tunnelling_command(), stability_command(),
-        scenes_command(),  cell_command(),     regress_command(),   corpus_command(),     thesis_command(),
-        show_command()};
-    commands.push_back(columns_command(commands));
-    for (const auto& command : help_commands(kAbout, commands)) commands.push_back(command);
+    std::vector<touchstone::harness::Command> commands;
+    const auto add = [&](const std::string& heading, std::vector<touchstone::harness::Command> some) {
+      for (auto& command : some) command.heading(heading);
+      commands.insert(commands.end(), some.begin(), some.end());
+    };
+    add("Ask and judge", {judge_command(), show_command(), scenes_command(), cases_command(), methods_command(),
+                          regress_command(), corpus_command()});
+    add("Studies", {near_edge_command(), angles_command(), meshes_command(), merging_command(), motions_command(),
+                    tunnelling_command(), stability_command(), tradeoff_command(), bench_command(),
+                    bench_scenes_command(), soak_command(), recorded_command()});
+    add("The cell and the thesis", {cell_command(), thesis_command()});
+    add("Tools", {columns_command(commands)});
+    add("Tools", help_commands(kAbout, "Tools", commands));
     const int status =
         touchstone::harness::run_program({kAbout, touchstone::harness::version_text()}, commands, argc, argv);
     touchstone::harness::flush_standard_output();

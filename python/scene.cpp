@@ -197,18 +197,15 @@ void add_scene(py::module_& module) {
   const py::arg balls("balls");
   const auto objects = py::arg("objects") = py::none();
   type.def(py::init())
-      .def(
-          "add", add, py::arg("name"), py::arg("faces"), py::arg("pose") = py::none(),
-          "Adds an object and returns its number. `faces` is a Mesh or any object with `vertices` and `faces`, a\n"
-          "TriangleSet, an array of n x 3 x 3, a Polygon or a list of them. Faces are numbered from 0: first those of\n"
-          "three vertices, then the others. `pose` is [R t], an array of 3 x 4 or 4 x 4. Raises ValueError if the "
-          "name\n"
-          "is taken, and Rejected, which names the face, for what the contract rejects.")
+      .def("add", add, py::arg("name"), py::arg("faces"), py::arg("pose") = py::none(),
+           "Adds an object and returns its number. `faces` is a Mesh or any object with `vertices` and `faces`, a\n"
+           "TriangleSet, an array of n x 3 x 3, a Polygon or a list of them. Faces are numbered from 0: first those\n"
+           "of three vertices, then the others. `pose` is [R t], an array of 3 x 4 or 4 x 4. Raises ValueError if\n"
+           "the name is taken, and Rejected, which names the face, for what the contract rejects.")
       .def("set_pose", set_pose, py::arg("object"), py::arg("pose"),
-           "Sets the pose [R t] of an object, by number or name. Each coordinate of a posed vertex is rounded once. A\n"
-           "scene that is moved and moved back answers as before. Raises Rejected, and keeps the pose, if rounding "
-           "makes\n"
-           "a face invalid.")
+           "Sets the pose [R t] of an object, by number or name. Each coordinate of a posed vertex is rounded once.\n"
+           "A scene that is moved and moved back answers as before. Raises Rejected, and keeps the pose, if rounding\n"
+           "makes a face invalid.")
       .def(
           "pose",
           [](const SharedScene& scene, const ObjectKey& object) {
@@ -233,9 +230,8 @@ void add_scene(py::module_& module) {
            "Returns the face that a moving ball (7,) touches first, the lowest of several: a FirstFace, None if it\n"
            "touches none, or a list of them.")
       .def("nearest", nearest, balls, objects,
-           "Returns the face nearest to the ball's centre, the lowest of several: a NearestFace, None without faces, "
-           "or\n"
-           "a list of them.")
+           "Returns the face nearest to the ball's centre, the lowest of several: a NearestFace, None without faces,\n"
+           "or a list of them.")
       .def("closest", closest, balls, objects,
            "Returns the closest point of all faces and its distance: (3,) and a float, or (n, 3) and (n,). Raises\n"
            "ValueError if there are no faces.")

@@ -8,6 +8,8 @@
 #include <iostream>
 #include <new>
 
+#include "experiments/harness/input.h"
+
 namespace touchstone::cases {
 namespace {
 
@@ -40,13 +42,21 @@ bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& b
 
 void read_lines(const std::vector<std::string>& files, const Take& take) {
   std::uint64_t bytes = 0;
-  if (files.empty()) read_stream(std::cin, "standard input", bytes, take);
+  if (files.empty()) {
+    harness::announce_standard_input("cases");
+    read_stream(std::cin, "standard input", bytes, take);
+  }
   for (const std::string& file : files) {
-    std::ifstream stream(file);
-    const bool go_on =
-        stream ? read_stream(stream, file, bytes, take)
-               : take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read", file)});
-    if (!go_on) return;
+    std::ifstream stream;
+    std::string complaint;
+    try {
+      stream = harness::open_file(file);
+    } catch (const std::runtime_error& error) {
+      complaint = error.what();
+    }
+    const bool continues = complaint.empty() ? read_stream(stream, file, bytes, take)
+                                             : take({.text = {}, .place = {}, .read = {}, .complaint = complaint});
+    if (!continues) return;
   }
 }
 

@@ -142,10 +142,8 @@ harness::Command area_command() {
   command.keep_line(options->line);
   command.footer(
       "Runs the whole process with the storage at every place of a grid, and reports which runs complete, and why "
-      "the\n"
-      "others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and radii at "
-      "its\n"
-      "angle), stations.csv, and pictures of them.");
+      "the others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and "
+      "radii at its angle), stations.csv, and pictures of them.");
   command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, experiments/FORMATS.md has its keys")
       .required();
   add_cell_options(command, *options);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "experiments/cell/cell_commands.h"
+#include "experiments/harness/input.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
@@ -27,8 +28,7 @@ int run(const NewOptions& options) {
   const std::filesystem::path least = harness::source_folder() / "experiments/cell/cells/least";
   const harness::OutputFolder held(options.folder, options.line, {.force = options.force});
   for (const char* name : {"arm.urdf", "cell.json"}) {
-    std::ifstream stream(least / name);
-    if (!stream) throw std::runtime_error((least / name).string() + ": cannot be read");
+    std::ifstream stream = harness::open_file(least / name);
     harness::write_file(held.path() / name, {std::istreambuf_iterator<char>(stream), {}});
   }
   const std::string folder = io::all_legible(options.folder);
@@ -44,7 +44,7 @@ int run(const NewOptions& options) {
 harness::Command new_command() {
   harness::Command command("new", "Write the least cell and its arm into a folder, to start from");
   auto options = std::make_shared<NewOptions>();
-  command.text("DIR", options->folder, "The folder").required();
+  command.text("FOLDER", options->folder, "The folder").required();
   command.force(options->force);
   command.keep_line(options->line);
   command.example("cell new mine && touchstone cell show mine/cell.json");

@@ -66,8 +66,10 @@ class PieceRun {
   [[nodiscard]] double seconds() const { return before_ + cycle_ + measured_ + held_; }
   [[nodiscard]] std::string text() const {
     return fmt::format(
-        "{}\n\n{}\n{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the distances, {:.3f} "
-        "s "
+        "{}\n"
+        "\n"
+        "{}\n"
+        "{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the distances, {:.3f} s "
         "for the methods\n",
         workcell_.cell().name, summary(workcell_, process_, separation_, comparison_), before_, cycle_, measured_,
         held_);

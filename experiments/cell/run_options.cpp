@@ -12,15 +12,19 @@
 namespace touchstone::cell {
 
 void add_cell_options(harness::Command& command, RunOptions& options) {
-  command.texts("--set", options.changes,
-                "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be repeated");
-  command.text("--preset", options.preset, "Apply a preset of the cell file first, such as `case 2`");
-  command.text("--piece", options.piece, "The piece of material that is handled, if the cell has several");
+  command
+      .texts("--set", options.changes,
+             "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be repeated")
+      .takes("CHANGE");
+  command.text("--preset", options.preset, "Apply a preset of the cell file first, such as `case 2`").takes("NAME");
+  command.text("--piece", options.piece, "The piece of material that is handled, if the cell has several")
+      .takes("NAME");
   command.flag("--sphere-alone", options.sphere_alone,
                "The thesis's rule: test the virtual sphere alone, not the arm, the gripper and what it holds");
-  command.text("--drive", options.drive, "The method whose answer stops the robot, instead of the exact one");
-  command.text("--meshes", options.meshes, "The folder of mesh files, instead of the cell file's");
-  command.positive("--cover-margin", options.overhang, "By how much the balls that cover the arm may reach beyond it");
+  command.text("--drive", options.drive, "The method whose answer stops the robot, instead of the exact one")
+      .takes("METHOD");
+  command.text("--meshes", options.meshes, "The folder of mesh files, instead of the cell file's").takes("FOLDER");
+  command.positive("--cover-margin", options.overhang, "Slack of the arm's covering balls");
 }
 
 void add_run_options(harness::Command& command, RunOptions& options) {

@@ -61,7 +61,8 @@ harness::Command serve_command() {
   auto options = std::make_shared<ServeOptions>();
   command.text("CELL", options->run.file, "A cell file (JSON); without one, the Aristo's");
   command.whole("--port", options->port, "The port to listen at; 0 chooses a free one");
-  command.text("--host", options->host, "The address to listen at; only this machine can reach the default");
+  command.text("--host", options->host, "The address to listen at; only this machine can reach the default")
+      .takes("ADDRESS");
   add_run_options(command, options->run);
   command.example("cell serve experiments/cell/cells/aristo.json");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

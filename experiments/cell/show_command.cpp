@@ -71,7 +71,7 @@ harness::Command show_command() {
   command.keep_line(options->line);
   command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, experiments/FORMATS.md has its keys")
       .required();
-  command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's");
+  command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's").takes("FOLDER");
   command.output(options->output,
                  "A folder for faces.csv, one line per face, and models/, one model file (.txt) per link");
   command.force(options->force);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/harness/command.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -8,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "experiments/harness/help.h"
 #include "experiments/harness/real_number.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/similar_words.h"
@@ -35,22 +38,42 @@ std::string shortest(double number) {
   return {text.begin(), std::to_chars(text.begin(), text.end(), number).ptr};
 }
 
-/// Returns a suggestion for the first word that no option of the command has, if it is an option itself.
-std::string suggested_option(const CLI::App* app) {
-  const auto words = app->remaining(true);
-  const auto unknown = std::ranges::find_if(words, [](const std::string& word) { return word.starts_with("-"); });
-  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
-  if (unknown == words.end()) return {};
-  std::vector<std::string> known;
-  for (const CLI::Option* option : app->get_options()) known.push_back(option->get_name());
-  return suggestion(*unknown, known);
+/// Returns the name of a command with those of its groups; empty for the program.
+std::string name_of(const CLI::App* app) {
+  if (app->get_name() == kProgram) return {};
+  const std::string group = app->get_parent() == nullptr ? "" : name_of(app->get_parent());
+  return group + (group.empty() ? "" : " ") + app->get_name();
 }
 
-/// Makes an error about the command line printable: it may quote the command line.
-std::string legible_complaint(const CLI::App* app, const CLI::Error& error) {
-  const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-  const std::string sentence = io::all_legible(error.what() + (is_unknown ? suggested_option(app) : ""));
-  return CLI::FailureMessage::simple(app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
+/// Returns the words that call a command of this name.
+std::string call_of(const std::string& name) { return kProgram + (name.empty() ? "" : " ") + name; }
+
+/// Returns the fault of a command line, with the unknown words in their order.
+UsageError fault_of(const CLI::App* app, const CLI::ParseError& error) {
+  const auto unknown = app->remaining(true);
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  const std::string name = name_of(app), see = "; see `" + call_of(name) + " --help`";
+  if (unknown.empty()) {
+    std::string said = error.what();
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ArgumentMismatch) && said.ends_with(" missing"))
+      said = said.substr(0, said.find(':')) + ": its value is missing";
+    return UsageError(io::all_legible(said) + (said.ends_with("?") ? "" : see));
+  }
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app->get_options()) known.push_back(option->get_name());
+  const auto option = std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with("-"); });
+  const std::string meant = option == unknown.end() ? "" : suggestion(*option, known);
+  return UsageError((name.empty() ? "the program" : name) + " does not take: " +
+                    io::all_legible(CLI::detail::join(unknown, " ")) + (meant.empty() ? see : meant));
+}
+
+/// Returns a check that a text is one of the words.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto check = [words](const std::string& text) -> std::string {
+    if (std::ranges::find(words, text) != words.end()) return {};
+    return "\"" + text + "\" is not one of " + CLI::detail::join(words, ", ") + suggestion(text, words);
+  };
+  return {check, ""};
 }
 
 std::string check_utf8(const std::string& name) {
@@ -64,19 +87,21 @@ std::string check_utf8(const std::string& name) {
 
 }  // namespace
 
-/// An option, and the words of its value as the command line would hold them; empty if it has no value.
+/// An option, and the words of its value as the command line would hold them.
 struct Declared {
   std::string name;
   CLI::Option* option;
-  bool has_default, takes_value;
+  bool has_default;
+  std::string value;  ///< what the help calls it; empty for a flag
   std::function<std::vector<std::string>()> words;
   std::vector<std::string> choices{};  ///< the only values, if they are listed
   std::function<void()> clear{};       ///< empties the value
   bool changes_results = false;
   std::function<std::string()> canonical{};
+  std::vector<std::string> limits{};  ///< sentences for the help: other options that it needs or excludes
 
   /// Returns the value that is compared when a run continues another one.
-  [[nodiscard]] std::string value() const { return canonical ? canonical() : joined(words()); }
+  [[nodiscard]] std::string compared() const { return canonical ? canonical() : joined(words()); }
 };
 
 struct CommandParts {
@@ -91,7 +116,7 @@ struct CommandParts {
   std::vector<std::vector<std::string>> groups;  ///< exactly one option of each is required
   /// Options, and those whose defaults they replace.
   std::vector<std::pair<const CLI::Option*, std::shared_ptr<Declared>>> replacing{};
-  std::string footer{};
+  std::string heading{}, footer{};
   std::vector<std::string> examples{};
   int status = 0;
 
@@ -99,19 +124,21 @@ struct CommandParts {
     options.push_back(std::make_shared<Declared>(std::move(declared)));
     return Option(*this, options.back());
   }
+  /// Notes in the help of each of these options how it excludes the others: `begin` --other, --other.
+  void note_others(const std::vector<std::string>& names, const std::string& begin);
   void check_groups() const;
   void replace_defaults() const;
-  void show_footer() const;
   /// Returns whether the command prints, for all it was told.
   [[nodiscard]] bool prints() const;
   [[nodiscard]] std::string line() const;
+  [[nodiscard]] CommandDescription description() const;
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> result_options() const;
 };
 
 void CommandParts::check_groups() const {
   for (const auto& group : groups) {
     const auto given = std::ranges::count_if(group, [&](const auto& name) { return app->count(name) > 0; });
-    if (given != 1) throw CLI::RequiredError::Option(1, 1, static_cast<std::size_t>(given), CLI::detail::join(group));
+    if (given != 1) throw CLI::RequiredError("exactly one of " + CLI::detail::join(group, ", "));
   }
 }
 
@@ -120,11 +147,13 @@ void CommandParts::replace_defaults() const {
     if (option->count() > 0 && other->option->count() == 0) other->clear();
 }
 
-void CommandParts::show_footer() const {
-  std::string text = footer.empty() ? "" : "\n" + footer + "\n";
-  if (!examples.empty()) text += examples.size() == 1 ? "\nExample:" : "\nExamples:";
-  for (const std::string& example : examples) text += "\n  " + kProgram + " " + example;
-  app->footer(text);
+void CommandParts::note_others(const std::vector<std::string>& names, const std::string& begin) {
+  for (const auto& declared : options) {
+    if (std::ranges::find(names, declared->name) == names.end()) continue;
+    std::vector<std::string> others;
+    std::ranges::copy_if(names, std::back_inserter(others), [&](const auto& name) { return name != declared->name; });
+    declared->limits.push_back(begin + CLI::detail::join(others, ", "));
+  }
 }
 
 bool CommandParts::prints() const {
@@ -133,17 +162,14 @@ bool CommandParts::prints() const {
 }
 
 std::string CommandParts::line() const {
-  std::string line, options_text;
-  for (const CLI::App* of = app.get(); of != nullptr && of->get_name() != kProgram; of = of->get_parent())
-    line = " " + of->get_name() + line;
-  line = kProgram + line;
+  std::string options_text, line = call_of(name_of(app.get()));
   for (const auto& declared : options) {
-    const auto& [name, option, has_default, takes_value, words, choices, clear, changes_results, canonical] = *declared;
-    if (name == "--force" || (!has_default && option->count() == 0)) continue;
-    for (const std::string& word : words()) {
+    const std::string& name = declared->name;
+    if (name == "--force" || (!declared->has_default && declared->option->count() == 0)) continue;
+    for (const std::string& word : declared->words()) {
       std::string& text = is_positional(name) ? line : options_text;
       if (!is_positional(name)) text += " " + name;
-      if (takes_value) text += " " + quoted_where_needed(word);
+      if (!declared->value.empty()) text += " " + quoted_where_needed(word);
     }
   }
   return line + options_text;
@@ -152,7 +178,7 @@ std::string CommandParts::line() const {
 std::vector<std::pair<std::string, std::string>> CommandParts::result_options() const {
   std::vector<std::pair<std::string, std::string>> values;
   for (const auto& declared : options)
-    if (declared->changes_results) values.emplace_back(declared->name.substr(2), declared->value());
+    if (declared->changes_results) values.emplace_back(declared->name.substr(2), declared->compared());
   return values;
 }
 
@@ -163,11 +189,13 @@ Option& Option::required() {
 
 Option& Option::needs(const std::string& other) {
   declared_->option->needs(parts_->app->get_option(other));
+  declared_->limits.push_back("Requires " + other);
   return *this;
 }
 
 Option& Option::excludes(const std::string& other) {
   declared_->option->excludes(parts_->app->get_option(other));
+  declared_->limits.push_back("Not with " + other);
   return *this;
 }
 
@@ -176,6 +204,12 @@ Option& Option::excludes_all_but(const std::vector<std::string>& others) {
     if (other != declared_->option && other != parts_->app->get_help_ptr() &&
         std::ranges::find(others, other->get_name()) == others.end())
       declared_->option->excludes(other);
+  declared_->limits.push_back("Only with " + CLI::detail::join(others, ", "));
+  return *this;
+}
+
+Option& Option::takes(const std::string& word) {
+  declared_->value = word;
   return *this;
 }
 
@@ -193,6 +227,11 @@ Option& Option::changes_results(std::function<std::string()> canonical) {
 
 Command::Command(const std::string& name, const std::string& about) : parts_(std::make_shared<CommandParts>()) {
   parts_->app = std::make_shared<CLI::App>(about, name);
+  parts_->app->formatter_fn([parts = parts_.get()](const CLI::App* app, const std::string&, CLI::AppFormatMode) {
+    CommandDescription description = parts->description();
+    description.name = name_of(app);
+    return help_text(description, help_width());
+  });
   // The application must not keep its own parts alive.
   parts_->app->callback([parts = parts_.get()] {
     parts->check_groups();
@@ -218,8 +257,8 @@ CLI::App& Command::app() const { return *parts_->app; }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& about) {
   CLI::Option* option = app().add_flag(name, value, about);
-  return parts_->declare({name, option, true, false,
-                          [&value] { return value ? std::vector<std::string>{""} : std::vector<std::string>{}; }});
+  return parts_->declare(
+      {name, option, true, "", [&value] { return value ? std::vector<std::string>{""} : std::vector<std::string>{}; }});
 }
 
 Option Command::text(const std::string& name, std::string& value, const std::string& about, const Check& check) {
@@ -227,13 +266,13 @@ Option Command::text(const std::string& name, std::string& value, const std::str
   const bool has_default = !value.empty();
   if (has_default) option->capture_default_str();
   if (check) option->check(check);
-  return parts_->declare({name, option, has_default, true, [&value] { return std::vector{value}; }});
+  return parts_->declare({name, option, has_default, "TEXT", [&value] { return std::vector{value}; }});
 }
 
 Option Command::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
                        const std::string& about) {
-  CLI::Option* option = app().add_option(name, value, about)->check(CLI::IsMember(words))->capture_default_str();
-  return parts_->declare({name, option, true, true, [&value] { return std::vector{value}; }, words});
+  CLI::Option* option = app().add_option(name, value, about)->check(one_of(words))->capture_default_str();
+  return parts_->declare({name, option, true, "WORD", [&value] { return std::vector{value}; }, words});
 }
 
 Option Command::word_option(const std::string& name, const std::function<std::string()>& get,
@@ -243,8 +282,8 @@ Option Command::word_option(const std::string& name, const std::function<std::st
     set(static_cast<std::size_t>(std::ranges::find(words, results.back()) - words.begin()));
     return true;
   };
-  CLI::Option* option = app().add_option(name, assign, about, true, get)->check(CLI::IsMember(words));
-  return parts_->declare({name, option, true, true, [get] { return std::vector{get()}; }, words});
+  CLI::Option* option = app().add_option(name, assign, about, true, get)->check(one_of(words));
+  return parts_->declare({name, option, true, "WORD", [get] { return std::vector{get()}; }, words});
 }
 
 Option Command::names(const std::string& name, std::vector<std::string>& values, const std::string& about) {
@@ -252,7 +291,7 @@ Option Command::names(const std::string& name, std::vector<std::string>& values,
   const bool has_default = !values.empty();
   if (has_default) option->capture_default_str();
   const auto words = [&values] { return values.empty() ? std::vector<std::string>{} : std::vector{joined(values)}; };
-  return parts_->declare({name, option, has_default, true, words, {}, [&values] { values.clear(); }});
+  return parts_->declare({name, option, has_default, "NAMES", words, {}, [&values] { values.clear(); }});
 }
 
 Option Command::texts(const std::string& name, std::vector<std::string>& values, const std::string& about,
@@ -260,28 +299,26 @@ Option Command::texts(const std::string& name, std::vector<std::string>& values,
   CLI::Option* option = app().add_option(name, values, about);
   if (!is_positional(name)) option->allow_extra_args(false);
   if (check) option->check(check);
-  return parts_->declare({name, option, false, true, [&values] { return values; }});
+  return parts_->declare({name, option, false, "TEXT", [&values] { return values; }});
 }
 
 Option Command::whole_number_option(const std::string& name, const std::function<std::uint64_t()>& get,
                                     const std::function<void(std::uint64_t)>& set, const std::string& about,
                                     std::uint64_t lowest, std::uint64_t highest) {
   const auto assign = [set](const CLI::results_t& results) {
-    const std::string& text = results.back();
-    std::uint64_t number = 0;
-    const bool read = std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc();
-    if (read) set(number);
-    return read;
+    const auto number = read_whole_number(results.back());
+    if (number) set(*number);
+    return number.has_value();
   };
   const bool has_default = get() >= lowest && get() <= highest;
   CLI::Option* option = app().add_option(name, assign, about, has_default, [get] { return std::to_string(get()); });
-  option->type_name("UINT")->check(whole_number(lowest, highest), "");
-  return parts_->declare({name, option, has_default, true, [get] { return std::vector{std::to_string(get())}; }});
+  option->check(whole_number(lowest, highest), "");
+  return parts_->declare({name, option, has_default, "N", [get] { return std::vector{std::to_string(get())}; }});
 }
 
 Option Command::integer(const std::string& name, int& value, const std::string& about) {
   CLI::Option* option = app().add_option(name, value, about)->capture_default_str();
-  return parts_->declare({name, option, true, true, [&value] { return std::vector{std::to_string(value)}; }});
+  return parts_->declare({name, option, true, "N", [&value] { return std::vector{std::to_string(value)}; }});
 }
 
 Option Command::real(const std::string& name, double& value, const std::string& about, double lowest, double highest) {
@@ -289,7 +326,7 @@ Option Command::real(const std::string& name, double& value, const std::string& 
   CLI::Option* option = app().add_option(name, value, about);
   if (has_default) option->capture_default_str();
   option->check(real_number(lowest, highest), "");
-  return parts_->declare({name, option, has_default, true, [&value] { return std::vector{shortest(value)}; }});
+  return parts_->declare({name, option, has_default, "NUMBER", [&value] { return std::vector{shortest(value)}; }});
 }
 
 Option Command::positive(const std::string& name, double& value, const std::string& about) {
@@ -297,13 +334,16 @@ Option Command::positive(const std::string& name, double& value, const std::stri
   return option;
 }
 
-// A group of CLI11's would do, but help prints its options below all others, or not at all if it has no name.
-void Command::require_one_of(const std::vector<std::string>& names) { parts_->groups.push_back(names); }
+void Command::require_one_of(const std::vector<std::string>& names) {
+  parts_->groups.push_back(names);
+  parts_->note_others(names, "Give either this or ");
+}
 
 void Command::allow_one_of(const std::vector<std::string>& names) {
   for (const std::string& name : names)
     for (const std::string& other : names)
       if (name != other) app().get_option(name)->excludes(app().get_option(other));
+  parts_->note_others(names, "Not with ");
 }
 
 Option Command::seed(std::uint64_t& value, const std::string& about) { return whole("--seed", value, about); }
@@ -325,17 +365,23 @@ Option Command::meshes(std::vector<std::string>& files, const std::string& about
   return texts("MESH", files, about, check_utf8).required();
 }
 
-Option Command::output(std::string& folder, const std::string& about) { return text("--output", folder, about); }
+Option Command::output(std::string& folder, const std::string& about) {
+  return text("--output", folder, about).takes("FOLDER");
+}
 
 Option Command::no_pictures(bool& value) { return flag("--no-pictures", value, "Write the data only"); }
 
 Option Command::resume(bool& value) {
-  return flag("--resume", value, "Continue the run that was stopped or killed in that folder");
+  return flag("--resume", value, "Continue an interrupted run in the output folder");
 }
 
 Option Command::force(bool& value) {
-  Option option = flag("--force", value, "Overwrite what is there; without it, a folder must be empty or new");
-  if (app().get_option_no_throw("--resume") != nullptr) option.excludes("--resume");
+  const auto has = [&](const std::string& name) { return app().get_option_no_throw(name) != nullptr; };
+  Option option =
+      flag("--force", value,
+           has("--output") || has("FOLDER") ? "Overwrite what is there; without it, a folder must be empty or new"
+                                            : "Overwrite existing files");
+  if (has("--resume")) option.excludes("--resume");
   return option;
 }
 
@@ -343,15 +389,11 @@ Option Command::json(bool& value, const std::string& about) { return flag("--jso
 
 Option Command::quiet(bool& value, const std::string& about) { return flag("--quiet", value, about); }
 
-void Command::footer(const std::string& text) {
-  parts_->footer = text;
-  parts_->show_footer();
-}
+void Command::heading(const std::string& heading) { parts_->heading = heading; }
 
-void Command::example(const std::string& line) {
-  parts_->examples.push_back(line);
-  parts_->show_footer();
-}
+void Command::footer(const std::string& text) { parts_->footer = text; }
+
+void Command::example(const std::string& line) { parts_->examples.push_back(line); }
 
 void Command::runs(std::function<int()> run) { parts_->run = std::move(run); }
 
@@ -373,60 +415,87 @@ const std::vector<TableDescription>& Command::tables() const { return parts_->ta
 
 const std::vector<Command>& Command::subcommands() const { return parts_->subcommands; }
 
-CommandDescription Command::description() const {
-  CommandDescription description{.name = name(),
-                                 .about = app().get_description(),
-                                 .footer = parts_->footer,
+CommandDescription CommandParts::description() const {
+  CommandDescription description{.name = app->get_name(),
+                                 .heading = heading,
+                                 .about = app->get_description(),
+                                 .footer = footer,
                                  .options = {},
-                                 .examples = {},
+                                 .examples = examples,
                                  .subcommands = {}};
-  description.examples = parts_->examples;
-  for (const auto& declared : parts_->options) {
+  for (const auto& declared : options) {
     const CLI::Option& option = *declared->option;
+    std::string fallback = option.get_default_str();
+    // CLI11 puts lists into brackets.
+    if (fallback.starts_with("[") && fallback.ends_with("]")) fallback = fallback.substr(1, fallback.size() - 2);
     description.options.push_back({.name = declared->name,
-                                   .value = declared->takes_value ? option.get_type_name() : "",
+                                   .value = declared->value,
                                    .about = option.get_description(),
-                                   .fallback = option.get_default_str(),
+                                   .fallback = fallback,
                                    .words = declared->choices,
-                                   .required = option.get_required()});
+                                   .limits = declared->limits,
+                                   .required = option.get_required(),
+                                   .repeats = is_positional(declared->name) && option.get_expected_max() > 1});
   }
-  for (const Command& command : parts_->subcommands) {
+  for (const Command& command : subcommands) {
     description.subcommands.push_back(command.description());
-    description.subcommands.back().name = name() + " " + command.name();
+    description.subcommands.back().name = app->get_name() + " " + command.name();
   }
   return description;
 }
+
+CommandDescription Command::description() const { return parts_->description(); }
 
 int Command::operator()(std::vector<std::string> arguments) const {
   std::ranges::reverse(arguments);
   try {
     app().parse(arguments);
   } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
+    throw fault_of(&app(), error);
   }
   for (const Command& command : parts_->subcommands)
     if (command.app().parsed()) return command.parts_->status;
   return parts_->status;
 }
 
+CommandDescription description_of(const std::string& about, const std::vector<Command>& commands) {
+  CommandDescription program{.name = {},
+                             .heading = {},
+                             .about = about,
+                             .footer = {},
+                             .options = {},
+                             .examples = {"help near-edge"},
+                             .subcommands = {}};
+  program.options.push_back({.name = "--version",
+                             .value = {},
+                             .about = "Print the version, the commit and the engines",
+                             .fallback = {},
+                             .words = {},
+                             .limits = {}});
+  for (const Command& command : commands) program.subcommands.push_back(command.description());
+  return program;
+}
+
 unsigned all_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 namespace {
 
-/// Refuses the first word that should name a command and does not.
-void check_names(const std::vector<Command>& commands, const std::vector<std::string>& arguments,
-                 const std::string& group = kProgram) {
-  if (arguments.empty() || arguments.front().starts_with("-")) return;
-  const auto named = std::ranges::find(commands, arguments.front(), &Command::name);
-  if (named == commands.end()) {
-    std::vector<std::string> known;
-    for (const Command& command : commands) known.push_back(command.name());
-    const std::string meant = suggestion(arguments.front(), known);
-    throw UsageError(group + " has no command \"" + io::legible(arguments.front()) + "\"" +
-                     (meant.empty() ? "; `" + group + " --help` lists them" : meant));
+/// Refuses the first word that should name a command and does not. Without such a word, prints the help of the group.
+void check_names(const CommandDescription& group, const std::vector<std::string>& arguments) {
+  if (group.subcommands.empty()) return;
+  if (arguments.empty()) {
+    fmt::print(stderr, "{}\n", help_text(group, help_width()));
+    throw UsageError("name one of these commands, such as `" + call_of(group.subcommands.front().name) + "`");
   }
-  if (!named->subcommands().empty())
-    check_names(named->subcommands(), {arguments.begin() + 1, arguments.end()}, group + " " + named->name());
+  if (arguments.front().starts_with("-")) return;
+  const auto named = std::ranges::find(group.subcommands, arguments.front(), &CommandDescription::word);
+  if (named != group.subcommands.end()) return check_names(*named, {arguments.begin() + 1, arguments.end()});
+  std::vector<std::string> known;
+  for (const CommandDescription& command : group.subcommands) known.push_back(command.word());
+  const std::string meant = suggestion(arguments.front(), known);
+  throw UsageError((group.name.empty() ? "there is" : group.name + " has") + " no command \"" +
+                   io::legible(arguments.front()) + "\"" +
+                   (meant.empty() ? "; see `" + call_of(group.name) + " --help`" : meant));
 }
 
 /// Returns the words after the name of the program; `help COMMAND` is `COMMAND --help`, and --exec the name that
@@ -447,15 +516,17 @@ int run_program(const ProgramText& text, const std::vector<Command>& commands, i
   const Command program(kProgram, text.about, commands);
   CLI::App& app = program.app();
   app.set_version_flag("--version", text.version);
-  app.failure_message(legible_complaint);
+  app.formatter_fn([&](const CLI::App*, const std::string&, CLI::AppFormatMode) {
+    return help_text(description_of(text.about, commands), help_width());
+  });
   std::vector<std::string> words = words_of(argc, argv);
-  check_names(commands, words);
+  check_names(description_of(text.about, commands), words);
   std::ranges::reverse(words);
   try {
     app.parse(words);
   } catch (const CLI::ParseError& error) {
-    constexpr int kWrongInput = 2;
-    return app.exit(error) == 0 ? 0 : kWrongInput;
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) throw fault_of(&app, error);
+    return app.exit(error);
   }
   for (const Command& command : commands) {
     if (!command.app().parsed()) continue;

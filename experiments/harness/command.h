@@ -48,6 +48,8 @@ class Option {
   /// Declares that results depend on this option, so that runs with other values do not continue each other's
   /// checkpoints. `canonical` returns the value in its canonical form, without it, the value itself is compared.
   Option& changes_results(std::function<std::string()> canonical = {});
+  /// Sets what the help calls the value, such as `FILE`.
+  Option& takes(const std::string& word);
   /// Given without the other option, empties the default of that one, which must be declared by `names`.
   Option& replaces_default_of(const std::string& other);
 
@@ -128,10 +130,13 @@ class Command {
               const std::string& about = "Print the tables as one JSON object, by the names of their files");
   Option quiet(bool& value, const std::string& about = "Print neither tables nor progress");
 
-  /// Sets a text that the help prints after the options.
+  /// Sets the heading under which the help of the program lists the command.
+  void heading(const std::string& heading);
+  /// Sets a text that the help prints after the options: each line a paragraph, which help wraps unless it begins with
+  /// a space.
   void footer(const std::string& text);
-  /// Adds a command line, without `touchstone`, that the help prints at its end. It runs as it stands, from the folder
-  /// of the sources.
+  /// Adds a command line, without `touchstone`, that the help prints at its end. It can be run as it is, from the
+  /// folder of the sources.
   void example(const std::string& line);
   /// Sets the function that the command runs; `run` returns the exit status.
   void runs(std::function<int()> run);
@@ -174,9 +179,13 @@ class Command {
 /// Returns the number of threads of this machine, the default of --threads.
 [[nodiscard]] unsigned all_threads();
 
+/// Returns the description of the program with these commands.
+[[nodiscard]] CommandDescription description_of(const std::string& about, const std::vector<Command>& commands);
+
 /// Parses the command line of the program and runs the command that it names. `help COMMAND` is `COMMAND --help`.
-/// Prints help and the version, and faults of the command line to stderr: an unknown command or option is named, with
-/// the most similar known ones. Returns the exit status.
+/// Prints help and the version; without a command, prints the help to stderr. Returns the exit status. Throws
+/// UsageError, which names an unknown command, option or choice, with the most similar known one, and the exceptions of
+/// the run.
 int run_program(const ProgramText& text, const std::vector<Command>& commands, int argc, char** argv);
 
 }  // namespace touchstone::harness

@@ -15,13 +15,10 @@ void for_each_command(const CommandDescription& command, const Visit& visit) {
   for (const CommandDescription& sub : command.subcommands) for_each_command(sub, visit);
 }
 
-/// Returns the last word of the name of a command.
-std::string last_word(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
-
 /// Returns the subcommands of a command, and `help` for the program itself.
 std::string subcommands_of(const CommandDescription& command) {
   std::string words;
-  for (const CommandDescription& sub : command.subcommands) words += last_word(sub.name) + " ";
+  for (const CommandDescription& sub : command.subcommands) words += sub.word() + " ";
   return words + (command.name.empty() ? "help " : "");
 }
 
@@ -77,7 +74,7 @@ std::string zsh_group(const CommandDescription& command) {
   const bool is_program = command.name.empty();
   std::string text = fmt::format("{}() {{\n  local -a commands\n  commands=(\n", zsh_function(command));
   for (const CommandDescription& sub : command.subcommands)
-    text += fmt::format("    '{}:{}'\n", last_word(sub.name), zsh_text(sub.about));
+    text += fmt::format("    '{}:{}'\n", sub.word(), zsh_text(sub.about));
   if (is_program) text += "    'help:Print the help of a command'\n";
   text += "  )\n  local curcontext=$curcontext state line\n  _arguments -C '--help[Print help]' ";
   for (const OptionDescription& option : command.options)
@@ -85,7 +82,7 @@ std::string zsh_group(const CommandDescription& command) {
   text += "'1:command:->command' '*::argument:->argument'\n  case $state in\n";
   text += "    command) _describe command commands ;;\n    argument)\n      case $words[1] in\n";
   for (const CommandDescription& sub : command.subcommands)
-    text += fmt::format("        {}) {} ;;\n", last_word(sub.name), zsh_function(sub));
+    text += fmt::format("        {}) {} ;;\n", sub.word(), zsh_function(sub));
   if (is_program) text += "        help) _describe command commands ;;\n";
   return text + "      esac ;;\n  esac\n}\n\n";
 }

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string_view>
+#include <sstream>
 
 namespace touchstone::harness {
 namespace {
@@ -26,17 +26,6 @@ std::string roff(const std::string& text) {
   return escaped;
 }
 
-/// Returns the text as a sentence, with its full stop.
-std::string sentence(const std::string& text) {
-  return text + (text.empty() || std::string_view(".?!").find(text.back()) != std::string_view::npos ? "" : ".");
-}
-
-/// Returns a default as it would be typed: the parser puts lists into brackets.
-std::string typed(const std::string& fallback) {
-  const bool is_list = fallback.starts_with("[") && fallback.ends_with("]");
-  return is_list ? fallback.substr(1, fallback.size() - 2) : fallback;
-}
-
 std::string page_name(const CommandDescription& command) {
   std::string name = "touchstone";
   if (!command.name.empty()) name += "-" + command.name;
@@ -45,28 +34,25 @@ std::string page_name(const CommandDescription& command) {
 }
 
 std::string synopsis(const CommandDescription& command) {
-  std::string line = ".B touchstone";
-  if (!command.name.empty()) line += " " + roff(command.name);
-  line += "\n";
-  if (!command.subcommands.empty()) return line + ".I COMMAND\n[\\fIOPTIONS\\fR]\n";
-  for (const OptionDescription& option : command.options)
-    if (option.positional())
-      line += option.required ? fmt::format(".I {}\n", roff(option.name))
-                              : fmt::format("[\\fI{}\\fR]\n", roff(option.name));
-  return line + "[\\fIOPTIONS\\fR]\n";
+  std::string text = ".B touchstone\n";
+  for (const std::string& word : command.usage())
+    text += word == command.name ? fmt::format(".B {}\n", roff(word)) : fmt::format("\\fI{}\\fR\n", roff(word));
+  return text;
 }
 
 std::string option_text(const OptionDescription& option) {
   std::string text = fmt::format(".TP\n\\fB{}\\fR", roff(option.name));
   if (!option.value.empty() && !option.positional()) text += fmt::format(" \\fI{}\\fR", roff(option.value));
-  text += "\n" + roff(sentence(option.about)) + "\n";
-  if (option.required) text += "Required.\n";
-  if (!option.words.empty()) {
-    std::string words;
-    for (const std::string& word : option.words) words.append(words.empty() ? "" : ", ").append(word);
-    text += "One of: " + roff(words) + ".\n";
-  }
-  if (!option.fallback.empty()) text += "Default: " + roff(typed(option.fallback)) + ".\n";
+  return text + "\n" + roff(option.explanation()) + "\n";
+}
+
+/// Returns the paragraphs of a footer, in which lines that begin with a space are not filled.
+std::string paragraphs(const std::string& footer) {
+  std::string text;
+  std::istringstream lines(footer);
+  for (std::string line; std::getline(lines, line);)
+    text +=
+        (text.empty() ? "" : ".br\n") + (line.starts_with(" ") ? ".nf\n" + roff(line) + "\n.fi" : roff(line)) + "\n";
   return text;
 }
 
@@ -75,23 +61,34 @@ std::string page(const CommandDescription& command, const std::string& version) 
   std::string text =
       fmt::format(".TH \"{}\" 1 \"\" \"{}\" \"Touchstone\"\n.ad l\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}", roff(name),
                   roff(version), roff(name), roff(command.about), synopsis(command));
-  if (!command.footer.empty()) text += ".SH DESCRIPTION\n.nf\n" + roff(command.footer) + "\n.fi\n";
+  if (!command.footer.empty()) text += ".SH DESCRIPTION\n" + paragraphs(command.footer);
   if (!command.options.empty()) text += ".SH OPTIONS\n";
   for (const OptionDescription& option : command.options) text += option_text(option);
   if (!command.subcommands.empty()) text += ".SH COMMANDS\n";
-  for (const CommandDescription& sub : command.subcommands)
-    text += fmt::format(".TP\n.BR {} (1)\n{}\n", roff(page_name(sub)), roff(sub.about));
+  for (const std::string& heading : command.headings()) {
+    if (!heading.empty()) text += ".SS " + roff(heading) + "\n";
+    for (const CommandDescription& sub : command.subcommands)
+      if (sub.heading == heading) text += fmt::format(".TP\n.BR {} (1)\n{}\n", roff(page_name(sub)), roff(sub.about));
+  }
   if (!command.examples.empty()) {
     text += ".SH EXAMPLES\n.nf\n";
     for (const std::string& example : command.examples) text += roff("touchstone " + example) + "\n";
     text += ".fi\n";
   }
   text +=
-      ".SH EXIT STATUS\n.TP\n0\nDone, and nothing was found wrong.\n.TP\n1\nDone, and something was found wrong, such "
-      "as an "
-      "expectation that is not met.\n.TP\n2\nWrong input, a wrong command line, or output that cannot be "
-      "written.\n.TP\n"
-      "130\nInterrupted.\n";
+      ".SH EXIT STATUS\n"
+      ".TP\n"
+      "0\n"
+      "Done, and nothing was found wrong.\n"
+      ".TP\n"
+      "1\n"
+      "Done, and something was found wrong, such as an expectation that is not met.\n"
+      ".TP\n"
+      "2\n"
+      "Wrong input, a wrong command line, or output that cannot be written.\n"
+      ".TP\n"
+      "130\n"
+      "Interrupted.\n";
   if (!command.name.empty()) text += ".SH SEE ALSO\n.BR touchstone (1)\n";
   return text;
 }

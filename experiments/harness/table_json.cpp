@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "experiments/harness/input.h"
+
 namespace touchstone::harness {
 namespace {
 
@@ -68,9 +70,9 @@ std::string tables_json(const std::filesystem::path& folder, const std::vector<T
   for (const TableDescription& table : tables) {
     const std::filesystem::path file = folder / table.file;
     if (!std::filesystem::exists(file)) continue;
-    std::ifstream stream(file);
+    std::ifstream stream = open_file(file);
     const std::string csv{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
+    if (stream.bad()) throw std::runtime_error(file.string() + ": cannot be read to its end");
     json.append(json.size() > 1 ? ",\n" : "")
         .append(nlohmann::json(table.file).dump())
         .append(":")

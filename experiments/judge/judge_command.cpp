@@ -141,23 +141,25 @@ harness::Command judge_command() {
       "--summary", options->summary,
       "Instead of verdicts and differences, print how many cases were wrong, by key, family and tag, with limits");
   command.json(options->json, "Instead of verdicts and differences, print the summary as one JSON object");
-  command.quiet(options->quiet, "Print no difference and no progress; the exit status tells");
-  command.text("--junit", options->junit, "Also write the outcome of every case to this file, in the XML of JUnit");
-  command.text("--report", options->report,
-               "Also write a page to this file: the summary, and the worst cases as pictures (HTML, self-contained)");
+  command.quiet(options->quiet, "Print verdicts only; report mismatches by exit status");
+  command.text("--junit", options->junit, "Also write the outcome of every case to this file, in the XML of JUnit")
+      .takes("FILE");
+  command
+      .text("--report", options->report,
+            "Also write a page to this file: the summary, and the worst cases as pictures (HTML, self-contained)")
+      .takes("FILE");
   command.force(options->force);
   command.texts("FILE", options->files, "Files of cases; none: standard input");
   command.footer(
-      "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for wrong input or "
-      "an\n"
-      "engine that cannot be started, 130 if interrupted.");
+      "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for wrong input "
+      "or an engine that cannot be started, 130 if interrupted.");
   command.example("judge --engine './engine --flags =mine' --keys contact --at-rest --summary tests/corpus/*.jsonl");
   command.runs([options] { return run_judge(*options); });
   return command;
 }
 
 harness::Command methods_command() {
-  harness::Command command("methods", "List the methods, a line each");
+  harness::Command command("methods", "List the methods, one per line");
   auto json = std::make_shared<bool>(false);
   command.json(*json, "Print them as a JSON array");
   command.example("methods --json");

@@ -8,6 +8,7 @@
 #include <limits>
 #include <tuple>
 
+#include "experiments/harness/counted.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/xml_text.h"
 #include "experiments/show/page.h"
@@ -69,10 +70,9 @@ std::string Report::text(const Tally& tally) const {
   std::string body;
   for (const MethodTally& method : tally.methods()) {
     const harness::Rate rate = harness::rate(method.all.wrong, method.all.given());
-    body +=
-        fmt::format("<h1>{}</h1>\n<p>Wrong on {} of {} cases: {} ({} to {}, 95 % confidence). No answer on {}.</p>\n",
-                    xml_text(method.method), method.all.wrong, method.all.given(), percent(rate.share),
-                    percent(rate.lower), percent(rate.upper), method.all.not_given);
+    body += fmt::format("<h1>{}</h1>\n<p>Wrong on {} of {}: {} ({} to {}, 95 % confidence). No answer on {}.</p>\n",
+                        xml_text(method.method), method.all.wrong, harness::counted(method.all.given(), "case"),
+                        percent(rate.share), percent(rate.lower), percent(rate.upper), method.all.not_given);
     body += table("key", method.by_key) + table("family (file)", method.by_file);
     if (!method.by_tag.empty())
       body += "<details><summary>By tag</summary>\n" + table("tag", method.by_tag) + "</details>\n";

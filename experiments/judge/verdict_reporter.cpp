@@ -31,7 +31,7 @@ void VerdictReporter::complain(const std::string& sentence) {
 void VerdictReporter::worsen(Status status) { status_ = std::max(status_, status); }
 
 void VerdictReporter::report_unread(const cases::Line& line) {
-  complain(line.complaint);
+  complain("touchstone: " + line.complaint);
   worsen(InputRejected);
 }
 
@@ -56,7 +56,7 @@ void VerdictReporter::report_rejection(const cases::Line& line) {
   for (const auto* method : order_.methods) give(method->name());
   for (const methods::Engine& engine : order_.engines) give(engine.name);
   if (expected) return;
-  complain(fmt::format("{}{}: rejected: {}: {}", line.place, given.id ? ": " + name(line) : "",
+  complain(fmt::format("touchstone: {}{}: rejected: {}: {}", line.place, given.id ? ": " + name(line) : "",
                        to_string(rejection.code), reason));
   worsen(InputRejected);
 }

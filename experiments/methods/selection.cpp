@@ -38,7 +38,7 @@ std::string Selection::text() const {
 
 harness::Option declare_engines(harness::Command& command, std::vector<std::string>& engines,
                                 const std::string& about) {
-  return command.texts("--engine", engines, about, engine_fault);
+  return command.texts("--engine", engines, about, engine_fault).takes("COMMAND");
 }
 
 harness::Option declare_methods(harness::Command& command, Selection& selection, const std::string& about) {

@@ -66,7 +66,7 @@ def count(value):
 
 
 def rounded(value, digits=2):
-    """So many significant digits, without an exponent; whole numbers with commas."""
+    """The number with `digits` significant digits, without an exponent; whole numbers with commas."""
     if value == 0:
         return "0"
     value = float(f"{value:.{digits - 1}e}")

@@ -98,11 +98,11 @@ def fit(own):
     values = {row["what"]: row["ours"] for row in own.get("table 6.1", [])}
     try:
         free, captions = values["values of the layout that are chosen freely"], values["captioned moves of both cases that it must reproduce"]
-        homes, share = values["home poses that were tried"], values["of these with a layout in which all captions come out"]
+        homes, share = values["home poses that were tried"], values["of these with a layout in which all captions hold"]
     except KeyError:
         return ""
     return (f"<p>The layout was solved for {number(captions)} captioned moves, with {number(free)} values that could be chosen. Of "
-            f"{number(homes)} home poses tried, {number(share, 3)} % have a layout in which all captions come out.</p>")
+            f"{number(homes)} home poses tried, {number(share, 3)} % have a layout in which all captions hold.</p>")
 
 
 def chapter_of(entry):

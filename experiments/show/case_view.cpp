@@ -5,6 +5,7 @@
 
 #include <exception>
 
+#include "experiments/harness/counted.h"
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
@@ -14,7 +15,7 @@ namespace {
 
 std::string doubles(std::int64_t count) {
   if (count > 1'000'000) return "over a million doubles";
-  return count == 1 ? "1 double" : fmt::format("{} doubles", count);
+  return harness::counted(static_cast<std::uint64_t>(count), "double");
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include "experiments/cases/input_lines.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/command.h"
+#include "experiments/harness/counted.h"
+#include "experiments/harness/input.h"
 #include "experiments/harness/json/strict_json.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
@@ -37,8 +39,7 @@ struct ShowOptions {
 using Printed = std::multimap<std::string, show::Verdict>;
 
 Printed read_verdicts(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) throw std::runtime_error(file + ": cannot be read");
+  std::ifstream stream = harness::open_file(file);
   Printed printed;
   std::string line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
@@ -60,7 +61,7 @@ Printed read_verdicts(const std::string& file) {
   return printed;
 }
 
-/// Returns the selected cases; complains about lines that are none, and sets the status.
+/// Returns the selected cases; complains about lines that are not cases, and sets the status.
 std::vector<show::CaseView> views_of(const ShowOptions& options, int& status) {
   constexpr int kWrongInput = 2;
   const auto methods = options.verdicts.empty() ? options.methods.methods() : std::vector<const cases::Method*>();
@@ -90,8 +91,9 @@ std::vector<show::CaseView> views_of(const ShowOptions& options, int& status) {
     return true;
   });
   if (left_out > 0)
-    fmt::print(stderr, "touchstone: {} more cases are not shown; --samples and --id select others\n", left_out);
-  if (views.empty()) throw std::runtime_error("there is no case to show");
+    fmt::print(stderr, "touchstone: not shown: {}; --samples and --id select others\n",
+               harness::counted(left_out, "more case"));
+  if (views.empty() && status == 0) throw std::runtime_error("there is no case to show");
   return views;
 }
 
@@ -100,6 +102,7 @@ int show_cases(const ShowOptions& options) {
     if (!file.empty()) harness::refuse_overwrite(file, options.force);
   int status = 0;
   const std::vector<show::CaseView> views = views_of(options, status);
+  if (views.empty()) return status;
   const std::string title = views.size() == 1 ? "Case " + views.front().id : fmt::format("{} cases", views.size());
   if (!options.html.empty() || (options.svg.empty() && options.png.empty())) {
     std::string body;
@@ -130,25 +133,28 @@ harness::Command show_command() {
              "Files of cases, as `cases`, `soak --print`, `corpus shrink` and studies write them; "
              "- is standard input")
       .required();
-  command.texts("--id", options->ids, "Only the case of this id; may be repeated");
+  command.texts("--id", options->ids, "Only the case of this id; may be repeated").takes("ID");
   methods::declare_methods(command, options->methods);
   command
       .text("--verdicts", options->verdicts,
             "Show the verdicts of this file, which `judge` has printed, instead of asking methods")
+      .takes("FILE")
       .excludes("--methods")
       .excludes("--engine");
   command.whole("--samples", options->most, "Draw at most this number of cases", 1, 1000);
-  command.text("--html", options->html,
-               "Write the page to this file; without any of the three, it goes to standard output");
-  command.text("--svg", options->svg, "Write the pictures to this file (SVG)");
-  command.text("--png", options->png, "Write the pictures to this file (PNG); needs python3 with matplotlib");
+  command
+      .text("--html", options->html,
+            "Write the page to this file; without any of the three, it goes to standard output")
+      .takes("FILE");
+  command.text("--svg", options->svg, "Write the pictures to this file (SVG)").takes("FILE");
+  command.text("--png", options->png, "Write the pictures to this file (PNG); needs python3 with matplotlib")
+      .takes("FILE");
   command.force(options->force);
   command.footer(
       "From above: the polygon, the ball, the foot of its centre and the nearest point (of a moving ball: its way, "
-      "and\n"
-      "the first touched point). From the side: a section. Below: the radii next to the ball's, in doubles, and what "
-      "exact\n"
-      "and each method say of contact with each. Exit status: 2 for wrong input, 1 if no PNG could be drawn, else 0.");
+      "and the first touched point). From the side: a section. Below: the radii next to the ball's, in doubles, and "
+      "what exact and each method say of contact with each. Exit status: 2 for wrong input, 1 if no PNG could be "
+      "drawn, else 0.");
   command.example("show tests/corpus/edge.jsonl --samples 3 --html edge.html");
   command.runs([options] {
     return harness::run_alone([&] {

@@ -151,12 +151,12 @@ void add_first_case(const Study& study, EntryList& entries) {
         found("values of the layout that are chosen freely", "", static_cast<double>(free_parameters()), true));
     table.push_back(found("captioned moves of both cases that it must reproduce", "", captioned_moves(), false));
     table.push_back(found("home poses that were tried", "", static_cast<double>(study.homes.size()), true));
-    table.push_back(found("of these with a layout in which all captions come out", "%",
+    table.push_back(found("of these with a layout in which all captions hold", "%",
                           100 * static_cast<double>(fitting) / static_cast<double>(study.homes.size()), true));
   }
   entries.add("table 6.1", Status::WithChosen,
               "All moves of the first case. The table itself is not public; its angles are those of the captions. More "
-              "is chosen than captions state, and many home poses have a layout in which all captions come out: that "
+              "is chosen than captions state, and many home poses have a layout in which all captions hold: that "
               "ours does is a fit, not a finding.",
               std::move(table));
 }

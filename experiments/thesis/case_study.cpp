@@ -52,7 +52,7 @@ std::string words_of(const Polygon& face, const Pose& station) {
   return out.y() > 0 ? "counter-clockwise side" : "clockwise side";
 }
 
-/// The sphere of an arm whose joint has turned by so many degrees of a move, as the process has it at the stop.
+/// The sphere of an arm whose joint has turned by `degrees` of a move, as the process has it at the stop.
 Ball sphere_at(const cell::Workcell& workcell, const cell::Stop& stop, const cell::Move& move, double degrees) {
   kinematics::Angles angles = stop.commanded;
   angles[move.joint] += degrees - move.degrees;

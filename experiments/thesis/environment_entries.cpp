@@ -193,12 +193,10 @@ void add_robot(const Study& study, EntryList& entries) {
   entries.add(
       "table 5.1", Status::NotComputable,
       fmt::format(
-          "The table's rows are not public. Beside our model stands what other public sources say of an Aristo: a "
-          "Denavit-Hartenberg table, of a later model perhaps, and a weak source's reach of 0.8 m, which these lengths "
-          "do "
-          "not give: the flange, stretched out, is {:g} mm from the shoulder's axis. A payload (2.5 kg) is nothing "
-          "that "
-          "geometry could compute.",
+          "The table's rows are not public. Beside our model stands what other public sources say of an Aristo: "
+          "a Denavit-Hartenberg table, of a later model perhaps, and a weak source's reach of 0.8 m, which these "
+          "lengths do not give: the flange, stretched out, is {:g} mm from the shoulder's axis. A payload (2.5 kg) is "
+          "nothing that geometry could compute.",
           reach),
       {beside(found("revolute axes", "", static_cast<double>(revolute), false), Label::Source, 6),
        beside(found("shoulder's axis above the floor", "mm", at(kShoulder).z(), false), Label::Source, 322),

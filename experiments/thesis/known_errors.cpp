@@ -167,7 +167,7 @@ Collinear measure_collinear(const stability::Outline& outline, std::uint64_t sam
 }
 
 FarAway measure_far_away(const stability::Outline& outline, double offset, std::uint64_t samples, std::uint64_t seed) {
-  Eigen::Matrix3d tilt;  // a rotation but for rounding: in the plane of axes, s would lose nothing
+  Eigen::Matrix3d tilt;  // a rotation except for rounding: in the plane of axes, s would lose nothing
   tilt << 2, -2, 1, 1, 2, 2, -2, -1, 2;
   tilt /= 3;
   const auto moved = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {

@@ -85,10 +85,9 @@ harness::Command thesis_command() {
                            "Reproduce every figure and table of the 2008 thesis: compare its numbers with ours");
   command.keep_line(options->line);
   command.footer(
-      "Makes one entry for each figure and table that the thesis lists, and for each known error of its method: the\n"
+      "Makes one entry for each figure and table that the thesis lists, and for each known error of its method: the "
       "numbers that can be computed, the stated numbers, whether they agree, and a picture. Writes CSV files, "
-      "run.json,\n"
-      "pictures (SVG and PNG) and index.html, which shows all of them.");
+      "run.json, pictures (SVG and PNG) and index.html, which shows all of them.");
   command.whole("--samples", options->samples, "Random balls for each outline and radius (20000; with --quick 2000)",
                 100);
   command.flag("--quick", options->quick, "A tenth of the samples, and coarser steps between places of the storage");

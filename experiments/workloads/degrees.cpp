@@ -30,8 +30,8 @@ double of_turn(int (*function)(mpfr_ptr, mpfr_srcptr, unsigned long, mpfr_rnd_t)
   return rounded(value, [&](mpfr_ptr x) { function(x, x, kTurn, MPFR_RNDN); });
 }
 
-/// A function of angles that remembers results by the bits of the angle: an arm turns one joint of many at a time, by
-/// whole steps.
+/// A function of angles that remembers results by the bits of the angle: an arm turns one joint of many in each move,
+/// by whole steps.
 class Remembering {
  public:
   explicit Remembering(int (*function)(mpfr_ptr, mpfr_srcptr, unsigned long, mpfr_rnd_t)) : function_(function) {}

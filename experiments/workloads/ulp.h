@@ -15,7 +15,8 @@ namespace touchstone::workloads {
   return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
 }
 
-/// Returns the double of that rank. (1) from_ordinal(ordinal(x)) == x.
+/// Returns the double of that rank.
+///  (1) from_ordinal(ordinal(x)) == x.
 [[nodiscard]] constexpr double from_ordinal(std::int64_t ordinal) {
   return std::bit_cast<double>(ordinal >= 0 ? ordinal : std::numeric_limits<std::int64_t>::min() - ordinal);
 }

@@ -9,7 +9,7 @@ STATUSES = ("reproduced", "reproduced with chosen values", "photograph: not comp
 
 LAYOUT = {  # numbers of table 6.1 about how easily the layout fits
     "free-values": "values of the layout that are chosen freely", "captioned-moves": "captioned moves of both cases that it must reproduce",
-    "home-poses": "home poses that were tried", "home-poses-share": "of these with a layout in which all captions come out"}
+    "home-poses": "home poses that were tried", "home-poses-share": "of these with a layout in which all captions hold"}
 
 
 def layout(study):

@@ -18,8 +18,7 @@
 ///
 /// Guarantees, for every ball and every polygon that `validate` accepts:
 ///  (1) rotating the start of a loop, or reordering holes, renumbers edges and vertices and changes nothing else,
-///  except
-///      which of several nearest features has the lowest index, and `point` with it;
+///      except which of several nearest features has the lowest index, and `point` with it;
 ///  (2) reversing the outer loop swaps InFront and Behind, reversing a hole does not; apart from the renumbering, as in
 ///      (1), nothing else changes;
 ///  (3) mirroring in a coordinate plane or exchanging two axes mirrors `point`, swaps InFront and Behind, and changes
@@ -27,16 +26,16 @@
 ///  (4) scaling by a power of two scales `point`, `distance` and `off_plane` and changes nothing else, provided that no
 ///      number leaves the normal doubles;
 ///  (5) a translation that is exact in every coordinate moves `point` (which is rounded again) and changes nothing
-///  else; (6) growing r never loses a contact, an edge of edges_hit, or Intersects; (7) ball and polygon are closed: if
-///  the distance d is a double, r = d is Touching, the double below d is Separate and
-///      the double above d is Overlapping;
+///      else;
+///  (6) growing r never loses a contact, an edge of edges_hit, or Intersects;
+///  (7) ball and polygon are closed: if the distance d is a double, r = d is Touching, the double below d is Separate
+///      and the double above d is Overlapping;
 ///  (8) the parts agree: contact if and only if the plane is Intersects and the foot is not Outside, or an edge is hit;
 ///      foot Inside <=> nearest is the face; contact => plane Intersects;
 ///  (9) the answers equal those of `fast` unless the input lies within rounding error of a decision boundary;
 /// (10) a hole is a difference of regions: for a hole H in the region P, in the plane of P, the foot is in (P without
-/// H)
-///      if and only if it is in P and not inside H, and on the boundary if it is on either boundary; the edges hit are
-///      those of P, then those of H.
+///      H) if and only if it is in P and not inside H, and on the boundary if it is on either boundary; the edges hit
+///      are those of P, then those of H.
 /// Source: [arshad2008, ch. 4]; kernel [cgal2022].
 namespace touchstone::exact {
 

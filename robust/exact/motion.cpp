@@ -61,7 +61,7 @@ std::optional<SmallerRoot> vertex_time(const Moving& moving, std::size_t vertex)
       {moving.velocity.squared_length(), from * moving.velocity, from.squared_length() - moving.radius_squared});
 }
 
-/// The signs of the foot at a time.
+/// The signs of the foot at one moment.
 class FootSignsAt {
  public:
   FootSignsAt(const Moving& moving, const SmallerRoot& time)

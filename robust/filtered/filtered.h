@@ -41,8 +41,8 @@ namespace touchstone::filtered {
 ///
 /// Throws Rejected with `zero-normal` if there is no supporting plane. Requires that the loops are simple and do not
 /// meet, as `exact::validate` decides. Cost: O(n), 2 to 6 times that of fast::PreparedPolygon; 1 to 3 us per vertex if
-/// scaling to the polygon's size loses bits, or if two axes meet the plane at so similar an angle that it takes
-/// coordinates of more than 126 bits to tell them apart. A query with a small ball then costs about O(log n), if small
+/// scaling to the polygon's size loses bits, or if the two largest components of the normal agree to more than
+/// 126 bits. A query with a small ball then costs about O(log n), if small
 /// discs meet few edges. Memory: O(n), or O(n log n) for loops that wind through every part of the plane.
 class PreparedPolygon {
  public:
@@ -55,8 +55,8 @@ class PreparedPolygon {
   /// @}
   ~PreparedPolygon();
 
-  /// Makes now what queries otherwise make when they first need it. Later queries then allocate nothing before the last
-  /// stage, and the first takes no longer than the next. Cost: 2 to 5 us per vertex.
+  /// Precomputes everything that queries would otherwise build on demand. Later queries then allocate nothing before
+  /// the last stage, and the first takes no longer than the next. Cost: 2 to 5 us per vertex.
   void complete() const;
 
   struct Parts;  ///< internal

@@ -25,8 +25,8 @@ namespace touchstone::filtered {
 ///  (2) queries may run on several threads at once.
 ///
 /// Cost: about 0.1 us per triangle to prepare it. A query takes about 3 ns per triangle with AVX2, 6 ns without.
-/// Open triangles cost as much as single queries, and 4 ns more. So do, always, triangles of groups smaller than
-/// 2^-900, larger than 2^500 or farther than 2^1000 from 0. Memory: 96 bytes per triangle, of which most queries read
+/// Undecided triangles cost a single query plus 4 ns; so do all triangles of groups smaller than 2^-900, larger than
+/// 2^500 or farther than 2^1000 from 0. Memory: 96 bytes per triangle, of which most queries read
 /// 24.
 class TriangleSet {
  public:

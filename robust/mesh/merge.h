@@ -68,8 +68,7 @@ struct MergedMesh {
 ///  (4) every vertex of the mesh on an edge of a polygon is a vertex of the polygon, even on straight runs, so
 ///      neighbours share whole edges; except that a face that is not planar keeps its own corners alone;
 ///  (5) the result depends only on the mesh and the tolerance, not on the caller's rounding mode or flush-to-zero
-///  setting,
-///      which are left as found.
+///      setting, which are left as found.
 ///
 /// A region that meets itself is not a valid polygon. Where it touches itself in a vertex or in an edge that may not be
 /// merged, or overlaps itself as a spiral ramp does, it is cut into connected parts; every face joins the part whose

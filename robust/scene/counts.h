@@ -42,8 +42,7 @@ inline constexpr std::size_t kCullOutcomes = 6;  ///< the number of outcomes
 ///  (2) every face that was tested (Slab, Foot, Edges or Touched) has one stage: the stages add up to `tested()`;
 ///  (3) the counts of several queries are the sum of their counts; answers are the same with and without counts;
 ///  (4) the same machine returns the same counts each time. Machines with other vector instructions may differ in
-///  stages
-///      and, within rounding errors, in boxes.
+///      stages and, within rounding errors, in boxes.
 class FaceCounts {
  public:
   /// Returns the number of faces in the query: all faces of its objects.

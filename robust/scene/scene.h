@@ -27,12 +27,10 @@
 ///      caller's rounding mode and flush-to-zero setting, and however many threads run a batch. The faces of a posed
 ///      object have posed vertices: each coordinate of R p + t is rounded once, to the nearest double (posing.h);
 ///  (2) the nearest face is the one at the least exact distance; among equal distances the lowest object comes first,
-///  then
-///      the lowest face number;
+///      then the lowest face number;
 ///  (3) for every motion that `find_fault` accepts, a face is touched on the way if and only if `exact::contact` of
-///  motion
-///      and face is true, and the first face is the one whose exact first time is least; among equal times the lowest
-///      object comes first, then the lowest face number;
+///      motion and face is true, and the first face is the one whose exact first time is least; among equal times the
+///      lowest object comes first, then the lowest face number;
 ///  (4) answers depend on the current poses only: an object that is moved and moved back answers as before;
 ///  (5) the caller's rounding mode, flush-to-zero setting and INVALID, OVERFLOW and DIVBYZERO flags are left as found.
 namespace touchstone::scene {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: formatted.py SOURCE
 
-Checks that clang-format, with the project's .clang-format, would change no C++ file. Names each file that it would change,
-with the first line, and exits with status 1. Different versions of clang-format produce different layouts, so without
+Checks that clang-format, with the project's .clang-format, would change no C++ file, and that no comment, which it does not
+wrap, is wider than its column limit. Names each file with its first fault, and exits with status 1. Different versions of clang-format produce different layouts, so without
 version 14, which is Debian 12's, it prints the reason and exits with status 77, which CTest reports as skipped.
 """
 
@@ -32,6 +32,16 @@ def clang_format():
     return None, "; ".join(found) or "clang-format is not installed"
 
 
+def limit_of(root):
+    return int(re.search(r"^ColumnLimit: (\d+)$", (root / ".clang-format").read_text(), re.MULTILINE)[1])
+
+
+def long_comments(text, limit):
+    """The lines, the last one first, of comments that are too wide."""
+    lines = [str(number) for number, line in enumerate(text.splitlines(), 1) if len(line) > limit and re.match(r" *//", line)]
+    return lines[::-1]
+
+
 def faults_of(program, root):
     """Returns the first difference of each file, and the number of files."""
     files = sorted(file.relative_to(root).as_posix() for folder in FOLDERS for file in (root / folder).rglob("*")
@@ -42,12 +52,12 @@ def faults_of(program, root):
                               check=True, env=dict(os.environ, LC_ALL="C"))
         return re.findall(r"^(\S+):(\d+):\d+: warning: ", done.stderr, re.MULTILINE)
 
-    first = {}
+    first = {file: line for file in files for line in long_comments((root / file).read_text(), limit_of(root))}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for found in pool.map(warnings, (files[begin:begin + 50] for begin in range(0, len(files), 50))):
             for file, line in found:
                 first.setdefault(file, line)
-    return [f"{file}:{line}: run clang-format -i {file}" for file, line in first.items()], len(files)
+    return [f"{file}:{line}: run clang-format -i {file}, or wrap its comment" for file, line in sorted(first.items())], len(files)
 
 
 def self_test(program, root):
@@ -57,8 +67,9 @@ def self_test(program, root):
         (folder / "geometry").mkdir()
         (folder / "geometry/good.h").write_text("int f();\n")
         (folder / "geometry/bad.cpp").write_text("int f() { return 1; }\nint  g() { return 2; }\n")
+        (folder / "geometry/wide.cpp").write_text("\n// " + 60 * "ab " + "\nint f();\n")
         found, count = faults_of(program, folder)
-    return 0 if (found, count) == (["geometry/bad.cpp:2: run clang-format -i geometry/bad.cpp"], 2) else 1
+    return 0 if ([fault.partition(" ")[0] for fault in found], count) == (["geometry/bad.cpp:2:", "geometry/wide.cpp:2:"], 3) else 1
 
 
 def main(root):

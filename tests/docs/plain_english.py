@@ -2,9 +2,9 @@
 """Usage: plain_english.py SOURCE [--not-yet]
        plain_english.py --self-test
 
-Refuses turns of phrase that readers stumble over, in the prose of pages, the documentation comments of headers, the
-string literals of C++ (messages and help texts), the paper, and the two commands. Names file and line, and what to write
-instead. Exit status 1 if it finds one. --not-yet searches the files that are still exempt, and only those.
+Refuses turns of phrase that readers stumble over, in the prose of pages, the comments and string literals of C++, the
+string literals of the report's Python, the paper, and the two commands. Names file and line, and what to write instead.
+Exit status 1 if it finds one. --not-yet searches the files that are still exempt, and only those.
 """
 
 import contextlib
@@ -18,7 +18,7 @@ import tempfile
 # Pattern, what to write instead, an example that the pattern must find.
 BANNED = [
     (r"(?<!there )\b(?:is|are|was|were) no (?!longer\b|more\b|less\b|\w+er\b)", '"is not a ...", "is not ..."', "This is no ball."),
-    (r"\b(?:is|are) none\b", '"is not one", "does not exist", "is invalid"', "A polygon that is none is refused."),
+    (r"(?<!there )\b(?:is|are) none\b", '"is not one", "does not exist", "is invalid"', "A polygon that is none is refused."),
     (r"\bso many\b", "the number, or the name of the count", "Of so many samples one is drawn."),
     (r"\bgo(?:es)? on\b", '"continues"', "It goes on where it stopped."),
     (r"\b(?:comes?|came) out\b", '"results", "is written", "yields"', "The same bytes come out."),
@@ -50,10 +50,14 @@ FENCE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"`[^`\n]+`")
 PARAGRAPH = re.compile(r"^[^\n]*\S[^\n]*(?:\n(?! *(?:[-*>|#]|\d+\.) )[^\n]*\S[^\n]*)*", re.MULTILINE)
 MARKER = re.compile(r"^ *(?:[-*>|#]+|\d+\.) ")
-DOCSTRING = re.compile(r"(?:^ *///(?!<).*\n)+|///<.*", re.MULTILINE)
+COMMENT = re.compile(r"(?:^ *//.*\n)+|(?<=[\s;]) ///?<? .*", re.MULTILINE)
 TOKEN = re.compile(r"""^\s*\#include[^\n]*|//[^\n]*|/\*.*?\*/|(?<!\w)'(?:[^'\\]|\\.)+'"""
                    r"""|(?P<texts>(?:R"(\w*)\(.*?\)\2"|"(?:[^"\\\n]|\\.)*"|\s+(?="))+)""", re.MULTILINE | re.DOTALL)
 ESCAPE = re.compile(r'R"\w*\(|\\.|"')
+PYTHON = re.compile(r"""\#[^\n]*|(?P<texts>(?:[rbf]*(?P<quote>\"{3}|'{3}|"|')(?:\\.|(?!(?P=quote)).)*?(?P=quote)\s*)+)""",
+                    re.DOTALL | re.IGNORECASE)
+VALUE = re.compile(r"\{[^{}]*\}")  # of an f-string
+QUOTE = re.compile(r"""(?:\b[rbf]+)?(?:\"{3}|'{3}|"|(?<!\w)'|'(?!\w))|\\.""", re.IGNORECASE)
 
 
 def blank(match):
@@ -68,9 +72,10 @@ def page_texts(text):
         yield match.start(), MARKER.sub(blank, match[0]), False
 
 
-def docstrings(text):
-    for match in DOCSTRING.finditer(text):
-        yield match.start(), re.sub(r"^ *///<?", blank, match[0], flags=re.MULTILINE), True
+def comments(text, is_header):
+    """Comments; those of headers with three slashes are docstrings."""
+    for match in COMMENT.finditer(text):
+        yield match.start(), re.sub(r"^ *///?<?", blank, match[0], flags=re.MULTILINE), is_header and match[0].lstrip().startswith("///")
 
 
 def literals(text):
@@ -80,10 +85,19 @@ def literals(text):
             yield match.start(), ESCAPE.sub(blank, match[0]), False
 
 
+def python_texts(text):
+    """String literals; adjacent ones are one text, and the values of f-strings are words."""
+    for match in PYTHON.finditer(text):
+        if match["texts"]:
+            yield match.start(), QUOTE.sub(blank, VALUE.sub(lambda value: "X" * len(value[0]), match[0])), False
+
+
 def texts_of(name, text):
     """The place and words of each text, and whether it is a docstring."""
+    if name.endswith(".py"):
+        return python_texts(text)
     if name.endswith((".h", ".cpp")):
-        return [*(docstrings(text) if name.endswith(".h") else ()), *literals(text)]
+        return [*comments(text, name.endswith(".h")), *literals(text)]
     return page_texts(text)
 
 
@@ -108,8 +122,8 @@ def faults_of(name, text):
 
 
 def files(root):
-    """What is searched at all: pages, the paper, C++ and the two commands."""
-    found = [*root.glob("*.md"), root / "check", root / "reproduce"]
+    """What is searched at all: pages, the paper, C++, the report and the two commands."""
+    found = [*root.glob("*.md"), root / "check", root / "reproduce", *(root / "experiments/report").rglob("*.py")]
     for folder in ("docs", "experiments", "geometry", "papers", "python", "robust", "tests"):
         found += [file for file in (root / folder).rglob("*") if file.suffix in (".md", ".tex", ".h", ".cpp")]
     return sorted(found)
@@ -153,12 +167,16 @@ def self_test():
         expect("a.cpp", f'int x = 1;\nthrow Error("{example}");\n', 2)
         expect("a.cpp", f'f(R"(Fine.\n{example} )");\n', 2)
         expect("check", f"echo\n\n{example}\n", 3)
-        for name, text in (("a.md", "\n{}\n{}\n"), ("a.h", "\n/// {}\n/// {}\n"), ("a.cpp", '\nf("{} "\n  "{}");\n')):
+        for name, text in (("a.md", "\n{}\n{}\n"), ("a.h", "\n/// {}\n/// {}\n"), ("a.cpp", '\nf("{} "\n  "{}");\n'),
+                           ("a.py", '\nf("{} "\n  f"{}")\n'), ("a.cpp", "\n// {}\n// {}\n")):
             if not list(faults_of(name, text.format(*broken))):
                 faults.append(f"{name}: not found across lines: {example}")
         expect("a.md", f"Fine.\n\n```txt\n{example}\n```\n", 0)
         expect("a.md", f"`{example}`\n", 0)
-        expect("a.cpp", f"// {example}\n", 0)
+        expect("a.cpp", f"int x;\n// {example}\n", 2)
+        expect("a.cpp", f"int x;  // {example}\n", 1)
+        expect("a.py", f"x = 1  # \"\ny = f\"{{x}}: \"\ny += f'''{{x}} is fine.\n{example}'''\n", 4)
+        expect("a.py", f"# {example}\n", 0)
         expect("a.cpp", f'f(\'"\', "//", 1\'000, "{example}");  // "\n', 1)
     for good in ("There is no tolerance.", "It is no longer than that.", "What is proved", "One at a time.", "The number of the last is 3."):
         expect("a.md", good + "\n", 0)

@@ -78,7 +78,7 @@ TEST(BrokenMeshes, AreRefusedWithThePlaceOfTheFault) {
     std::string extension, content, place;
   };
   const std::vector<Fault> faults{
-      // Vertices that are no numbers.
+      // Vertices that are not numbers.
       {".obj", obj("nan 1 0", "1 2 3"), "line 3: "},
       {".off", off("nan 1 0", "3 0 1 2"), "line 4: "},
       {".stl", stl_text("nan 1 0"), "line 6: "},

@@ -62,7 +62,7 @@ TEST(ReadMesh, ReadsTheNearestDouble) {
                                   {9007199254740992.0, std::numeric_limits<double>::max(), 100.0}}));
 }
 
-// Rounding to zero is no fault; rounding to infinity is. Both are out of range for std::from_chars.
+// Rounding to zero is not a fault; rounding to infinity is. Both are out of range for std::from_chars.
 TEST(ReadMesh, ReadsNumbersCloseToZeroAsTheNearestDouble) {
   constexpr double kTiniest = std::numeric_limits<double>::denorm_min();
   const std::string zeros(400, '0');

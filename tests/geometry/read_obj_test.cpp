@@ -103,7 +103,7 @@ TEST(ReadObj, RefusesAFaceOfFewerThanThreeVertices) {
   EXPECT_EQ(fault(".obj", kObj + "f\n"), "line 4: a face needs at least 3 vertices, this one has 0");
 }
 
-// What is left keeps its order and is numbered anew; a face that needs a vertex left out goes with it.
+// What is left keeps its order and is numbered again; a face that needs a vertex left out goes with it.
 TEST(ReadObj, SkipLeavesOutWrongVerticesAndTheFacesThatNeedThem) {
   const ReadMesh result =
       skip(".obj", "v 0 0 0\nv 0 x 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\nf 1 3\nf 4 3 9\nf -1 -2 -4\n");

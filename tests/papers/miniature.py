@@ -107,7 +107,7 @@ FILES = {
         "entries.csv": table("id status", ("4.1", "reproduced"), ("E.1", "differs"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),
         "numbers.csv": table("id what ours", ("table 6.1", "values of the layout that are chosen freely", 12),
                              ("table 6.1", "captioned moves of both cases that it must reproduce", 10), ("table 6.1", "home poses that were tried", 400),
-                             ("table 6.1", "of these with a layout in which all captions come out", 45)),
+                             ("table 6.1", "of these with a layout in which all captions hold", 45)),
         "moves.csv": table("phase joint degrees", ("to-storage", "elbow", -3), ("to-storage", "base", -149), ("to-machine", "base", 66), ("to-home", "base", 149)),
         "areas.csv": table("outline points share lower upper hull parts", (["U3x3", "square"], 100, 0.86, 0.8, 0.9, 0.29, 3)),
         "touching.csv": table("balls missed", (8, 7))},

@@ -11,6 +11,7 @@ import json
 import math
 import os
 import pathlib
+import pty
 import re
 import shlex
 import shutil
@@ -81,8 +82,8 @@ WITHOUT_FOLDER = {"scenes", "regress", "cell show", "cell run"}
 def subcommands(*words):
     """The names of all that can be called, from the help."""
     text = subprocess.run([TOUCHSTONE, *words, "--help"], capture_output=True, text=True, check=True, timeout=PATIENCE).stdout
-    listed = text.partition("\nSubcommands:\n")[2]
-    names = re.findall(r"^  (\S+)", listed, re.MULTILINE)
+    listed = text.partition("\n\nUsage:")[2].partition("\nOptions:\n")[0]
+    names = re.findall(r"^  ([a-z]\S*)", listed, re.MULTILINE)
     return [name for word in names for name in subcommands(*words, word)] if names else [" ".join(words)]
 
 
@@ -131,12 +132,54 @@ class EveryCommand(unittest.TestCase):
     def test_has_a_call_here(self):
         self.assertEqual(sorted(subcommands()), sorted(COMMANDS))
 
+    def test_keeps_its_help_within_the_width_of_the_terminal(self):
+        for name in ("", *COMMANDS, "cell", "corpus"):
+            for width in (60, 80, 120):
+                with self.subTest(command=name, width=width):
+                    text = self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE, env={**os.environ, "COLUMNS": str(width)}).stdout
+                    self.assertEqual([line for line in text.splitlines() if len(line) > width and len(line.split()) > 1], [])
+                    self.assertNotIn("\n\n\n", text)
+                    self.assertIsNone(re.search("Needs:|Excludes:|UINT|FLOAT|TEXT:|18446744073709551615", text), text)
+
+    def test_says_that_it_reads_a_terminal(self):
+        for call, what in ((["judge"], "cases"), (["show", "-"], "cases"), (["scenes", "mesh.obj", "--balls", "-"], "balls")):
+            with self.subTest(call=call):
+                ours, theirs = pty.openpty()
+                process = subprocess.Popen([TOUCHSTONE, *call], cwd=SCRATCH, stdin=theirs, stdout=subprocess.DEVNULL,
+                                           stderr=subprocess.PIPE, text=True)
+                said = process.stderr.readline()
+                os.write(ours, b"\x04")
+                process.communicate(timeout=PATIENCE)
+                os.close(ours)
+                os.close(theirs)
+                self.assertEqual(said, f"touchstone: reading {what} from standard input; control-D on an empty line ends it\n")
+
+    def test_complains_once_and_begins_with_its_name(self):
+        (SCRATCH / "half.jsonl").write_text('{"id":\n')
+        calls = [[*name.split(), "--no-such-option", "5"] for name in COMMANDS] + [
+            [], ["cell"], ["jugde"], ["near-edge", "--samples", "many"], ["near-edge", "--oracle", "exakt"], ["meshes"],
+            *([command, "nowhere"] for command in ("judge", "show", "meshes", "merging", "cell run", "cell show")),
+            ["judge", "half.jsonl"], ["show", "half.jsonl"], ["scenes", "mesh.obj", "--balls", "nowhere"],
+            ["corpus", "shrink", "nowhere", "--method", "fast"], ["regress", "--baseline", "nowhere"]]
+        for call in calls:
+            with self.subTest(call=call):
+                done = self.run_in(" ".join(call).split(), "", stdout=subprocess.DEVNULL)
+                self.assertEqual(done.returncode, 2)
+                complaints = [line for line in done.stderr.splitlines() if line.startswith("touchstone: ")]
+                self.assertEqual(len(complaints), 1, done.stderr)
+                if call not in ([], ["cell"]):  # these print what there is first
+                    self.assertEqual(done.stderr, complaints[0] + "\n")
+                if "nowhere" in call:
+                    self.assertIn("No such file or directory", done.stderr)
+                if "--no-such-option" in call:
+                    self.assertRegex(done.stderr, r"--no-such-option( 5)?\b")
+
     def test_ends_its_help_with_an_example_that_is_understood(self):
         """The example names a command and options that there are: its help, asked for behind them, is printed."""
         for name in COMMANDS:
             with self.subTest(command=name):
                 text = self.help_of(name)
-                examples = text.rpartition("\nExample")[2].splitlines()[1:]
+                examples = text.rpartition("\nExample")[2].replace(" \\\n", "").splitlines()[1:]
                 self.assertTrue(examples)
                 for example in examples:
                     words = shlex.split(example.partition("&&")[0])
@@ -204,9 +247,10 @@ class EveryCommand(unittest.TestCase):
         without = set()
         for name in COMMANDS:
             with self.subTest(command=name):
-                option = re.search(r"^  --output TEXT(?:=(\S+))?", self.help_of(name), re.M)
-                if option and option[1]:
-                    self.assertEqual(option[1], "results/" + name.replace(" ", "-"))
+                option = re.search(r"^  --output FOLDER(.*?)^  --", self.help_of(name), re.M | re.S)
+                default = option and re.search(r"\sDefault:\s+(\S+)\.\s", option[1])
+                if default:
+                    self.assertEqual(default[1], "results/" + name.replace(" ", "-"))
                 elif option:
                     without.add(name)
         self.assertEqual(without, WITHOUT_FOLDER)

@@ -74,7 +74,7 @@ Routes::Routes(const Simulator& simulator, KnownHosts hosts, std::vector<Variant
   presets_json_ = names.dump();
 }
 
-// Whoever asks first builds it; others who ask for the same wait.
+// The first request builds it; others for the same wait.
 Routes::Shared Routes::simulator_of(std::size_t preset, const Variation& variation) const {
   const MakeSimulator& make = preset == 0 ? make_ : presets_[preset - 1].make;
   if (preset == 0 && (variation == Variation{} || !make)) return {simulator_, [](const Simulator*) {}};

@@ -64,8 +64,7 @@ harness::Command missed_command() {
   command.keep_line(options->line);
   command.footer(
       "Moves one joint of the arm through thin sheets at random. Counts how often stepping, which tests for contact "
-      "only\n"
-      "after each step, misses the first contact, for spheres and steps of several sizes.");
+      "only after each step, misses the first contact, for spheres and steps of several sizes.");
   command.whole("--samples", options->samples, "Moves", 1);
   command.seed(options->seed);
   command.threads(options->threads);

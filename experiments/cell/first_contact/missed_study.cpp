@@ -10,6 +10,7 @@
 #include "experiments/cell/first_contact/first_contact.h"
 #include "experiments/cell/first_contact/stepped_contact.h"
 #include "experiments/cell/kinematics/solve_layout.h"
+#include "experiments/harness/counted.h"
 #include "experiments/harness/table.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
@@ -149,9 +150,9 @@ std::string missed_table(const MissedStudy& study) {
     text += '\n';
   }
   text += fmt::format(
-      "{} moves of one joint; certified first contacts are enclosed to {:.2g} degrees; stops that touch before them: "
+      "{} of one joint; certified first contacts are enclosed to {:.2g} degrees; stops that touch before them: "
       "{}\n",
-      study.samples, study.widest, early);
+      harness::counted(study.samples, "move"), study.widest, early);
   return text;
 }
 

@@ -59,8 +59,7 @@ harness::Command layout_command() {
   command.keep_line(options->line);
   command.footer(
       "Solves for the home pose, storage and machine that reproduce both case studies' angles to the degree. Shows "
-      "the\n"
-      "family of solutions, the chosen one, and its predictions for other angles and heights.");
+      "the family of solutions, the chosen one, and its predictions for other angles and heights.");
   command.flag(
       "--quick", options->quick,
       "Coarser steps between the home poses of the family; the chosen layout and its predictions are the same");

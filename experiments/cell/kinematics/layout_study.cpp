@@ -9,10 +9,10 @@ namespace touchstone::kinematics {
 namespace {
 
 constexpr int kLargestAngle = 60;                         // of the storage
-constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and so many up and down
+constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and the number of steps up and down
 constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1, kHeights = 2 * kLargestHeightStep + 1;
 
-/// Empty where both cases come out as captioned.
+/// Empty if both cases have the captions' values.
 std::string failure_of(const Layout& layout) {
   for (std::size_t i = 0; i < kCases.size(); ++i)
     if (const std::string d = difference(rehearse_case(layout, i), kCases[i]); !d.empty())

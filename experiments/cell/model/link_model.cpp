@@ -49,7 +49,7 @@ class Reader {
   }
 
  private:
-  /// Goes on to the line that begins with the word.
+  /// Continues with the line that begins with the word.
   void expect(const char* word) {
     if (!lines_.next_line()) lines_.truncated(std::string("expected '") + word + "'");
     const std::string_view found = lines_.take();

@@ -6,7 +6,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
+
+#include "experiments/harness/input.h"
 
 namespace touchstone::cell {
 
@@ -14,7 +17,12 @@ namespace touchstone::cell {
 /// than `most_mib` MiB. Reads no more than that, even from a device that never ends.
 template <class Error>
 [[nodiscard]] std::string read_at_most(const std::filesystem::path& file, std::size_t most_mib) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream;
+  try {
+    stream = harness::open_file(file);
+  } catch (const std::runtime_error& error) {
+    throw Error(error.what());
+  }
   std::string text;
   constexpr std::size_t kBlock = std::size_t{1} << 16;
   while (stream && text.size() <= most_mib << 20) {
@@ -23,7 +31,7 @@ template <class Error>
     stream.read(text.data() + size, kBlock);
     text.resize(size + static_cast<std::size_t>(stream.gcount()));
   }
-  if (!stream.is_open() || stream.bad()) throw Error(file.string() + ": cannot be read");
+  if (stream.bad()) throw Error(file.string() + ": cannot be read to its end");
   if (text.size() > most_mib << 20) throw Error(fmt::format("{}: has more than {} MiB", file.string(), most_mib));
   return text;
 }

@@ -46,8 +46,7 @@ namespace touchstone::cell {
 ///   zones     optional: virtual objects, as read_zone takes them
 ///   robots[i] the keys of `robot`, its `gripper`, and perhaps place: [x, y] and turn: degrees, on the floor
 ///   a station perhaps about: the robot about whose axis it stands, by default the first one; turn: degrees by which
-///   its
-///             frame is turned
+///             its frame is turned
 ///   material  robot, storage, machine: those that handle it; by default the only one, or that of the key `robot`,
 ///             `storage` or `machine`
 /// All names are different. Pieces are handled in the order of the file.

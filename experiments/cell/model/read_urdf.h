@@ -16,8 +16,8 @@ namespace touchstone::cell {
 /// slides. For the same reason a rotation (`rpy`) within 1e-9 of one by quarter turns about the axes is replaced by
 /// that one. A link consists of its collision elements or, if it has none, of its visual ones: boxes, cylinders (prisms
 /// of `sides` sides), spheres (see Sphere), and meshes whose scale is that of a unit of length. Their names are
-/// relative to the mesh folder, absolute
-/// (`file://`), or in a package (`package://NAME/FILE`), which is looked for in the context's packages.
+/// relative to the mesh folder, absolute (`file://`), or in a package (`package://NAME/FILE`), which is looked for in
+/// the context's packages.
 ///
 /// Throws BadCell, which names the file, the line and the link or joint, for a file of more than kMostCellMib, for
 /// input that check_xml refuses, an invalid name (is_name; for the robot and for joints: with a control character), a

@@ -8,7 +8,7 @@
 namespace touchstone::cell {
 namespace {
 
-constexpr int kShifts = 16;  // so many of equal length up to the play: fingers are thicker than one
+constexpr int kShifts = 16;  // of equal length, up to the play: fingers are thicker than one
 
 }  // namespace
 

@@ -138,7 +138,7 @@ void MovingArm::require_free_matter(Moved joint, long steps) {
           joint, static_cast<double>(sign) * (hindrance->degrees - degrees(whole)), hindrance->parts);
 }
 
-/// So many steps from where the joint was: angles do not add up roundings.
+/// Turns the joint to `steps` from where it was: angles do not add up roundings.
 void MovingArm::turn(Moved joint, long from, long steps) {
   turned_[joint] = from + steps;
   angles_[joint] = arm_->home[joint] + static_cast<double>(turned_[joint]) * step_;
@@ -164,7 +164,7 @@ std::optional<std::size_t> MovingArm::believed(const Ball& sphere) const {
                             : workcell_->touched(sphere, *target_, is_virtual(*target_));
 }
 
-/// How many steps of at most so many the driving method lets the joint move.
+/// Returns how many of the given steps the driving method lets the joint move.
 long MovingArm::driven_steps(Moved joint, long most) {
   kinematics::Angles tried = angles_;
   for (long i = 0; i != most;) {

@@ -24,7 +24,7 @@ struct Attempt {
   std::function<void(Handling&)> go;
 };
 
-/// Leaves it at the first attempt that comes out, or at the one that went furthest. No other is made after a wrong
+/// Leaves it at the first attempt that succeeds, or at the one that went furthest. No other is made after a wrong
 /// stop: the robot does not know of it.
 void first_of(const std::vector<Attempt>& attempts, Handling& robot) {
   std::string failures;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTolerance = 2e-4;  // of the arm's reach
 constexpr double kShare = 0.1;       // of a distance, between stops
-constexpr double kAhead = 8;         // so many steps are skipped where a distance allows it
+constexpr double kAhead = 8;         // the number of steps that are skipped where a distance allows it
 
 std::size_t index(Mover mover) { return static_cast<std::size_t>(mover); }
 

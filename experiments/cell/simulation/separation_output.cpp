@@ -85,8 +85,7 @@ std::string separation_text(const Workcell& workcell, const Process& process, co
   std::string text = separation_csv().aligned(least_rows(workcell, process, separation));
   text += fmt::format(
       "Least distances in {}: at least least_low on the whole run, between the stops, too; least_high is attained. "
-      "They "
-      "differ by at most {:.2g}.\n",
+      "They differ by at most {:.2g}.\n",
       workcell.cell().unit.name, gap);
   const std::vector<double> times = times_of(workcell.arm(), process);
   text += times.empty() ? std::string("no cycle time: the greatest speed of a joint is unknown\n")

@@ -26,7 +26,7 @@ constexpr double kFinest = 1.0 / 64;  // of a step
 /// A move of one joint, and what is still to be shown clear of what in an interval of it.
 class SweptMove {
  public:
-  /// `joint` is none for the arm at rest.
+  /// `joint` is empty for the arm at rest.
   SweptMove(const Sweep& sweep, const kinematics::Angles& from, std::optional<Moved> joint, double degrees,
             const Sweep::Load& load, std::uint64_t& queries)
       : cell_(*sweep.workcell_),

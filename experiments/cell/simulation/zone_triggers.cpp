@@ -150,7 +150,7 @@ std::vector<Trigger> triggers_of(const Workcell& cell, const Process& process, c
     std::vector<double> apart(parts.size(), 0);
     std::vector<Pose> links = cell.arm().link_poses(process.stops[stretch.first].commanded);
     const auto measured = [&](std::size_t p, double known, double moved) {
-      constexpr double kAhead = 8;  // so many steps are skipped where a distance allows it
+      constexpr double kAhead = 8;  // the number of steps that are skipped where a distance allows it
       return known > moved ? known : Watch(cell, parts[p], zone).apart(links, *stretch.state, kAhead * moved + 1e-9);
     };
     for (std::size_t p = 0; p < parts.size(); ++p) {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "experiments/cases/comparison.h"
+#include "experiments/harness/input.h"
 #include "experiments/harness/json/strict_json.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/rational_answer.h"
@@ -40,17 +41,17 @@ void check_rejection(const cases::Case& read, const std::string& line, std::vect
   if (!read.expected || !read.expected->rejects())
     return faults.push_back(fmt::format("rejected: {}: {}", found, message));
   if (!cases::differences(*read.expected, cases::stated(rejection)).empty())
-    faults.push_back(fmt::format("error: stands {}, found \"{}\"", read.expected->texts.at("error"), found));
+    faults.push_back(fmt::format("error: the file says {}, found \"{}\"", read.expected->texts.at("error"), found));
   if (code < RejectionCode::ZeroNormal) return;  // single comparisons decide these
   if (const auto again = find_rational_fault(polygon_in(line)); again != code)
-    faults.push_back(fmt::format("error: exact finds \"{}\", the rationals {}", found,
+    faults.push_back(fmt::format("error: exact finds \"{}\", rational arithmetic {}", found,
                                  again ? "\"" + std::string(to_string(*again)) + "\"" : "nothing"));
 }
 
 void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
   const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
   if (const auto fault = find_rational_fault(polygon))
-    faults.push_back(fmt::format("error: exact finds nothing, the rationals \"{}\"", to_string(*fault)));
+    faults.push_back(fmt::format("error: exact finds nothing, rational arithmetic \"{}\"", to_string(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
   for (const cases::Difference& difference : cases::differences(*read.expected, exact_answer({ball, polygon, to})))
     faults.push_back(to_string(difference) + ", by exact");
@@ -76,9 +77,11 @@ Findings check_files(const std::vector<std::string>& files) {
   Findings findings;
   std::set<std::string> ids;
   for (const std::string& file : files) {
-    std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file)) {
-      findings.faults.push_back(file + ": cannot be read");
+    std::ifstream stream;
+    try {
+      stream = harness::open_file(file);
+    } catch (const std::runtime_error& error) {
+      findings.faults.emplace_back(error.what());
       continue;
     }
     const std::size_t before = findings.cases;

@@ -15,6 +15,7 @@
 
 #include "experiments/cases/input_lines.h"
 #include "experiments/harness/command.h"
+#include "experiments/harness/counted.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/stop_signal.h"
@@ -43,7 +44,7 @@ int make(const MakeOptions& options) {
   const harness::OutputFolder held(options.folder, options.line, {.force = options.force});
   const auto files = corpus::make_corpus(options.threads);
   for (const auto& [name, text] : files) harness::write_file(std::filesystem::path(options.folder) / name, text);
-  fmt::print("{} files in {}\n", files.size(), io::all_legible(options.folder));
+  fmt::print("{} in {}\n", harness::counted(files.size(), "file"), io::all_legible(options.folder));
   return 0;
 }
 
@@ -58,7 +59,8 @@ std::vector<std::string> corpus_files() {
 int check(const std::vector<std::string>& files) {
   const auto findings = corpus::check_files(files);
   for (const std::string& fault : findings.faults) fmt::print(stderr, "{}\n", io::all_legible(fault));
-  fmt::print("{} cases in {} files, derived twice: {} faults\n", findings.cases, files.size(), findings.faults.size());
+  fmt::print("{} in {}, checked twice: {}\n", harness::counted(findings.cases, "case"),
+             harness::counted(files.size(), "file"), harness::counted(findings.faults.size(), "fault"));
   return findings.faults.empty() ? 0 : 1;
 }
 
@@ -138,7 +140,7 @@ harness::Command make_command() {
   harness::Command command("make", "Write every file of the corpus, with its page");
   auto options = std::make_shared<MakeOptions>();
   command.keep_line(options->line);
-  command.text("FOLDER", options->folder, "Where to");
+  command.text("FOLDER", options->folder, "Destination");
   command.threads(options->threads, "Number of threads; does not affect the files");
   command.force(options->force);
   command.example("corpus make new-corpus");
@@ -159,11 +161,12 @@ harness::Command shrink_command() {
   harness::Command command("shrink", "Reduce failing cases to small ones that still fail");
   auto options = std::make_shared<ShrinkOptions>();
   command.text("CASE", options->file, "A file of cases (JSON Lines); - is standard input").required();
-  command.text("--method", options->method, "The method that fails");
+  command.text("--method", options->method, "The method that fails").takes("METHOD");
   methods::declare_engines(command, options->engines,
                            "Instead: an engine of yours that fails, COMMAND or COMMAND=NAME");
   command.require_one_of({"--method", "--engine"});
-  command.text("--key", options->key, "The key of the answer that must stay wrong; default: all wrong decisive keys");
+  command.text("--key", options->key, "The key of the answer that must stay wrong; default: all wrong decisive keys")
+      .takes("KEY");
   command.example("corpus shrink failing.jsonl --method fast");
   command.runs([options] { return shrink(*options); });
   return command;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "experiments/cases/comparison.h"
+#include "experiments/harness/input.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/judge/corpus/corpus_case.h"
 
@@ -39,8 +40,7 @@ std::string completed(const std::string& text, const std::string& name) {
 
 std::string given_text(const std::string& name) {
   const auto file = harness::source_folder() / "experiments/judge/corpus/given" / (name + ".jsonl");
-  std::ifstream stream(file);
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
+  std::ifstream stream = harness::open_file(file);
   std::string text, line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) try {
       text += completed(line, name);

@@ -145,17 +145,18 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
     if (text == texts.end())
       differences.push_back(name + ": is missing");
     else if (!is_right)
-      differences.push_back(fmt::format("{}: stands {}, the rationals give {}", name, text->second, given));
+      differences.push_back(
+          fmt::format("{}: the file says {}, rational arithmetic gives {}", name, text->second, given));
   };
   const cases::Verdict found = cases::object_of(decisive);
   for (const Key key : cases::kStaticKeys)
     if (has(decisive, key)) compare(key, same_value(key, stands, decisive), text(found[std::string(to_string(key))]));
 
-  const auto about = [](const mpq_class& x) { return fmt::format("about {}", x.get_d()); };
+  const auto about = [](const mpq_class& x) { return fmt::format("{}{}", x == x.get_d() ? "" : "about ", x.get_d()); };
   const mpq_class off_plane = rational(prepared.off_plane()), squared = rational(nearest->distance_squared);
   compare(Key::OffPlane, stands.off_plane && is_nearest_double(*stands.off_plane, off_plane), about(off_plane));
   compare(Key::Distance, stands.distance && *stands.distance >= 0 && is_nearest_root(*stands.distance, squared),
-          "the root of " + about(squared));
+          fmt::format("sqrt({})", about(squared)));
   const auto closest = query.closest_point(nearest->feature);
   const std::array point{rational(closest.x()), rational(closest.y()), rational(closest.z())};
   bool is_nearest_point = stands.point.has_value();

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "experiments/harness/input.h"
 #include "experiments/harness/json/json_fault.h"
 #include "experiments/harness/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
@@ -80,8 +81,7 @@ void read_methods(const Json& methods, Outcome outcome, std::size_t cases, Outco
   }
 }
 
-std::string text_of(const std::filesystem::path& file, std::size_t longest) {
-  std::ifstream stream(file, std::ios::binary);
+std::string text_of(std::ifstream& stream, std::size_t longest) {
   std::string text;
   std::vector<char> part(std::size_t{1} << 20);
   while (stream && text.size() <= longest) {
@@ -89,7 +89,7 @@ std::string text_of(const std::filesystem::path& file, std::size_t longest) {
     text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
   }
   if (text.size() > longest) throw std::runtime_error(fmt::format("is longer than {} MiB", longest >> 20));
-  if (!stream.eof() || stream.bad()) throw std::runtime_error("cannot be read");
+  if (!stream.eof() || stream.bad()) throw std::runtime_error("cannot be read to its end");
   return text;
 }
 
@@ -141,8 +141,9 @@ std::string baseline_text(const Baseline& baseline) {
 }
 
 Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
+  std::ifstream stream = harness::open_file(file);
   try {
-    return baseline_of(text_of(file, longest));
+    return baseline_of(text_of(stream, longest));
   } catch (const harness::NotJson& error) {
     throw std::runtime_error(file.string() + ": not JSON: " + error.what());
   } catch (const nlohmann::json::exception& error) {  // a missing key

@@ -11,6 +11,7 @@
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/harness/command.h"
+#include "experiments/harness/counted.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
@@ -132,7 +133,7 @@ void tell_changes(const std::vector<Change>& changes) {
     better += change.better.size();
     worse += change.worse.size();
   }
-  fmt::print("{} cases better than the baseline, {} worse\n", better, worse);
+  fmt::print("{} better than the baseline, {} worse\n", harness::counted(better, "case"), worse);
 }
 
 /// Returns whether the command line names the method, rather than `all`.
@@ -218,20 +219,18 @@ harness::Command regress_command() {
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   command.footer(
-      "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative\n"
+      "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative "
       "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that the change of a "
-      "single\n"
-      "answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right "
-      "or\n"
-      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --methods or "
-      "--engine\nnames, or if "
-      "--write names an existing file without --force.");
-  command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used");
+      "single answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead "
+      "of right or unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that "
+      "--methods or --engine names, or if --write names an existing file without --force.");
+  command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used")
+      .takes("FILE");
   command
       .flag("--allow-missing", options->allow_missing,
             "A method that --methods or --engine names may be missing from the baseline; it is then not compared")
       .needs("--baseline");
-  command.text("--write", options->write, "Write the outcomes as a baseline");
+  command.text("--write", options->write, "Write the outcomes as a baseline").takes("FILE");
   methods::declare_methods(command, options->methods);
   command.seed(options->settings.seed).excludes("--baseline");
   command

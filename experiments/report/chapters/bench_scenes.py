@@ -52,8 +52,8 @@ def grouped(rows):
 
 def chapter(study):
     data = Data(study)
-    text = f"""<p>{code(OURS)} asks about many faces at once, with the answers of {code('exact')} about every one, and passes
-over what cannot matter. Each library builds the same scene and is asked about the same balls, in turns, with one
+    text = f"""<p>{code(OURS)} asks about many faces at once, with the answers of {code('exact')} about every one, and skips
+what cannot matter. Each library builds the same scene and is asked about the same balls, in turns, with one
 thread.</p>"""
     for scene in data.scenes:
         size = data.largest(scene)

@@ -73,7 +73,7 @@ def chapter(study):
     data = Data(study)
     text = f"""<p>A ball moves along a segment past a polygon. For each motion the least double is found with which the ball touches
 at all: with it, the ball grazes on its way, or touches just at its start or end. Methods are asked about that radius, and radii off by shares of
-the polygon's size, to either side. {code("exact")} says what is right. Engines of others get triangles: Bullet its convex sweep (after its
+the polygon's size, to either side. {code("exact")} says what is right. Third-party engines get triangles: Bullet its convex sweep (after its
 static test of the start), FCL its conservative advancement, both with their own settings; libccd and CGAL decide whether the capsule touches, and have no
 time. FCL’s issues 120 and 555 report that its conservative advancement misses contacts of meshes. CGAL’s exact kernel differs where rotated loops are
 not planar: it gets their triangles, whose vertices are not lifted.</p>"""

@@ -18,4 +18,4 @@ def finding(study):
 def chapter(study):
     return f"""<p>The balls of the chapter above move: along edges, past vertices, through faces, far away, or not at all; in a quarter of
 the motions the radius just grazes, up to a double. Contact and first contact (kind, time, feature, point and whether it is momentary) of
-{code("filtered")}, with and without vector instructions, are held against {code("exact")}.</p>""" + folded("By family", soak.stages_table(study))
+{code("filtered")}, with and without vector instructions, are compared with {code("exact")}.</p>""" + folded("By family", soak.stages_table(study))

@@ -62,7 +62,7 @@ class Rates:
         return [t for t in THRESHOLDS if any(key[:3] == ("all", placement, t) for key in self.curves)]
 
     def legend(self, figure, below):
-        """Under the title, which ends so many inches below the top: the methods of the panel with most of them, since an engine may
+        """Under the title, which ends `below` inches below the top: the methods of the panel with most of them, since an engine may
         lack a test."""
         handles, labels = max((axes.get_legend_handles_labels() for axes in figure.axes), key=lambda pair: len(pair[1]))
         if labels:

@@ -31,5 +31,5 @@ def has_steady_ratio(row):
 
 
 def asked(study):
-    """Steps are no method: they are asked by filtered, as the sweep is."""
+    """Steps are not a method: they are asked by filtered, as the sweep is."""
     return {}

@@ -200,7 +200,8 @@ harness::Command angles_command() {
   command.families(options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
-  command.whole("--vertices", options->vertices, "Vertices of the polygons, as nearly as a family allows", 3, 1U << 17)
+  command
+      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3, 1U << 17)
       .changes_results();
   harness::declare_study(command, *options, "--samples", "Polygons of each family");
   command.writes({angles::table().description()});

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kTriangles = 1024;  // that one ball is asked about
 
-/// Fills the first so many answers.
+/// Fills all of `touches`.
 using Fill = std::function<void(std::span<bool> touches)>;
 
 timing::Candidate fills(std::string name, std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truths,

@@ -176,10 +176,12 @@ int count(const Options& options) {
   return 0;
 }
 
-constexpr const char* kFooter = R"(
-Times depend on what the compiler may use. A second build shows what this machine could do, its run record the flags:
-  cmake --preset release -B build/native -DCMAKE_CXX_FLAGS=-march=native
-A missed goal does not change the exit status. For instructions a query: experiments/studies/bench/instructions.py.)";
+constexpr const char* kFooter =
+    "Times depend on what the compiler may use. A second build shows what this machine could do, its run record the "
+    "flags:\n"
+    "  cmake --preset release -B build/native -DCMAKE_CXX_FLAGS=-march=native\n"
+    "A missed goal does not change the exit status. For instructions per query: "
+    "experiments/studies/bench/instructions.py.";
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/harness/command.h"
+#include "experiments/harness/counted.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/printing.h"
@@ -118,8 +119,9 @@ int measure_scenes(const SceneOptions& options) {
   std::string text = growth_table(growths(results), exact) + scene_legend() + "\n" + scene_goals(results, exact);
   for (const std::string& absent : absent_libraries())
     text += fmt::format("Built without {}: it does not take part.\n", absent);
-  text += fmt::format("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
-                      options.settings.repetitions, options.settings.seed, seconds, options.output);
+  text += fmt::format(
+      "{}, {}, seed {}, in {:.0f} s. Everything: {}\n", harness::counted(options.settings.samples, "ball"),
+      harness::counted(options.settings.repetitions, "repetition"), options.settings.seed, seconds, options.output);
   options.print(text, options.output);
   const int drawn = stop || options.no_pictures ? 0 : harness::draw_pictures("bench_scenes", held);
   const int status = exit_status(options, results, stop);
@@ -140,7 +142,7 @@ harness::Command bench_scenes_command() {
   command.seed(options->settings.seed, "Any number; the same seed gives the same balls");
   command.whole("--max-faces", options->most_triangles,
                 "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)", kFewest, kMost);
-  command.text("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated");
+  command.text("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated").takes("FOLDER");
   command.output(options->output, "The folder for tables and pictures");
   command.no_pictures(options->no_pictures);
   command.force(options->force);

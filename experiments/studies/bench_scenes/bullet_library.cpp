@@ -49,7 +49,7 @@ class BulletScene : public BuiltScene {
     auto* vertices = const_cast<double*>(triangles.data()->a.data());
     mesh_.emplace(count, indices_.data(), static_cast<int>(3 * sizeof(int)), 3 * count, vertices,
                   static_cast<int>(sizeof(Eigen::Vector3d)));
-    constexpr std::size_t kMostQuantized = std::size_t{1} << 21;  // so many fit into its quantized nodes
+    constexpr std::size_t kMostQuantized = std::size_t{1} << 21;  // the number that fits into its quantized nodes
     shape_.emplace(&*mesh_, triangles.size() < kMostQuantized);
   }
 

@@ -42,7 +42,7 @@ class FclScene : public BuiltScene {
     return static_cast<std::uint32_t>(result.b1);
   }
 
-  // It asks at so many places of the way, its default solver. Its conservative advancement of a mesh and a sphere never
+  // Its default solver asks at kMostSteps places of the way. Its conservative advancement of a mesh and a sphere never
   // finds a contact (version 0.7).
   std::optional<double> first_contact(const Motion& motion) override {
     constexpr std::size_t kMostSteps = 100;

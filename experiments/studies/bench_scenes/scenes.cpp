@@ -17,7 +17,7 @@ namespace {
 
 using workloads::Random;
 
-/// Differences of doubles lose 2^-53 at most, so that what is clearly no line in doubles is none.
+/// Differences of doubles lose 2^-53 at most, so that triangles that clearly do not lie on a line in doubles do not.
 bool is_triangle(const Triangle& t) {
   if (t.a == t.b || t.b == t.c || t.c == t.a) return false;
   const Eigen::Vector3d ab = t.b - t.a, ac = t.c - t.a;

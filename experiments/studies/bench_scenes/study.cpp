@@ -140,7 +140,7 @@ class Asking {
   Truth truth_;
 };
 
-/// At most so many balls are asked by brute force, so that a benchmark of any size takes about a second of it.
+/// The number of balls that are asked by brute force, so that a benchmark of any size takes about a second of it.
 std::size_t brute_force_count(std::size_t triangles, std::size_t checked) {
   constexpr std::size_t kTriangles = 50'000'000, kFewest = 10, kMost = 200;
   return std::min(checked, std::clamp(kTriangles / triangles, kFewest, kMost));

@@ -76,8 +76,7 @@ inline constexpr timing::Goal kQueryGoal{0.7};
 /// Builds the scene with every library, keeps all of them, and queries them in turn, contest by contest; passes each
 /// contest to `keep`. An answer is wrong if it differs from the exact library's; an answer of the exact library, for
 /// the first balls, if it differs from brute force. Then measures moving balls, and poses, with the balls near the
-/// surface. Throws
-/// std::invalid_argument unless one of the libraries is exact.
+/// surface. Throws std::invalid_argument unless one of the libraries is exact.
 [[nodiscard]] SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries,
                                         const SceneSettings& settings, const std::atomic<bool>& stop,
                                         const std::function<void(const SceneResult&)>& built,

@@ -44,7 +44,7 @@ void tell_left_out(const std::string& file, const ReadMesh& mesh) {
                mesh.parts_left_out - mesh.left_out.size());
 }
 
-/// Faces that are no polygons, and so were not merged.
+/// Faces that are not polygons, and so were not merged.
 void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vector<mesh::RejectedFace>& rejected) {
   for (std::size_t i = 0; i < std::min(rejected.size(), kShown); ++i) {
     const auto& [face, rejection] = rejected[i];

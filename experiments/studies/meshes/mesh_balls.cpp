@@ -120,7 +120,7 @@ std::optional<Ball> draw_near(Random& random, const Shape& shape, const exact::P
   return std::nullopt;
 }
 
-/// Straight above or below a point of an edge but for roundings; twice as large as the height.
+/// Straight above or below a point of an edge, except for roundings; twice as large as the height.
 std::optional<Ball> draw_foot(Random& random, const Shape& shape) {
   const std::size_t edge = shape.draw_vertex(random);
   const double length = draw_length(random, 0);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/harness/command.h"
+#include "experiments/harness/counted.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
@@ -75,12 +76,12 @@ int run(Options& options) {
   harness::write_run_record(
       folder, {options.line, settings.seed, result.faces, faces, result.rejected.size(), settings.threads, seconds});
 
-  options.print(
-      fmt::format("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n"
-                  "Results: {}\n",
-                  table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
-                  meshes.parts_left_out, seconds, settings.seed, io::all_legible(folder.string())),
-      folder);
+  options.print(fmt::format("{}\n{} of {} faces in {} of {} meshes, {} of files left out, in {:.0f} s; seed {}.\n"
+                            "Results: {}\n",
+                            table(settings, meshes.read, result), faces, result.faces, meshes.read.size(),
+                            options.files.size(), harness::counted(meshes.parts_left_out, "part"), seconds,
+                            settings.seed, io::all_legible(folder.string())),
+                folder);
   if (faces < result.faces) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} faces\n", folder.string(), faces,
                result.faces);
@@ -88,8 +89,8 @@ int run(Options& options) {
   }
   if (!meshes.all_read) return kBadInput;
   if (!result.rejected.empty() && !options.skip_bad) {
-    fmt::print(stderr, "touchstone: {} faces were rejected; with --skip-bad this is not an error\n",
-               result.rejected.size());
+    fmt::print(stderr, "touchstone: {}; with --skip-bad this is not an error\n",
+               harness::counted(result.rejected.size(), "rejected face"));
     return kBadInput;
   }
   return 0;
@@ -98,6 +99,7 @@ int run(Options& options) {
 }  // namespace
 
 harness::Command meshes_command() {
+  constexpr std::uint64_t kMostFaces = std::uint64_t{1} << 40;  // less than the default, which the help does not show
   harness::Command command("meshes", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
@@ -105,7 +107,7 @@ harness::Command meshes_command() {
   methods::declare_methods(command, options->methods);
   command.seed(options->settings.seed);
   command.whole("--faces", options->settings.faces,
-                "The number of faces of each mesh to test, from the first on (default: all)", 1);
+                "The number of faces of each mesh to test, from the first on (default: all)", 1, kMostFaces);
   command.threads(options->settings.threads);
   command.flag("--skip-bad", options->skip_bad,
                "Leave out faulty parts of a file, and report them; rejected faces are then not an error");

@@ -11,8 +11,8 @@
 namespace touchstone::meshes {
 
 // Results only: byte for byte the same for the same settings and meshes, whatever the number of threads. Faces are
-// numbered from 0. Each throws std::runtime_error, which names the file, if it cannot be
-// written. tables() says what the tables hold.
+// numbered from 0. Each throws std::runtime_error, which names the file, if it cannot be written. tables() says what
+// the tables hold.
 
 void write_meshes(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
                   const Result& result);

@@ -72,7 +72,7 @@ class Columns {
       text += fmt::format("{:>{}}", percent(counts.methods[method].total(Test::Contact)), kColumn);
     return text + "\n";
   }
-  /// So many fit.
+  /// The number that fits.
   static std::size_t most(std::size_t name_width) {
     const std::size_t used = name_width + kFixed;
     return used + kColumn > kWidth ? 1 : (kWidth - used) / kColumn;

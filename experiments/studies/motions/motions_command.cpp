@@ -47,12 +47,13 @@ int run_motions(harness::StudyRun& run, const Options& options) {
 }  // namespace
 
 harness::Command motions_command() {
-  harness::Command command("motions", "Measure where methods fail about moving balls, and by how much their times err");
+  harness::Command command("motions", "Measure where methods fail about moving balls, and how far off their times are");
   auto options = std::make_shared<Options>();
   options->samples = 100;
   options->output = "results/motions";
   methods::declare_compared_methods(command, options->methods);
-  command.whole("--vertices", options->vertices, "Vertices of the polygons, as nearly as a family allows", 3, 1U << 10)
+  command
+      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3, 1U << 10)
       .changes_results();
   constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
   harness::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement",

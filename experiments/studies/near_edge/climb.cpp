@@ -31,7 +31,7 @@ Eigen::Vector3d& vertex(std::vector<Loop>& loops, std::size_t i) {
   return (*loop)[i];
 }
 
-/// The case with one coordinate of its polygon or its centre nudged; nothing where that is no polygon.
+/// The case with one coordinate of its polygon or its centre nudged; nothing if that is not a polygon.
 std::optional<AtThreshold> with_nudge(Random& random, const AtThreshold& at) try {
   AtThreshold result = at;
   const auto count = static_cast<std::int64_t>(at.polygon.vertex_count());

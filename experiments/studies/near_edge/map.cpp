@@ -81,7 +81,7 @@ LetterL letter_of(const workloads::Outline& outline) {
   return LetterL(outline.outer, reflex);
 }
 
-/// The axis across which a polygon spreads least; here, that of its normal's largest component, but for near ties.
+/// The axis across which a polygon spreads least; here, that of its normal's largest component, except for near ties.
 int flat_axis(const workloads::Frame& frame) {
   int axis = 0;
   frame.w.cwiseAbs().maxCoeff(&axis);

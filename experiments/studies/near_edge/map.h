@@ -44,7 +44,7 @@ struct Map {
   static constexpr int kSize = 96;  ///< pixels per side
 
   Spot spot = Spot::Face;
-  double origin_distance = 0;  ///< of the polygon from the origin, in its sizes
+  double origin_distance = 0;  ///< of the polygon from the origin, in multiples of its size
   Test test = Test::Contact;   ///< Foot (not of the face, where it does not change) or Contact
   std::string truth;           ///< one letter per pixel, row by row: i(nside) b(oundary) o(utside), or c(ontact) n(one)
   std::vector<std::string> verdicts;  ///< for each method: = right, + wrongly in, - wrongly out, b boundary missed

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "experiments/harness/counted.h"
 #include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
@@ -51,8 +52,9 @@ class Run {
     std::string text = table(settings_, result_.counts) + pace;
     if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
     if (settings_.truth->name() != "exact")
-      text += fmt::format("{} was compared with exact for {} balls: {} differences.\n", options_.oracle,
-                          result_.checked, result_.disagreements.count());
+      text += fmt::format("{} was compared with exact for {}: {}.\n", options_.oracle,
+                          harness::counted(result_.checked, "ball"),
+                          harness::counted(result_.disagreements.count(), "difference"));
     return run_.finish({.done = result_.samples,
                         .missing = result_.missing,
                         .text = std::move(text),
@@ -139,14 +141,13 @@ harness::Command near_edge_command() {
     return workloads::selected_names(options->families);
   });
   command
-      .whole("--vertices", options->shape.vertices, "Vertices of the outer loops, as nearly as a family allows", 3,
+      .whole("--vertices", options->shape.vertices, "Vertices of the outer loops, approximate; families round it", 3,
              1U << 17)
       .changes_results();
-  command.whole("--holes", options->shape.holes, "Holes of each polygon; those without room are missing", 0, 1000)
-      .changes_results();
+  command.whole("--holes", options->shape.holes, "Holes per polygon, as many as fit", 0, 1000).changes_results();
   command
       .real("--origin-distance", options->shape.origin_distance,
-            "The distance of each polygon from the origin, in its sizes", 0.0, 0x1p30)
+            "The distance of each polygon from the origin, in multiples of its size", 0.0, 0x1p30)
       .changes_results();
   command
       .choice("--oracle", options->oracle, {"exact", "filtered"},

@@ -75,7 +75,7 @@ template <class Row>
 std::vector<harness::Column<Row>> subject_columns() {
   return {{"family", "the family of polygons, or `all`", [](const Row& row) { return row.group->family; }},
           {"threshold", "the threshold that balls cross", [](const Row& row) { return row.group->threshold; }},
-          {"origin_distance", "of the polygon from the origin, in its sizes",
+          {"origin_distance", "of the polygon from the origin, in multiples of its size",
            [](const Row& row) { return row.group->distance; }, "{:.0f}"},
           {"method", "the method", &Row::method},
           {"test", "the decision that is compared", [](const Row& row) { return test_word(row.group->threshold); }}};
@@ -128,7 +128,7 @@ const harness::Table<WorstRow>& worst_table() {
   return table;
 }
 
-/// 2^-50.3, to which a share is rounded for people; nothing where there is none.
+/// 2^-50.3, to which a share is rounded for people; nothing without a share.
 std::string power_of_two(double share) { return share > 0 ? fmt::format("2^{:.1f}", std::log2(share)) : "none seen"; }
 
 }  // namespace
@@ -192,12 +192,12 @@ std::string search_table(const Settings& settings, const Onsets& onsets, const W
                       power_of_two(onset.furthest.empty() ? 0 : onset.furthest.front().share), power_of_two(climbed));
     }
   return text +
-         "Offsets of the radius (foot-*: of a coordinate of the centre) from the threshold, as shares of the "
-         "polygon's\n"
-         "size, tested at the powers of two from 2^-60 to 1, and at 64 steps beyond the furthest wrong one. Rotated "
-         "polygons;\n"
-         "the truth is filtered, and exact for climbed cases. Distance from the origin, in sizes. Furthest: over all "
-         "samples;\n"
+         "Offsets of the radius (foot-*: of a coordinate of the centre) from the threshold, as shares "
+         "of the polygon's\n"
+         "size, tested at the powers of two from 2^-60 to 1, and at 64 steps beyond the furthest wrong one. "
+         "Rotated polygons;\n"
+         "the truth is filtered, and exact for climbed cases. Distance from the origin, in sizes. Furthest: "
+         "over all samples;\n"
          "climbed: after moving their coordinates.\n";
 }
 

@@ -40,7 +40,7 @@ class Sample {
     }
   }
 
-  /// Holds the truth that was used against `exact`: about every ball, or those on which a method came out wrong.
+  /// Compares the truth that was used with `exact`: about every ball, or those on which a method was wrong.
   void check(bool every_ball) {
     std::unique_ptr<cases::PreparedMethod> exact;
     std::vector<Disagreement> found;

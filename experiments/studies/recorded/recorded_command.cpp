@@ -97,8 +97,7 @@ const harness::Table<Row>& table() {
            harness::rate_columns<Row>("failed piles", &Row::pile_rate, "piles_"),
            {{"furthest",
              "of the wrong answers, the largest difference of distance and radius, as a share of the triangle's "
-             "largest "
-             "coordinate difference",
+             "largest coordinate difference",
              path(&Row::tally, &Tally::furthest)}}}));
   return table;
 }
@@ -240,7 +239,7 @@ namespace touchstone::commands {
 harness::Command recorded_command() {
   using recorded::Options;
   constexpr int kVersion = 1;  // raised when pile n of a seed changes
-  harness::Command command("recorded", "Ask again every question of a pile of balls on a mesh that Bullet steps");
+  harness::Command command("recorded", "Replay every ball-triangle query of a Bullet simulation of piled balls");
   auto options = std::make_shared<Options>();
   options->samples = 100;
   options->output = "results/recorded";

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "experiments/harness/input.h"
 #include "experiments/harness/json/strict_json.h"
 #include "experiments/workloads/finite.h"
 #include "experiments/workloads/random.h"
@@ -23,7 +24,7 @@ using workloads::Random;
 
 constexpr const char* kBlanks = " \t\r";
 
-/// The reason why a line is no ball.
+/// The reason why a line is not a ball.
 struct Fault {
   std::string reason;
 };
@@ -96,7 +97,7 @@ std::vector<NamedBall> read_balls(std::istream& stream, const std::string& name)
   return balls;
 }
 
-/// A mean, without overflow but for rounding.
+/// A mean, without overflow except by rounding.
 Vector3d between(const Vector3d& a, const Vector3d& b, double share) { return (1 - share) * a + share * b; }
 
 Vector3d in_cube(Random& random) { return {2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1}; }
@@ -104,9 +105,11 @@ Vector3d in_cube(Random& random) { return {2 * random.unit() - 1, 2 * random.uni
 }  // namespace
 
 std::vector<NamedBall> read_balls(const std::string& file) {
-  if (file == "-") return read_balls(std::cin, "standard input");
-  std::ifstream stream(file);
-  if (!stream) throw std::runtime_error(file + ": cannot be read");
+  if (file == "-") {
+    harness::announce_standard_input("balls");
+    return read_balls(std::cin, "standard input");
+  }
+  std::ifstream stream = harness::open_file(file);
   return read_balls(stream, file);
 }
 

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "experiments/harness/command.h"
+#include "experiments/harness/counted.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
@@ -56,7 +57,7 @@ struct SceneOptions : harness::Printing {
   std::string line;  ///< that repeats the run
 };
 
-/// The units of the meshes, one each, and of balls and answers; none where nothing is said of units.
+/// The units of the meshes, one each, and of balls and answers; empty if no units are given.
 struct Units {
   std::vector<workloads::Unit> meshes;
   std::optional<workloads::Unit> scene;
@@ -182,11 +183,13 @@ struct Sums {
 };
 
 std::string summary(const SceneOptions& options, const Units& units, const Loaded& loaded, const Sums& sums) {
+  using harness::counted;
   std::uint64_t faces = 0;
   for (const Object& object : loaded.objects) faces += object.numbers.size();
   std::string text = table(sums.counts, sums.balls);
-  text += fmt::format("{} balls, {} objects of {} faces, {} parts of files left out{}.\n", sums.balls,
-                      loaded.objects.size(), faces, loaded.parts_left_out,
+  text += fmt::format("{}, {} of {}, {} of files left out{}.\n", counted(sums.balls, "ball"),
+                      counted(loaded.objects.size(), "object"), counted(faces, "face"),
+                      counted(loaded.parts_left_out, "part"),
                       units.scene ? fmt::format("; lengths in {}", units.scene->name) : "");
   if (!options.filtered()) {
     const Differences& differences = sums.differences;
@@ -238,7 +241,7 @@ class Lines {
   std::unique_ptr<std::FILE, Close> own_;
 };
 
-/// Asks about the balls a leg at a time and writes the answers as they come.
+/// Asks about the balls in legs, one after the other, and writes the answers as they come.
 Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const scene::Scene& scene, const Order& order,
          const Source& source, const std::atomic<bool>& stop, Lines& lines) {
   const cases::Method* const method = options.filtered() ? nullptr : &method_of(options);
@@ -317,10 +320,11 @@ harness::Command scenes_command() {
   auto options = std::make_shared<SceneOptions>();
   command.keep_line(options->line);
   command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
-  command.text(
-      "--balls", options->balls,
-      "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a case, or "
-      "the numbers x y z r; # begins a comment; - is standard input");
+  command
+      .text("--balls", options->balls,
+            "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a case, or "
+            "the numbers x y z r; # begins a comment; - is standard input")
+      .takes("FILE");
   command.whole("--samples", options->random, "The number of random balls, half of them near a face", 1);
   command.require_one_of({"--balls", "--samples"});
   command.seed(options->seed, "The seed of --samples; the same seed gives the same bytes");
@@ -328,9 +332,11 @@ harness::Command scenes_command() {
   command.flag("--all", options->all, "Answer which faces it touches (default)");
   command.flag("--nearest", options->nearest, "Answer which face is nearest to its centre, and where");
   command.allow_one_of({"--any", "--all", "--nearest"});
-  command.text(
-      "--method", options->method,
-      "filtered uses the scene's hierarchy; any other method is asked about every face, and compared with filtered");
+  command
+      .text(
+          "--method", options->method,
+          "filtered uses the scene's hierarchy; any other method is asked about every face, and compared with filtered")
+      .takes("METHOD");
   methods::declare_engines(command, options->engines,
                            "Instead of --method: an engine of yours, COMMAND or COMMAND=NAME")
       .excludes("--method");

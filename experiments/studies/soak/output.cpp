@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "experiments/harness/counted.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
@@ -46,10 +47,10 @@ harness::Table<Row> counts_table() {
 std::string verdict(const Tally& tally) {
   const auto limits = statistics::clopper_pearson(tally.differing(), tally.cases());
   if (tally.differing() == 0)
-    return fmt::format("No difference from exact in {} cases: at most {:.3g} of such cases differ (95 %).\n",
-                       tally.cases(), limits.upper);
-  return fmt::format("{} of {} cases DIFFER from exact: {:.3g} to {:.3g} of such cases (95 %).\n", tally.differing(),
-                     tally.cases(), limits.lower, limits.upper);
+    return fmt::format("No difference from exact in {}: at most {:.3g} of such cases differ (95 %).\n",
+                       harness::counted(tally.cases(), "case"), limits.upper);
+  return fmt::format("{} of {} DIFFER from exact: {:.3g} to {:.3g} of such cases (95 %).\n", tally.differing(),
+                     harness::counted(tally.cases(), "case"), limits.lower, limits.upper);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Options : harness::StudyOptions {
   bool print = false, moving = false;
 };
 
-/// Prints differences as they are found, so that an endless run tells of them at once.
+/// Prints differences as they are found, so that an endless run reports them at once.
 class Announcer {
  public:
   explicit Announcer(std::size_t known) : announced_(known) {}

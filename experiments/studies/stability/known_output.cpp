@@ -21,7 +21,7 @@ const harness::Table<OnsetRow>& onset_table() {
   static const harness::Table<OnsetRow> table(
       "onset.csv", "a distance from the origin, method and offset",
       harness::all_columns<OnsetRow>(
-          {{{"origin_distance", "of the triangle, in its sizes", &OnsetRow::distance},
+          {{{"origin_distance", "of the triangle, in multiples of its size", &OnsetRow::distance},
             {"method", "the method", &OnsetRow::method},
             {"offset_exponent", "of the radius: 2^this of the exact distance", &OnsetRow::exponent},
             {"failed_triangles", "triangles with a wrong answer", &OnsetRow::failed},

@@ -231,19 +231,19 @@ std::string onset_table(const Onset& onset) {
                  k_text(onset.first(1, m, 0.01)), k_text(onset.first(1, m, 0.5)), wrong_text(onset, 1, m, kKnown[1]));
   return text +
          fmt::format(
-             "First, from: the coarsest 2^-k at which one triangle, 1 % or half of them fail; a triangle has one "
-             "answer above\n"
+             "First, from: the coarsest 2^-k at which one triangle, 1 % or half of them fail; a triangle has "
+             "one answer above\n"
              "and one below. Answers at k: the share of wrong ones, with 95 % limits. 1e6 away: in sizes.\n"
              "Known for naive doubles (ericson-absolute): 2^-{} around the origin, where wrong answers also begin "
              "here; and 2^-{}\n"
-             "1e6 away (38 % of answers wrong). There wrong answers are common; the first ones appear at offsets 2^20 "
-             "times as\n"
+             "1e6 away (38 % of answers wrong). There wrong answers are common; the first ones appear at "
+             "offsets 2^20 times as\n"
              "coarse as around the origin, like the rounding errors of the coordinates.\n",
              kKnown[0], kKnown[1]) +
-         "Methods that start with differences of the input lose no accuracy far from the origin, since the vertices of "
-         "a\n"
-         "triangle are always in its plane; methods that compute a point (ericson-absolute) or a plane's offset "
-         "(thesis) lose\n"
+         "Methods that start with differences of the input lose no accuracy far from the origin, since "
+         "the vertices of a\n"
+         "triangle are always in its plane; methods that compute a point (ericson-absolute) or a plane's "
+         "offset (thesis) lose\n"
          "as much as the coordinates.\n";
 }
 
@@ -262,13 +262,14 @@ std::string contraction_table(const std::vector<ContractionCount>& counts) {
 
 std::string legend(const Settings& settings) {
   std::string text =
-      "\nA sample is a polygon under stress and balls near it; it fails if the answer is wrong for any ball.\n"
-      "A | B: the first level with a failure, and the first at which more than half of the samples failed; -: none "
-      "seen.\n"
-      "errors.csv also has the closest point: if two features are equally near, rounding may choose the other, far "
-      "away.\n"
-      "An exception of a method counts as wrong. chain, pose: -input tests methods on the doubles at the end of a "
-      "chain,\n"
+      "\n"
+      "A sample is a polygon under stress and balls near it; it fails if the answer is wrong for any ball.\n"
+      "A | B: the first level with a failure, and the first at which more than half of the samples "
+      "failed; -: none seen.\n"
+      "errors.csv also has the closest point: if two features are equally near, rounding may choose the "
+      "other, far away.\n"
+      "An exception of a method counts as wrong. chain, pose: -input tests methods on the doubles at the "
+      "end of a chain,\n"
       "-motion includes the error of the chain itself, which filtered, exact on those doubles, shows alone.\n"
       "Axes:\n";
   for (const Axis axis : settings.axes) {

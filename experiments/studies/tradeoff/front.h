@@ -49,9 +49,10 @@ struct ParetoEntry {
   Front front = Front::Off;
 };
 
-/// Marks the Pareto front. Compares errors as observed: all methods have the same questions. (1) Every method on the
-/// front of the medians is marked On or WithinNoise, and every method marked On is on that front. (2) Every method
-/// marked Off has a better one that is not Off.
+/// Marks the Pareto front. Compares errors as observed: all methods have the same questions.
+///  (1) Every method on the front of the medians is marked On or WithinNoise, and every method marked On is on that
+///      front.
+///  (2) Every method marked Off has a better one that is not Off.
 void mark_front(std::vector<ParetoEntry>& entries);
 
 /// Returns the methods by one measure in one group, or in all groups of a placement together (no family: the means of

@@ -143,30 +143,33 @@ std::string noise(const std::vector<Timing>& timings) {
       noisy += q.upper > kMuch * q.lower ? 1 : 0;
     }
   return fmt::format(
-      "Noise: in {} of {} lists and methods the upper quartile of the repetitions is more than {} times the lower "
-      "one.\n"
-      "A method is on the front if every method at least as accurate (as observed, on the same questions) is slower: "
-      "its\n"
-      "lower quartile is above the method's upper one. It is within noise if none is faster in that sense, but some "
-      "are\n"
+      "Noise: in {} of {} lists and methods the upper quartile of the repetitions is more than {} "
+      "times the lower one.\n"
+      "A method is on the front if every method at least as accurate (as observed, on the same "
+      "questions) is slower: its\n"
+      "lower quartile is above the method's upper one. It is within noise if none is faster in that "
+      "sense, but some are\n"
       "not slower.\n",
       noisy, cells, kMuch);
 }
 
 std::string legend(const std::vector<Timing>& timings) {
   std::string text = fmt::format(
-      "Times: nanoseconds per question about a prepared polygon, through the common interface; means over the "
-      "families\n"
-      "of medians of the repetitions, in which all methods take turns on one list of distinct balls. near: the radius\n"
+      "Times: nanoseconds per question about a prepared polygon, through the common interface; means "
+      "over the families\n"
+      "of medians of the repetitions, in which all methods take turns on one list of distinct balls. "
+      "near: the radius\n"
       "is within {} doubles of the distance. asked: the number of questions of the list contact, near; a slow method\n"
-      "gets the first ones, as many as fit into {:g} ms. wrong, don't know: answers to contact within {} doubles of "
-      "the\n"
-      "radius that just touches; limits: Hoeffding, 95 %, for independent polygons. Slow methods were asked about one\n"
+      "gets the first ones, as many as fit into {:g} ms. wrong, don't know: answers to contact within "
+      "{} doubles of the\n"
+      "radius that just touches; limits: Hoeffding, 95 %, for independent polygons. Slow methods were "
+      "asked about one\n"
       "sample in {}. overflow: wrong answers in samples for which the method's distance or point is not finite.\n"
       "wrong at offsets: the lowest and the highest tested offset with a wrong answer, in doubles, up to 2^32.\n"
       "Units in the last place: of the exact distance, and of the largest coordinate of the exact point, both\n"
       "correctly rounded, so that 0 is within half a unit of the truth; median, 99 % and worst of the finite errors.\n"
-      "Methods that compute neither are left out. No line mixes lattices with rotated polygons; one lattice radius in\n"
+      "Methods that compute neither are left out. No line mixes lattices with rotated polygons; one "
+      "lattice radius in\n"
       "four is exactly tangent.\n",
       kNear, 1e3 * kSecondsOfList, kNear, kSlowStride);
   return text + (timings.empty() ? "Nothing was timed.\n" : noise(timings));

@@ -76,10 +76,10 @@ int run_tradeoff(harness::StudyRun& run, const Options& options) {
   return run.finish({.done = errors.samples, .missing = errors.missing, .text = std::move(text), .pictures = alone});
 }
 
-constexpr const char* kFooter = R"(
-Errors are the same bytes for the same settings, whatever --threads and mpirun; timings.csv and front.csv hold times,
-which one process alone measures. Times that were measured while others use the machine are noise: their quartiles are
-in both files and drawn in the pictures, and the front says whom they may keep from it.)";
+constexpr const char* kFooter =
+    "Errors are the same bytes for the same settings, whatever --threads and mpirun; timings.csv and front.csv hold "
+    "times, which one process alone measures. Other load on the machine makes times noisy: their quartiles are in both "
+    "files and drawn in the pictures, and the table marks methods that noise may have kept off the front.";
 
 }  // namespace
 

@@ -51,11 +51,12 @@ int run_tunnelling(harness::StudyRun& run, const Options& options) {
 
 harness::Command tunnelling_command() {
   harness::Command command("tunnelling", "Count the contacts that discrete steps of a moving ball miss");
-  command.footer("\nCounts are the same bytes for the same settings; cost.csv holds times, which are measured.");
+  command.footer("Counts are the same bytes for the same settings; cost.csv holds times, which are measured.");
   auto options = std::make_shared<Options>();
   options->samples = 20'000;
   options->output = "results/tunnelling";
-  command.whole("--vertices", options->vertices, "Vertices of the polygons, as nearly as a family allows", 3, 1U << 10)
+  command
+      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3, 1U << 10)
       .changes_results();
   command.whole("--repetitions", options->repetitions, "The number of turns of each way of asking", 1, 100'000);
   harness::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");

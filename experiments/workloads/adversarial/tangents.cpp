@@ -40,7 +40,7 @@ Tangent in_integer_frame(Random& random) {
   const double scale = std::ldexp(1.0, static_cast<int>(random.integer(0, 12)));
   const double step = static_cast<double>(random.integer(0, static_cast<std::int64_t>(end)));
   switch (random.integer(0, 3)) {
-    case 0: {  // above a point of the plane: of the first edge, level with the third vertex, or any
+    case 0: {  // above a point of the plane: on the first edge, level with the third vertex, or any
       const double level = random.coin() ? 0 : static_cast<double>(random.integer(0, static_cast<std::int64_t>(y)));
       const double h = integer(random, most);
       return {triangle, {frame.at(step, level, h), std::abs(h) * frame.unit}};

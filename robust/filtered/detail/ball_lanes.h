@@ -104,7 +104,7 @@ inline CertainContacts scan_for(const BallLanes& balls, const EdgeIndex& edges) 
     for (std::uint32_t lane = 0; lane < leaf.count; ++lane) view.add(leaf, lane, balls);
 
   const auto above = [&](const Pack& limit_sq) { return negative_lanes(limit_sq - view.nearest_sq); };
-  // Without `may_hit`, 0 - 0 would tell of a hit where rounding is downward.
+  // Without `may_hit`, 0 - 0 would report a hit where rounding is downward.
   const unsigned hit = negative_lanes(view.nearest_sq - balls.certain_hit_sq) & balls.may_hit;
   const unsigned inside = negative_lanes(view.crossed), off_boundary = above(balls.boundary_sq);
   const unsigned misses_edges = off_boundary & ~inside & above(balls.certain_miss_sq);

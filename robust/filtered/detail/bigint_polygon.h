@@ -39,8 +39,7 @@ class BigIntPolygon {
   /// Returns the exact sign for an edge. `axis` is for SignKind::Above.
   [[nodiscard]] int sign(SignKind kind, const Ball& ball, std::size_t edge, int axis = 0) const;
   /// Returns which of two features of the boundary is nearer to the ball's centre: the first (-), neither (0) or the
-  /// second
-  /// (+). For an edge its line counts.
+  /// second (+). For an edge its line counts.
   [[nodiscard]] int compare_distances(const Ball& ball, const Feature& first, const Feature& second) const;
   /// Returns a coordinate of the feature's point closest to the centre, or its distance, as the nearest double.
   [[nodiscard]] double point(const Ball& ball, const Feature& feature, int axis) const;

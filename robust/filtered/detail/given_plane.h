@@ -52,7 +52,7 @@ class GivenHeight {
 
   /// Sets the side of the plane, and returns whether it is certain. Requires a ball in reach.
   [[nodiscard]] __attribute__((always_inline)) bool find_side(PlaneSide& side) const {
-    // As frame::height, but for the order of the sum, whose terms are bounded alike.
+    // As frame::height, except for the order of the sum, whose terms are bounded alike.
     const DoublePair sum = (xy_ - plane_.origin_xy) * plane_.normal_xy + (z_ - plane_.origin_z) * plane_.normal_z;
     const double height = (sum[0] + sum[1]) - plane_.height, above = std::abs(height), radius = ball_.radius;
     side = above > radius ? (height > 0 ? PlaneSide::InFront : PlaneSide::Behind) : PlaneSide::Intersects;

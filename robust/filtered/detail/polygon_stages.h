@@ -48,7 +48,7 @@ TOUCHSTONE_INLINE int certain_sign(const Ball& ball, const PreparedPolygon::Part
   return sign;
 }
 
-// The first stage comes alone, without what later stages need. If it is not certain, all stages start anew.
+// The first stage comes alone, without what later stages need. If it is not certain, all stages start again.
 template <class Counts>
 TOUCHSTONE_INLINE bool contact(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
   if (const int sign = certain_sign(ball, parts, counts); sign != 0) [[likely]]

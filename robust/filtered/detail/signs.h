@@ -8,8 +8,8 @@
 ///
 /// Each is written once, over any number type: doubles and vectors of doubles, doubles that carry a bound
 /// (numbers/permanent.h), double-doubles, integers; some also over vectors whose components are lanes
-/// (numbers/lane_vector.h). robust/proofs runs the same functions over a type that records
-/// their operations, and proves every constant of bounds.h from the record.
+/// (numbers/lane_vector.h). robust/proofs runs the same functions over a type that records their operations, and
+/// proves every constant of bounds.h from the record.
 ///
 /// For a ball (c, r) and an edge from vertex a to vertex b: to_center = c - a, edge = b - a; normal = N.
 namespace touchstone::filtered {

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Returns whether the centre is not too far away to be moved into a frame.
 bool sees(const Eigen::Vector3d& center) { return center.lpNorm<Eigen::Infinity>() <= kLargestOfCenters; }
 
-/// Returns a bound of the norm of a matrix less the identity, but for rounding.
+/// Returns a bound of the norm of a matrix less the identity, except for rounding.
 double distance_from_identity(const Eigen::Matrix3d& product) {
   const Eigen::Matrix3d rest = (product - Eigen::Matrix3d::Identity()).cwiseAbs();
   return std::max(rest.rowwise().sum().maxCoeff(), rest.colwise().sum().maxCoeff());

@@ -139,7 +139,7 @@ TEST(Verdict, StatementsAboutMovingBallsAreReadAsTheAnswersThatTheyState) {
   }
 }
 
-// The contract: null for none; momentary is null but for way.
+// The contract: null without a value; momentary is null except for `way`.
 TEST(Verdict, KeysAboutMovingBallsAreNullAsTheContractHasIt) {
   const auto text = [](const FirstContact& first) {
     return cases::to_line(cases::object_of(cases::PartialAnswer::of(first, 0, "")));

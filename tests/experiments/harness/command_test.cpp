@@ -53,8 +53,7 @@ struct Declared {
 
 constexpr const char* kUnchanged =
     "touchstone measure --seed 7 --threads 3 --methods all --count 20 --offset -2 --step 0.5 --oracle exact --colour "
-    "green "
-    "--output results/it";
+    "green --output results/it";
 
 TEST(Command, KeepsWhatTheVariablesHeldWhereNothingIsSaid) {
   Declared declared;
@@ -72,6 +71,7 @@ TEST(Command, ItsLineRepeatsTheRun) {
       {{"--methods", "fast,exact"}, "--methods fast,exact"},
       {{"--count", "21"}, "--count 21"},
       {{"--most", "9"}, "--most 9"},
+      {{"--most", "1e6"}, "--most 1000000"},
       {{"--offset", "3"}, "--offset 3"},
       {{"--step", "0.1"}, "--step 0.1"},
       {{"--limit", "2"}, "--limit 2"},
@@ -108,16 +108,29 @@ TEST(Command, TakesTheWholeRangeOfItsNumbers) {
 }
 
 TEST(Command, RefusesWhatIsNotInTheRange) {
-  const std::vector<std::vector<std::string>> wrong{{"--seed", "-1"},       {"--seed", "18446744073709551616"},
-                                                    {"--threads", "0"},     {"--threads", "1025"},
-                                                    {"--seed", "1.5"},      {"--threads", "4294967297"},
-                                                    {"--count", "0"},       {"--count", "1001"},
-                                                    {"--offset", "many"},   {"--step", "-0.1"},
-                                                    {"--step", "90.1"},     {"--step", "nan"},
-                                                    {"--limit", "0"},       {"--limit", "1e999"},
-                                                    {"--oracle", "thesis"}, {"--colour", "blue"},
-                                                    {"--file", "without"},  {"--resume", "--force"},
-                                                    {"--unknown"},          {"--seed"}};
+  const std::vector<std::vector<std::string>> wrong{{"--seed", "-1"},
+                                                    {"--seed", "18446744073709551616"},
+                                                    {"--threads", "0"},
+                                                    {"--threads", "1025"},
+                                                    {"--seed", "1.5"},
+                                                    {"--seed", "2e19"},
+                                                    {"--seed", "1e-1"},
+                                                    {"--seed", "e3"},
+                                                    {"--threads", "4294967297"},
+                                                    {"--count", "0"},
+                                                    {"--count", "1001"},
+                                                    {"--offset", "many"},
+                                                    {"--step", "-0.1"},
+                                                    {"--step", "90.1"},
+                                                    {"--step", "nan"},
+                                                    {"--limit", "0"},
+                                                    {"--limit", "1e999"},
+                                                    {"--oracle", "thesis"},
+                                                    {"--colour", "blue"},
+                                                    {"--file", "without"},
+                                                    {"--resume", "--force"},
+                                                    {"--unknown"},
+                                                    {"--seed"}};
   for (const auto& arguments : wrong) {
     Declared declared;
     EXPECT_THROW(declared.run(arguments), UsageError) << arguments.front() << ' ' << arguments.back();
@@ -163,7 +176,8 @@ TEST(Command, HelpListsTheOptionsOfAGroup) {
   testing::internal::CaptureStdout();
   EXPECT_EQ(run_program({"About", "1.0"}, {command}, 3, arguments.data()), 0);
   const std::string help = testing::internal::GetCapturedStdout();
-  for (const char* line : {"  --file TEXT", "  --random TEXT"}) EXPECT_NE(help.find(line), std::string::npos) << help;
+  for (const char* line : {"  --file TEXT    A file. Give either this or --random.\n", "  --random TEXT  "})
+    EXPECT_NE(help.find(line), std::string::npos) << help;
 }
 
 TEST(Command, RunsTheSubcommandThatIsNamed) {

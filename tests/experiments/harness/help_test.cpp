@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program says of itself: suggestions, completion, manual pages, colours; and tables as JSON.
+#include "experiments/harness/help.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "experiments/harness/colour.h"
 #include "experiments/harness/command.h"
@@ -45,12 +49,17 @@ std::pair<int, std::string> run(std::vector<std::string> words) {
   bool flag = false;
   std::uint64_t samples = 7;
   std::string oracle = "exact", file;
+  std::vector<std::string> methods{"fast", "filtered"};
   Command measure("measure", "Measures things");
-  measure.whole("--samples", samples, "How many");
   measure.choice("--oracle", oracle, {"exact", "filtered"}, "The truth's method");
+  measure.whole("--samples", samples,
+                "How many, in a sentence that is too long for one line of eighty columns, though");
   measure.text("FILE", file, "A file");
-  measure.footer("A note.");
+  measure.names("--methods", methods, "Methods");
+  measure.flag("--alone", flag, "Alone").excludes_all_but({"--oracle"});
+  measure.footer("A note.\n  as it is");
   measure.example("measure --samples 3");
+  measure.heading("Studies");
   measure.runs([] { return 0; });
   Command shrink("shrink", "Shrinks");
   shrink.flag("--fast", flag, "Quickly");
@@ -79,15 +88,18 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST(Program, NamesWhatIsMisspelt) {
   const auto [status, said] = run({"mesure"});
   EXPECT_EQ(status, 2);
-  EXPECT_EQ(said, "touchstone has no command \"mesure\"; did you mean measure?");
-  EXPECT_EQ(run({"corpus", "shrnik"}).second, "touchstone corpus has no command \"shrnik\"; did you mean shrink?");
-  EXPECT_EQ(run({"zzz"}).second, "touchstone has no command \"zzz\"; `touchstone --help` lists them");
-  const auto [option_status, option] = run({"measure", "--sampels", "3"});
-  EXPECT_EQ(option_status, 2);
-  EXPECT_TRUE(has(option, "--sampels")) << option;
-  EXPECT_TRUE(has(option, "; did you mean --samples?")) << option;
-  EXPECT_TRUE(has(run({"corpus", "shrink", "--fsat"}).second, "did you mean --fast?"));
-  EXPECT_EQ(run({"a\033[31m"}).second, "touchstone has no command \"a\\x1b[31m\"; `touchstone --help` lists them");
+  EXPECT_EQ(said, "there is no command \"mesure\"; did you mean measure?");
+  EXPECT_EQ(run({"corpus", "shrnik"}).second, "corpus has no command \"shrnik\"; did you mean shrink?");
+  EXPECT_EQ(run({"zzz"}).second, "there is no command \"zzz\"; see `touchstone --help`");
+  EXPECT_EQ(run({"measure", "--sampels", "3"}),
+            std::pair(2, std::string("measure does not take: --sampels; did you mean --samples?")));
+  EXPECT_EQ(run({"measure", "--oracle", "filterd"}).second,
+            "--oracle: \"filterd\" is not one of exact, filtered; did you mean filtered?");
+  EXPECT_EQ(run({"measure", "--samples"}).second, "--samples: its value is missing; see `touchstone measure --help`");
+  EXPECT_EQ(run({"--zzz"}).second, "the program does not take: --zzz; see `touchstone --help`");
+  EXPECT_EQ(run({"corpus", "shrink", "--fsat", "5"}).second,
+            "corpus shrink does not take: --fsat 5; did you mean --fast?");
+  EXPECT_EQ(run({"a\033[31m"}).second, "there is no command \"a\\x1b[31m\"; see `touchstone --help`");
 }
 
 TEST(Program, ExplainsItself) {
@@ -98,40 +110,126 @@ TEST(Program, ExplainsItself) {
   EXPECT_EQ(run({"help", "corpus", "shrink"}), run({"corpus", "shrink", "--help"}));
   EXPECT_TRUE(has(help.second, "A note.")) << help.second;
   EXPECT_TRUE(has(help.second, "Example:\n  touchstone measure --samples 3")) << help.second;
-  EXPECT_TRUE(has(run({"help"}).second, "About it"));
   EXPECT_EQ(run({"help", "mesure"}).first, 2);
+}
+
+TEST(Program, ListsItsCommandsByHeadings) {
+  const std::string help = run({"help"}).second;
+  EXPECT_TRUE(
+      help.starts_with("About it\n\nUsage: touchstone COMMAND [OPTIONS]\n\nStudies:\n"
+                       "  measure  Measures things\n\nCommands:\n  corpus   Cases\n\nOptions:\n"))
+      << help;
+  // Without a command, the same on standard error, and what to do.
+  EXPECT_EQ(run({}), std::pair(2, help + "\nname one of these commands, such as `touchstone measure`"));
+  EXPECT_TRUE(has(run({"corpus"}).second, "\nname one of these commands, such as `touchstone corpus shrink`"));
+}
+
+TEST(Help, IsWrappedBetweenWords) {
+  constexpr const char* kEighty = R"(Measures things
+
+Usage: touchstone measure [OPTIONS] [FILE]
+
+Arguments:
+  FILE             A file.
+
+Options:
+  --oracle WORD    The truth's method. One of: exact, filtered. Default: exact.
+  --samples N      How many, in a sentence that is too long for one line of
+                   eighty columns, though. Default: 7.
+  --methods NAMES  Methods. Default: fast,filtered.
+  --alone          Alone. Only with --oracle.
+  --help           Print this help.
+
+A note.
+  as it is
+
+Example:
+  touchstone measure --samples 3
+)";
+  ASSERT_EQ(setenv("COLUMNS", "80", 1), 0);
+  EXPECT_EQ(run({"measure", "--help"}).second, kEighty);
+  ASSERT_EQ(setenv("COLUMNS", "no number", 1), 0);
+  EXPECT_EQ(run({"measure", "--help"}).second, kEighty);  // the output is not a terminal
+  ASSERT_EQ(setenv("COLUMNS", "120", 1), 0);
+  EXPECT_TRUE(has(run({"measure", "--help"}).second, "for one line of eighty columns, though. Default: 7.\n"));
+  ASSERT_EQ(unsetenv("COLUMNS"), 0);
+}
+
+TEST(Help, KeepsItsWidthAndAllWords) {
+  const CommandDescription command{.name = "measure",
+                                   .heading = {},
+                                   .about = "Measures a great number of things",
+                                   .footer = "A note that is longer than the least of these widths.",
+                                   .options = {{.name = "--a-rather-long-name",
+                                                .value = "N",
+                                                .about = "How many of them, in some more words",
+                                                .fallback = "7",
+                                                .words = {},
+                                                .limits = {}}},
+                                   .examples = {"measure --engine './it --has =spaces' --a-rather-long-name 3 --a 7"},
+                                   .subcommands = {}};
+  const auto words = [](const std::string& text) {
+    std::vector<std::string> found;
+    std::istringstream stream(text);
+    for (std::string word; stream >> word;)
+      if (word != "\\") found.push_back(word);
+    return found;
+  };
+  for (std::size_t width = 40; width < 130; ++width) {
+    const std::string text = help_text(command, width);
+    EXPECT_EQ(words(text), words(help_text(command, 1000)));
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), width) << line;
+      EXPECT_EQ(std::ranges::count(line, '\'') % 2, 0) << line;  // no break within quotes
+    }
+  }
+  EXPECT_TRUE(has(help_text(command, 60), "touchstone measure --engine './it --has =spaces' \\\n    --a-rather"));
 }
 
 /// A program with a command of every kind.
 CommandDescription program() {
-  const OptionDescription samples{
-      .name = "--samples", .value = "UINT", .about = "How many", .fallback = "7", .words = {}};
+  const OptionDescription samples{.name = "--samples",
+                                  .value = "N",
+                                  .about = "How many",
+                                  .fallback = "7",
+                                  .words = {},
+                                  .limits = {"Not with --all"}};
   const OptionDescription oracle{.name = "--oracle",
-                                 .value = "TEXT",
+                                 .value = "WORD",
                                  .about = "It's [the] truth: a\\b",
-                                 .fallback = "[exact,filtered]",
-                                 .words = {"exact", "filtered"}};
+                                 .fallback = "exact,filtered",
+                                 .words = {"exact", "filtered"},
+                                 .limits = {}};
   const OptionDescription file{
-      .name = "FILE", .value = "TEXT", .about = "A file", .fallback = {}, .words = {}, .required = true};
+      .name = "FILE", .value = "TEXT", .about = "A file", .fallback = {}, .words = {}, .limits = {}, .required = true};
   const OptionDescription letter{
-      .name = "LETTER", .value = "TEXT", .about = "A letter", .fallback = {}, .words = {"b", "c"}};
+      .name = "LETTER", .value = "TEXT", .about = "A letter", .fallback = {}, .words = {"b", "c"}, .limits = {}};
   const CommandDescription measure{.name = "measure",
+                                   .heading = "Studies",
                                    .about = "Measures",
                                    .footer = ".A note\n'and another",
                                    .options = {samples, oracle, file},
                                    .examples = {"measure --samples 3"},
                                    .subcommands = {}};
   const CommandDescription shrink{.name = "corpus shrink",
+                                  .heading = {},
                                   .about = "Shrinks",
                                   .footer = {},
                                   .options = {letter},
                                   .examples = {},
                                   .subcommands = {}};
-  const CommandDescription corpus{
-      .name = "corpus", .about = "Cases", .footer = {}, .options = {}, .examples = {}, .subcommands = {shrink}};
+  const CommandDescription corpus{.name = "corpus",
+                                  .heading = "Tools",
+                                  .about = "Cases",
+                                  .footer = {},
+                                  .options = {},
+                                  .examples = {},
+                                  .subcommands = {shrink}};
   const OptionDescription version{
-      .name = "--version", .value = {}, .about = "Its version", .fallback = {}, .words = {}};
+      .name = "--version", .value = {}, .about = "Its version", .fallback = {}, .words = {}, .limits = {}};
   return {.name = {},
+          .heading = {},
           .about = "About",
           .footer = {},
           .options = {version},
@@ -174,7 +272,7 @@ TEST(Completion, DescribesEverythingForZsh) {
   EXPECT_TRUE(script.starts_with("#compdef touchstone\n"));
   for (const char* part :
        {"'measure:Measures'", "corpus) _touchstone_corpus ;;", "_touchstone_corpus_shrink() {",
-        "'*--samples[How many]:UINT:_files'", "'*--oracle[It'\\''s \\[the\\] truth\\: a\\\\b]:TEXT:(exact filtered)'"})
+        "'*--samples[How many]:N:_files'", "'*--oracle[It'\\''s \\[the\\] truth\\: a\\\\b]:WORD:(exact filtered)'"})
     EXPECT_TRUE(has(script, part)) << part << "\n" << script;
 }
 
@@ -182,12 +280,13 @@ TEST(Manual, HasAPageForEachCommand) {
   const auto pages = manual_pages(program(), "touchstone 1.2");
   ASSERT_EQ(pages.size(), 4U);
   EXPECT_TRUE(has(pages.at("touchstone.1"), ".BR touchstone\\-measure (1)\nMeasures\n"));
+  EXPECT_TRUE(has(pages.at("touchstone.1"), ".SS Studies\n.TP\n.BR touchstone\\-measure"));
   EXPECT_TRUE(has(pages.at("touchstone.1"), "\\fB\\-\\-version\\fR\nIts version.\n"));
   const std::string& page = pages.at("touchstone-measure.1");
-  for (const char* part : {".TH \"touchstone\\-measure\" 1", "touchstone\\-measure \\- Measures", ".I FILE\n",
-                           "\\fB\\-\\-samples\\fR \\fIUINT\\fR\nHow many.\nDefault: 7.",
-                           "One of: exact, filtered.\nDefault: exact,filtered.\n", "a\\eb",
-                           "touchstone measure \\-\\-samples 3\n", "\\&.A note\n\\&'and another"})
+  for (const char* part : {".TH \"touchstone\\-measure\" 1", "touchstone\\-measure \\- Measures", "\\fIFILE\\fR\n",
+                           "\\fB\\-\\-samples\\fR \\fIN\\fR\nHow many. Not with \\-\\-all. Default: 7.\n",
+                           "One of: exact, filtered. Default: exact,filtered.\n", "a\\eb",
+                           "touchstone measure \\-\\-samples 3\n", "\\&.A note\n.br\n\\&'and another"})
     EXPECT_TRUE(has(page, part)) << part << "\n" << page;
   EXPECT_TRUE(pages.contains("touchstone-corpus-shrink.1"));
 }

@@ -99,7 +99,7 @@ def check_unreadable_input(program, redirection):
         command = f"judge {options} {redirection}"
         done = subprocess.run(["sh", "-c", f"exec {program} {command}"], capture_output=True, text=True,
                               timeout=SECONDS)
-        if (done.returncode, done.stderr) != (2, "standard input: cannot be read to its end\n"):
+        if (done.returncode, done.stderr) != (2, "touchstone: standard input: cannot be read to its end\n"):
             sys.exit(f"{command}: exit status {done.returncode}: {done.stderr}")
 
 

@@ -47,7 +47,7 @@ double twice_area(const Polygon& polygon) {
   return std::copysign(twice, loops.front());
 }
 
-/// Whether no corner turns against the others; `strictly`: nor runs straight.
+/// Whether no corner turns against the others and, with `strictly`, none runs straight.
 bool is_convex(const Polygon& polygon, bool strictly) {
   const double sign = twice_area(polygon) > 0 ? 1 : -1;
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every figure and table has one entry, and every number that a caption states comes out.
+// Every figure and table has one entry, and every number that a caption states is found again.
 #include "experiments/thesis/entries.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 //
 // A stated share is one observation [D]: w / r, of w wrong and r right answers in n random samples, rounded to the
 // digits printed. Ours is another, and may differ by what stated_share.h allows: a confidence of 99.994 % a comparison,
-// 99.8 % for all 28. The seed is fixed: a comparison that passes goes on passing.
+// 99.8 % for all 28. The seed is fixed: a comparison that passes passes always.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -122,7 +122,7 @@ TEST(WronglyInsideOutlines, HaveRandomPointsOfTheirOwn) {
   EXPECT_GT(inside.size(), names.size() / 2) << "a few may agree by chance";
 }
 
-// Inside a simple polygon the unsigned angles add up to 2 pi or more, but for rounding.
+// Inside a simple polygon the unsigned angles add up to 2 pi or more, except for rounding.
 TEST_P(WronglyInside, NothingIsMissedWithAFactorOfOne) {
   const auto& outline = stability::find_outline(GetParam().name);
   const Polygon polygon = outline.polygon();

@@ -171,7 +171,7 @@ TEST(StatedShare, AllowsMoreWhereLessIsKnown) {
   EXPECT_GT(few, 0.3);
   EXPECT_LT(many, 0.03);
   EXPECT_GT(many, 0.005);
-  EXPECT_GT(tolerance(0, 100, 1'000, {0, 0.001, 1'000}), 0.03);  // none of a hundred is no certainty
+  EXPECT_GT(tolerance(0, 100, 1'000, {0, 0.001, 1'000}), 0.03);  // none of a hundred is not certainty
 }
 
 // One wrong of 135 where 4.2 % were stated after a million is chance; none of 10,000 is not.

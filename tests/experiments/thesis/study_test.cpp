@@ -53,7 +53,8 @@ TEST(ThesisStudy, WritesTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(files.size(), 18U);
   EXPECT_EQ(files, files_of(*three));
   for (const auto& [name, text] : files) EXPECT_FALSE(text.empty()) << name;
-  // With so few samples, too, every stated number comes out; but for a reach that other sources' lengths do not give.
+  // With so few samples, too, every stated number is found again, except for a reach that other sources' lengths do
+  // not give.
   for (const Entry& entry : entries_of(*one)) {
     if (entry.caption->id != "table 5.1") {
       EXPECT_TRUE(entry.agrees()) << entry.caption->id;

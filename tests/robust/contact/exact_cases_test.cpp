@@ -38,7 +38,7 @@ TEST(ExactCases, EveryKeyIsThatDerivedByHandAtBothEndsOfTheDoubles) {
 /// Vertices 1/3 off the plane through their mean: N = (1, -1, 3), plane z = 1/3 - x/3 + y/3.
 const Polygon kThirds({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 1, 1}});
 
-// Lifted to (0, 0, 1/3), (2, 0, -1/3), (1, 1, 1/3), (0, 1, 2/3): thirds are no doubles, yet edge 0 passes through
+// Lifted to (0, 0, 1/3), (2, 0, -1/3), (1, 1, 1/3), (0, 1, 2/3): thirds are not doubles, yet edge 0 passes through
 // (1, 0, 0).
 TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
   const Answer on_edge = exact::answer({{1, 0, 0}, 0}, kThirds);
@@ -68,7 +68,7 @@ TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
   EXPECT_EQ(beyond.relation, Relation::Separate);  // the double nearest to -1/3 is not -1/3
 }
 
-// A hole is lifted onto the plane of the outer loop, and is no part of the mean.
+// A hole is lifted onto the plane of the outer loop, and is not part of the mean.
 TEST(ExactLift, MovesHolesOntoThePlaneOfTheOuterLoop) {
   const Polygon polygon({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
   const Answer answer = exact::answer({{3, 2, 1}, 1}, polygon);

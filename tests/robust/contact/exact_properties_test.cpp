@@ -32,8 +32,8 @@ Answer from_behind(Answer answer) {
   return answer;
 }
 
-/// Each order has the expected answer in old numbers, but for ties: among the features that are nearest in some order,
-/// each order takes the one that comes first in its own numbers; each feature has one closest point.
+/// Each order has the expected answer in old numbers, except for ties: among the features that are nearest in some
+/// order, each order takes the one that comes first in its own numbers; each feature has one closest point.
 void expect_same_but_numbers(const Answer& expected, const Ball& ball, const std::vector<Reordered>& orders) {
   std::vector<Answer> answers;
   std::map<std::size_t, Eigen::Vector3d> tied;  // original number of a nearest feature, and its closest point
@@ -133,7 +133,7 @@ bool adds_exactly(double a, double b) {
   return (a - (sum - b_part)) + (b - b_part) == 0;  // the rounding error of a sum is a double [knuth1998, 4.2.2]
 }
 
-// Identity (5): exact translations move the closest point, whose coordinates are rounded anew.
+// Identity (5): exact translations move the closest point, whose coordinates are rounded again.
 RC_GTEST_PROP(ExactTranslation, MovesThePointOnly, ()) {
   Case c = *rc::gen::oneOf(samples({.placements = {workloads::Placement::LatticeFrame}, .largest_exponent = 0}),
                            grid_cases(), grid_cases(2));

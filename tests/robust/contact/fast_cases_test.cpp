@@ -36,7 +36,7 @@ TEST(FastCases, EveryKeyIsThatDerivedByHandAtSafeSizes) {
     for (const int exponent : {-160, 160}) expect_fast({scaled(c.given, exponent), scaled(c.expected, exponent)});
 }
 
-/// Distances that are no float are rounded to one.
+/// Distances that are not floats are rounded to one.
 template <class Scalar>
 void expect_in() {
   for (const HandCase& c : hand_cases()) {

@@ -174,7 +174,7 @@ RC_GTEST_PROP(FastAgainstExact, EqualOnSmallIntegers, ()) {
   RC_ASSERT(fast::relation(c.ball, c.polygon) == expected.relation);
 }
 
-// Loops that are planar by construction are left where they are, whatever the frame: the lift is no noise.
+// Loops that are planar by construction are left where they are, whatever the frame: the lift is not noise.
 RC_GTEST_PROP(FastLift, LeavesPlanarLoopsWhereTheyAre, ()) {
   const Case c =
       *samples({.placements = {workloads::Placement::LatticeFrame}, .largest_warp = 0, .largest_exponent = 100});

@@ -78,7 +78,7 @@ Pose draw_pose(double unit, Random& random) {
   return pose;
 }
 
-/// One number of some is none that is legal everywhere.
+/// One number of some is not legal everywhere.
 void spoil(double& x, Random& random) {
   constexpr double kSpoilt[] = {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN(),
                                 kLargest,  -kLargest,  -kLeast};

@@ -63,7 +63,7 @@ RC_GTEST_PROP(FilteredClosest, IsExactOnSmallLatticesOfEveryScale, ()) {
 }
 
 /// Needles: the third vertex is some doubles off the line of the others, so that most bits of the normal are lost; and
-/// differences of coordinates are no doubles, so that none of its bits comes by itself.
+/// differences of coordinates are not doubles, so that none of its bits comes by itself.
 RC_GTEST_PROP(FilteredClosest, IsExactForNeedles, ()) {
   const auto real = [] {
     return std::ldexp(static_cast<double>(*rc::gen::arbitrary<std::int64_t>()), -in_range(62, 91));

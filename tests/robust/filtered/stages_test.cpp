@@ -69,7 +69,7 @@ const Polygon& tilted_l() {
   return polygon;
 }
 
-/// The same L, larger, so that the signs' products are no doubles.
+/// The same L, larger, so that the signs' products are not doubles.
 const Polygon& large_l() {
   static const Polygon polygon({turned(0, 0, 0), turned(60'000, 0, 0), turned(60'000, 20'000, 0),
                                 turned(20'000, 20'000, 0), turned(20'000, 60'000, 0), turned(0, 60'000, 0)});

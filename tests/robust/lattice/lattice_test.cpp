@@ -42,7 +42,7 @@ struct LatticeSet {
 };
 const LatticeSet kSets[] = {{"3 x 3", 3, 3, 9, false}, {"holes, 3 x 3", 3, 3, 9, true}, {"4 x 3", 4, 3, 8, false}};
 
-/// One polygon in so many is asked about: TOUCHSTONE_LATTICE_SHARE of the environment, which `./check --full` sets
+/// One polygon in this number is asked about: TOUCHSTONE_LATTICE_SHARE of the environment, which `./check --full` sets
 /// to 1.
 std::uint64_t share() {
   const char* asked = std::getenv("TOUCHSTONE_LATTICE_SHARE");
@@ -80,7 +80,7 @@ class Examiner {
     tally_.questions += 1 + questions.radii.size();
   }
 
-  /// The truth itself is held against `exact`.
+  /// The truth itself is compared with `exact`.
   void ask_exact(const Questions& questions) {
     if (!exact_) exact_.emplace(given_.polygon());
     hold(
@@ -149,7 +149,7 @@ void ask_about(const std::vector<LatticeLoop>& loops, const LatticeSet& set, std
   tally.wrong_polygons += tally.wrong != wrong_before;
 }
 
-// Whole, this is no sample: what is wrong about any polygon of this size is found.
+// Whole, this is not a sample: what is wrong about any polygon of this size is found.
 TEST(Lattice, NeverDiffersFromTheTruth) {
   const std::uint64_t one_in = share();
   ASSERT_GT(one_in, 0U);

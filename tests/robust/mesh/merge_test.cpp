@@ -110,7 +110,7 @@ TEST(Merge, CutsARegionThatTouchesItselfInAVertex) {
   }
 }
 
-// Which of the three goes on? None: the plate is cut from the end of the fin's foot to wherever it must be.
+// Which of the three continues? None: the plate is cut from the end of the fin's foot to wherever it must be.
 TEST(Merge, DoesNotMergeAcrossAnEdgeOfThreeFaces) {
   Mesh finned = grid(3, 3, [](int, int) { return true; });
   const std::uint32_t tip = static_cast<std::uint32_t>(finned.vertices.size());
@@ -160,7 +160,7 @@ TEST(Merge, CutsAWindingThatLiesOverItself) {
   EXPECT_LE(merged.faces.size(), 4U);
 }
 
-// Two squares, one over the other, slit from (-1, 0) to (1, 0) and joined crosswise: each side of the one goes on in
+// Two squares, one over the other, slit from (-1, 0) to (1, 0) and joined crosswise: each side of the one continues in
 // the other. Their two outlines would pass for a loop and its hole, but that both run around counterclockwise.
 TEST(Merge, CutsSheetsThatAreJoinedCrosswise) {
   const Mesh sheets{
@@ -229,7 +229,7 @@ TEST(Merge, KeepsTheCornersOfAFaceThatIsNotPlanar) {
   EXPECT_EQ(merged_soundly(warped).faces[0].polygon.vertex_count(), 4U);
 }
 
-// A C whose ends lie against each other, but for a vertex that one of them lacks.
+// A C whose ends lie against each other, except for a vertex that one of them lacks.
 TEST(Merge, ClosesARingOverATJunction) {
   Mesh ring = grid(3, 3, [](int i, int j) { return i != 1 || j != 1; });
   // The edge above the lowest square of the left column gets a vertex, in that square alone.
@@ -273,7 +273,7 @@ TEST(Merge, DecidesExactlyWhetherFacesShareAPlane) {
   square.vertices[3].z() = std::nextafter(0.3, 1.0);
   EXPECT_EQ(merged_soundly(square).faces.size(), 2U);
   EXPECT_EQ(merged_soundly(square, 1e-15).faces.size(), 1U);
-  for (const double size : {0x1p-1060, 0x1p1000}) {  // whose cubes are no doubles
+  for (const double size : {0x1p-1060, 0x1p1000}) {  // whose cubes are not doubles
     Mesh scaled{{{0, 0, size}, {size, 0, size}, {size, size, size}, {0, size, size}}, {{0, 1, 2}, {0, 2, 3}}};
     EXPECT_EQ(merged_soundly(scaled).faces.size(), 1U);
     scaled.vertices[3].z() = std::nextafter(size, kInfinity);

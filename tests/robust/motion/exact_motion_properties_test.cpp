@@ -147,7 +147,7 @@ RC_GTEST_PROP(ExactMotion, MirroringMirrorsThePointOnly, ()) {
             with_point(expected, mirror(expected.point)));
 }
 
-// Identity (6): exact translations, where the point is rounded anew.
+// Identity (6): exact translations, where the point is rounded again.
 RC_GTEST_PROP(ExactMotion, TranslationsMoveThePointOnly, ()) {
   const MovingCase c = *moving(rc::gen::oneOf(grid_cases(), grid_cases(2)));
   Eigen::Vector3d step;

@@ -152,7 +152,7 @@ bool is_near_boundary(const MovingCase& c, const FirstContact& first) {
   return false;
 }
 
-// Away from boundaries the answer is the exact one, but for roundings.
+// Away from boundaries the answer is the exact one, except for roundings.
 RC_GTEST_PROP(FastMotion, IsNearTheExactAnswerAwayFromBoundaries, ()) {
   const MovingCase c =
       *moving(samples({.balls = {workloads::BallPlace::Anywhere}, .farthest = 1, .largest_exponent = 0}));

@@ -35,7 +35,7 @@ const ErrorBound kReach = between(0, 1, 2 * kSmallestDouble / kLeast) + exactly(
 /// The error of the computed times at which the ball comes to a box and leaves it, times the centre's change along the
 /// axis, if the ball reaches farther by `margin`.
 ///
-/// Let the ball touch the box at a time t in [0, 1], and let the centre's coordinate increase. Then the near side of
+/// Let the ball touch the box at time t in [0, 1], and let the centre's coordinate increase. Then the near side of
 /// the box is at most c(t) + r, which is within 2 L. Rounding is monotonous, so the computed time is at most that of a
 /// side at c(t) + r, whose exact time, with the margin, is t - margin / change. The same holds of the time of the far
 /// side, mirrored, and of a coordinate that decreases. Times are in units of 1 / change here, so that the inverse is 1,

@@ -30,7 +30,7 @@ TEST(DistanceBound, CoversThePoint) {
   EXPECT_GT(error_of_point(), mpq_class(bound::kPoint) * 7 / 8) << "it is loose";
 }
 
-// The sum of the weights is 1 but for four roundings; a point that is so much farther is the point of the triangle,
+// The sum of the weights is 1 except for four roundings; a point that is so much farther is the point of the triangle,
 // times that. Then a square is rounded three times, its root once, and the bound three times; the square may lose less
 // to underflow than the error of the point has to spare.
 TEST(DistanceBound, CoversTheRoundingOfTheDistance) {

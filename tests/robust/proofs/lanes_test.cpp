@@ -81,8 +81,8 @@ TEST(Lanes, TouchedTrianglesAreNear) {
 }
 
 // The support is the sum of two products. It is at most 4 times the point's length: no coordinate of a vertex seen from
-// the centre is more than 2 S, and 12 is less than 4^2. It is compared with a product of the
-// limit and that length.
+// the centre is more than 2 S, and 12 is less than 4^2. It is compared with a product of the limit and that
+// length.
 TEST(Lanes, MissedTrianglesAreFar) {
   const mpq_class of_products = 2 * 2 * mpq_class(bounds::kLaneProduct) * kUnit, of_sum = 4 * (1 + of_products) * kUnit;
   const mpq_class of_comparison = (1 + kLength) * (1 + kUnit) - 1;

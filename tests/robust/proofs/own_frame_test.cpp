@@ -16,7 +16,7 @@ using namespace scene::own_frame;
 const mpq_class kU = 0x1p-53;  // round to nearest
 const mpq_class kMost = kMostResidual;
 
-/// The relative error of a number that was rounded so many times.
+/// The relative error of a number that was rounded that number of times.
 mpq_class roundings(std::size_t count) { return power(1 + kU, count) - 1; }
 
 /// The error of a row or a column of A R - I, whose sums of magnitudes are at most |A's row| |R's column|; both norms

@@ -33,7 +33,7 @@ Plane<ErrorBound> plane_as_compiled(std::size_t n) {
   return scene::rounded_plane::plane_of(n, kZero, [](std::size_t) { return vertex(); });
 }
 
-/// The sum of n equal terms: the first k of them are at most k times as large, but for k roundings, each of which is
+/// The sum of n equal terms: the first k of them are at most k times as large, except for k roundings, each of which is
 /// rounded once.
 ErrorBound sum_of(std::size_t n, const ErrorBound& term) {
   const mpq_class count = n, grown = 1 / (1 - count * kU);  // above (1 + u)^n

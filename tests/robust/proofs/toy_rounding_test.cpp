@@ -13,7 +13,7 @@
 namespace touchstone::filtered::proofs {
 namespace {
 
-/// All numbers of so many bits from 0 to `last`.
+/// All numbers of `bits` bits from 0 to `last`.
 std::vector<std::int64_t> numbers_up_to(std::int64_t last, int bits) {
   std::vector<std::int64_t> numbers;
   for (std::int64_t number = 0; number <= last; ++number)

@@ -118,7 +118,7 @@ TEST(FaceCounts, SeeThatMostEdgesOfALargePolygonAreNeverLookedAt) {
   EXPECT_LE(counts.edges_looked_at(), 24U);
 }
 
-// Tangent from above at a height that is no square root: in doubles the slab cannot tell.
+// Tangent from above at a height that is not a square root: in doubles the slab cannot tell.
 TEST(FaceCounts, TellWhichStageWasTheSlowest) {
   Scene scene;
   scene.add("floor", {{{{-1, -1, 0.1}, {1, -1, 0.1}, {0, 2, 0.1}}}, {}});

@@ -29,7 +29,7 @@ double draw_size(Random& random) {
   return std::ldexp(1.0, static_cast<int>(random.integer(-most, most)));
 }
 
-/// The centre at a time that is a multiple of 1/8.
+/// The centre at a multiple of 1/8.
 std::vector<mpq_class> center_at(const Motion& motion, int eighths) {
   std::vector<mpq_class> center;
   for (int k = 0; k < 3; ++k)

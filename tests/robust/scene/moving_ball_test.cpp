@@ -263,7 +263,7 @@ TEST(MovingBallInScene, NamesTheLowestFaceAtASharedVertexOrEdge) {
   EXPECT_EQ(on_ridge->contact.feature, (Feature{Feature::Kind::Edge, 1}));
 }
 
-// Needles whose tips are at distance 5 from the way's end, but for the first, which is a double farther.
+// Needles whose tips are at distance 5 from the way's end, except for the first, which is a double farther.
 TEST(MovingBallInScene, ComparesTimesAtDifferentPlacesExactly) {
   const auto needle = [](double x, double y) {
     return Triangle{{x, y, 0}, {1.25 * x, 1.25 * y, -8}, {1.25 * x - 0.25 * y, 1.25 * y + 0.25 * x, -8}};

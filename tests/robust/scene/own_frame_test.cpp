@@ -217,7 +217,7 @@ TEST(OwnFrame, HoldsRotationsOnly) {
   EXPECT_FALSE(OwnFrame::of({}, 0x1p61, 0x1p61));
 }
 
-// Vertices that round to one line, from as far as the bound allows but for 3 %.
+// Vertices that round to one line, from as far as the bound allows less 3 %.
 TEST(OwnFrame, HoldsNoTriangleThatRoundingBreaks) {
   const double length = 0x1p-20, half = 0.49 * 0x1p-52;
   const Eigen::Vector3d all = Eigen::Vector3d::Ones(), along(length, -length, 0);

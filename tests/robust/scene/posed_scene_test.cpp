@@ -52,7 +52,7 @@ class MovingScene {
     gather();
   }
 
-  /// Moves some objects; those stay that have a face that is none under the pose.
+  /// Moves some objects; those with a face that the pose makes invalid stay.
   void move(std::uint64_t step) {
     for (std::uint32_t i = 0; i < models_.size(); ++i) {
       Random random(2026, 1000 * index_ + step, 66 + i);
@@ -131,7 +131,7 @@ std::uint64_t queries_asked() {
   return asked == nullptr ? 100 * TOUCHSTONE_SAMPLES : std::stoull(asked);
 }
 
-// Every query is held against contact with each face by `filtered`, a part of them also by `exact`.
+// Every query is compared with contact with each face by `filtered`, a part of them also by `exact`.
 TEST(PosedScene, NeverDiffersFromBruteForce) {
   constexpr std::uint64_t kSteps = 8, kBalls = 25;
   const std::uint64_t asked = queries_asked();

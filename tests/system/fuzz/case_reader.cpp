@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line is no JSON, a rejection of the contract, or shapes that read_case gives again from what is written of them.
+// A line is not JSON, a rejection of the contract, or shapes that read_case gives again from what is written of them.
 #include <cstdint>
 #include <stdexcept>
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The HTTP server refuses what it must, and goes on.
+// The HTTP server refuses what it must, and continues.
 #include "experiments/cell/browser/http_server.h"
 
 #include <gtest/gtest.h>

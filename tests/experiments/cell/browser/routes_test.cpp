@@ -125,7 +125,7 @@ TEST_F(Page, AnswersAboutTheArea) {
   EXPECT_LT(completed, json_of(area).size());
 }
 
-// A program of the user's own is not started for whoever asks.
+// A request does not start a program of the user's own.
 TEST_F(Page, LetsAMethodDriveButNoProgram) {
   refuses(ask(serving.port(), "POST", "/api/run", R"({"drive": "exec:true"})"), 400,
           "request: drive: there is no method");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page is told of the cell and of its runs.
+// What the page learns about the cell and its runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

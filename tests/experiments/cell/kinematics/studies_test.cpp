@@ -86,7 +86,7 @@ TEST(LayoutStudy, StopsWhenItIsAskedTo) {
   EXPECT_EQ(last, 1U);
 }
 
-// A small study by hand: the files hold the captions, what came out beside them, and the label of what was chosen.
+// A small study by hand: the files hold the captions, the results beside them, and the label of what was chosen.
 TEST(LayoutOutput, SetsWhatCameOutBesideTheCaptions) {
   LayoutStudy study;
   study.chosen = chosen_layout();

@@ -130,8 +130,7 @@ TEST(Aristo, ItsReachHoldsForEveryPoseOfTheJointsThatMove) {
 class Melfa : public testing::Test, public run_tests::MelfaMeshes {};
 
 // LinuxCNC's modified table (alpha, a, d before each joint): (0, 0, 350), (-90, 85, 0), (0, 380, 0), (-90, 100, 425),
-// (90, 0, 0),
-// (-90, 0, 85), with its angles; the file has its own frames but the same hand.
+// (90, 0, 0), (-90, 0, 85), with its angles; the file has its own frames but the same hand.
 TEST_F(Melfa, MovesAsLinuxCncsTableDoes) {
   const Cell cell = cell::read_cell(kCells / "melfa.json", scratch.path);
   const auto before = [](double alpha, double a, double theta, double d) {

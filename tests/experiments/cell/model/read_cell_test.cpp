@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cell files: what they say comes out, and what cannot be is refused by the name of its key.
+// Cell files: the cell is what they say, and what cannot be is refused by the name of its key.
 #include "experiments/cell/model/read_cell.h"
 
 #include <gtest/gtest.h>

@@ -34,7 +34,7 @@ std::string refusal(const Solid& solid) {
 }
 
 TEST(SolidFaces, AreAcceptedPolygonsWhoseOffPlaneIsThatOfTheExactAnswer) {
-  // A slanted bore: its sides' vertices on the box are no doubles.
+  // A slanted bore: its sides' vertices on the box are not doubles.
   const Solid solid = combined(Operation::Difference, {box({0, 0, 0}, {10, 7, 3}), cylinder(0, {-1, 3, 1}, 12, 0.7, 7),
                                                        cylinder(2, {5, 3, -1}, 9, 1.3, 11)});
   const SolidFaces faces = faces_of(solid, "block");

@@ -47,7 +47,7 @@ TEST(Area, SaysWhyThereIsNoPlaceElsewhere) {
   EXPECT_NE(in_base.reason.find("at home Base/pedestal comes within"), std::string::npos) << in_base.reason;
 }
 
-// Advice that does not work is none.
+// Advice works.
 TEST(Area, TheRadiiThatARefusalNamesAreThoseWithinReach) {
   for (const double height : {200, 242, 400}) {
     const std::string reason = tried({{1}, {900}, {height}})[0].reason;

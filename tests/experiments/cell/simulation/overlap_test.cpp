@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Things that stand must not overlap; what lies within another's box without touching it does not.
+// Things that stand must not overlap; what lies within the box of another thing without touching it does not.
 #include "experiments/cell/simulation/overlap.h"
 
 #include <gtest/gtest.h>

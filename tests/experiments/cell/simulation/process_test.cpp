@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole process of the cell: what the captions say comes out, and every stop is what is promised of it.
+// The whole process of the cell: its results are those of the captions, and every stop is what is promised of it.
 #include "experiments/cell/simulation/process.h"
 
 #include <gtest/gtest.h>
@@ -125,7 +125,7 @@ double overlap(const OrientedBox& a, const OrientedBox& b) {
 }
 
 // An independent test by boxes: the part, the fingers and the palm, the vice's base and jaws, the deck. Nothing
-// overlaps, but for the part that rests on the floor of its place, at any stop of both case studies.
+// overlaps, except for the part that rests on the floor of its place, at any stop of both case studies.
 TEST(Process, PartGripperViceAndDeckOverlapAtNoStop) {
   for (const auto& changes : {std::vector<std::string>{}, kSecondCase}) {
     const cell::Workcell workcell = aristo(changes);

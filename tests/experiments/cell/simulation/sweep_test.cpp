@@ -16,7 +16,7 @@ namespace {
 using cell::StationSlot;
 using cell::Sweep;
 
-/// A post that stands where the gripper passes, at so many degrees of the cell, from a radius on.
+/// A post that stands where the gripper passes, at an angle of the cell in degrees, from a radius on.
 std::string post(double degrees, double radius, double half) {
   const double at = degrees * 0.017453292519943295;
   const double machine = -83 * 0.017453292519943295, x = radius * std::cos(at - machine) - 621.8,

@@ -23,7 +23,7 @@ std::string zone(const std::string& shape, bool stops = false) {
   return fmt::format(R"(zones[0]={{"name": "z", {}, "stops": {}}})", shape, stops);
 }
 
-/// On the way of the virtual sphere from home to the storage, so many degrees from home.
+/// On the way of the virtual sphere from home to the storage, that number of degrees from home.
 Eigen::Vector3d on_the_way(double degrees) {
   const cell::Workcell workcell = aristo();
   const Process process = cell::simulate(workcell);

@@ -84,9 +84,10 @@ TEST(Check, NamesLinesThatAreNotCasesAndContinues) {
 TEST(Check, NamesAFileThatCannotBeRead) {
   const auto findings = corpus::check_files({"/nowhere/at-all.jsonl"});
   ASSERT_EQ(findings.faults.size(), 1u);
-  EXPECT_EQ(findings.faults[0], "/nowhere/at-all.jsonl: cannot be read");
+  EXPECT_EQ(findings.faults[0], "/nowhere/at-all.jsonl: cannot be read: No such file or directory");
   const std::string folder = std::filesystem::temp_directory_path();
-  EXPECT_EQ(corpus::check_files({folder}).faults, std::vector<std::string>{folder + ": cannot be read"});
+  EXPECT_EQ(corpus::check_files({folder}).faults,
+            std::vector<std::string>{folder + ": cannot be read: Is a directory"});
 }
 
 TEST(Check, NamesAFileWithoutCases) {
@@ -103,7 +104,8 @@ TEST(Check, NamesAWrongErrorCode) {
   EXPECT_TRUE(check({spike + R"("loop-meets-itself"}})"}).faults.empty());
   const auto findings = check({spike + R"("zero-normal"}})"});
   ASSERT_EQ(findings.faults.size(), 1u);
-  EXPECT_NE(findings.faults[0].find("error: stands \"zero-normal\", found \"loop-meets-itself\""), std::string::npos);
+  EXPECT_NE(findings.faults[0].find("error: the file says \"zero-normal\", found \"loop-meets-itself\""),
+            std::string::npos);
 }
 
 TEST(IsNearestDouble, KnowsTiesNeighboursAndEnds) {

@@ -143,7 +143,7 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
     (void)read_baseline(scratch.path);
     FAIL() << "a folder is not a baseline";
   } catch (const std::runtime_error& error) {
-    EXPECT_EQ(error.what(), scratch.path.string() + ": cannot be read");
+    EXPECT_EQ(error.what(), scratch.path.string() + ": cannot be read: Is a directory");
   }
 }
 

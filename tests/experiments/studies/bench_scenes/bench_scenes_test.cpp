@@ -195,7 +195,7 @@ TEST(SceneBench, APlantedErrorIsCounted) {
   }
 }
 
-// Were the exact scene wrong, all would be held against a wrong truth: brute force would say so.
+// Were the exact scene wrong, all would be compared with a wrong truth: brute force would say so.
 TEST(SceneBench, AnErrorOfTheTruthIsDisputed) {
   const SceneResult result = measure_small({planted(true)});
   for (const SceneBenchmark& benchmark : result.benchmarks)
@@ -328,7 +328,7 @@ TEST(SceneBench, GoalsOfPoses) {
   EXPECT_EQ(goals.rfind("3 of 4 goals met; missed:\n", 0), 0U) << goals;
 }
 
-/// A tetrahedron, and a face that is no triangle.
+/// A tetrahedron, and a face that is not a triangle.
 void write_mesh(const fs::path& file) {
   fs::create_directories(file.parent_path());
   std::ofstream(file) << "OFF\n5 5 0\n0 0 0\n3 0 0\n0 3 0\n0 0 3\n1 1 0\n"

@@ -121,7 +121,7 @@ TEST(MergeStudy, GivesNothingOnceItIsStopped) {
   EXPECT_FALSE(mesh::merge_faces(plate_and_cube(), 0, stop));
 }
 
-// So many balls take far longer than the thread needs to see that interrupts are heeded.
+// This number of balls takes far longer than the thread needs to see that interrupts are heeded.
 TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();

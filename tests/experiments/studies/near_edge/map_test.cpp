@@ -91,7 +91,7 @@ TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
 }
 
 // Three quarters of the plane about a reflex vertex lie inside in the sum of all directions, one quarter about a
-// vertex of an L, half about an edge; the map shows it from straight above but for a projection along an axis.
+// vertex of an L, half about an edge; the map shows it from straight above, except for a projection along an axis.
 TEST(NearEdgeMap, ShowsTheRegionAboutItsSpot) {
   for (const Map& map : draw_maps(methods::find_methods({"exact"}), 2, 2, kAlone, kNeverStop, kSilent)) {
     if (map.test != cases::Test::Foot || map.origin_distance > 0) continue;

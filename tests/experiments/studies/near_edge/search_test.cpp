@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for the furthest wrong answers: what it reports is wrong, comes out again, and stands where it should.
+// The search for the furthest wrong answers: what it reports is wrong, is found again, and lies where it should.
 #include "experiments/studies/near_edge/search.h"
 
 #include <gtest/gtest.h>

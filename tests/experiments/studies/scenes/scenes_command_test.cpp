@@ -265,7 +265,7 @@ TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
   EXPECT_NE(fault(R"({"ball":{"center":[1,2,3],"radius":1,"radius":2}})").find("a duplicate key"), std::string::npos);
   const Ran absent = touchstone_scene({path("cube.obj"), "--balls", path("absent")});
   EXPECT_EQ(absent.status, 2);
-  EXPECT_EQ(absent.err, path("absent") + ": cannot be read");
+  EXPECT_EQ(absent.err, path("absent") + ": cannot be read: No such file or directory");
 }
 
 TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
@@ -279,7 +279,7 @@ TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
   EXPECT_EQ(skipped.status, 0) << skipped.err;
   EXPECT_NE(skipped.err.find("left out: " + bad + ": line 16: "), std::string::npos) << skipped.err;
   EXPECT_NE(skipped.err.find("left out: " + bad + ": line 15: face 6: "), std::string::npos) << skipped.err;
-  EXPECT_NE(skipped.out.find("1 objects of 7 faces, 2 parts of files left out"), std::string::npos) << skipped.out;
+  EXPECT_NE(skipped.out.find("1 object of 7 faces, 2 parts of files left out"), std::string::npos) << skipped.out;
   EXPECT_NE(text_of(path("results/left-out.txt")).find("line 15"), std::string::npos);
 
   const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3\n");

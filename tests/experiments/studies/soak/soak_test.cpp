@@ -311,7 +311,7 @@ TEST(SoakCases, MoveAcrossTheirThresholds) {
   EXPECT_GT(rest, 30U);
 }
 
-// Only so many are kept; they are the first, and the count goes on.
+// Only the first ones are kept; the count continues.
 TEST(Soak, KeepsTheFirstDifferences) {
   Tally tally;
   for (std::uint64_t i = 3000; i-- > 0;) tally.add_case({{i, "a"}, {i, "b"}});
@@ -483,7 +483,7 @@ TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
   for (const char* file : {"soak.csv", "differences.jsonl", "checkpoint.json"})
     EXPECT_EQ(text_of(fs::path(parts) / file), text_of(fs::path(one) / file)) << file;
   EXPECT_TRUE(fs::exists(fs::path(one) / "run.json"));
-  // Without --resume it begins anew, and what stood there is kept.
+  // Without --resume it begins again, and what stood there is kept.
   ASSERT_EQ(run_command({"--samples", "100", "--seed", "3", "--force", "--output", one}), 0);
   EXPECT_EQ(text_of(fs::path(one) / "checkpoint.json.previous"), text_of(fs::path(parts) / "checkpoint.json"));
   EXPECT_FALSE(fs::exists(fs::path(parts) / "checkpoint.json.previous"));

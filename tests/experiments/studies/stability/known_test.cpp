@@ -11,7 +11,7 @@
 namespace touchstone::stability {
 namespace {
 
-// Figures of others, found again: see the table for their limits.
+// Published figures, found again: see the table for their limits.
 TEST(StabilityKnown, WrongSignsBeginWhereTheyAreKnownTo) {
   const std::vector<std::string> names{"fast", "thesis", "filtered"};
   const std::uint64_t triangles = 4 * TOUCHSTONE_SAMPLES;

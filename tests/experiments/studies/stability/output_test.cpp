@@ -48,8 +48,8 @@ TEST(StabilityWorst, AreCasesOnWhichTheMethodErrs) {
   EXPECT_GT(found, 30U);
 }
 
-// Whoever errs about the final answer anywhere is shown with such a case, though other tests fail further from the
-// boundary; in the file such cases come first, those further from the boundary before others.
+// A method that errs about the final answer anywhere is shown with such a case, though other tests fail further from
+// the boundary; in the file such cases come first, those further from the boundary before others.
 TEST(StabilityWorst, AreRankedByTheFinalAnswer) {
   const std::vector<Axis> axes{Axis::Aspect, Axis::Parallel, Axis::Origin, Axis::OffPlane};
   const auto setting = settings({"fast", "thesis", "thesis-signed"}, axes, 3);

@@ -124,7 +124,7 @@ TEST(StabilityScenes, AreAsBadAsTheirLevelSays) {
   });
 }
 
-// The extents along the axes lie apart by the level, but for the shape's own proportions.
+// The extents along the axes lie apart by the level, except for the shape's own proportions.
 TEST(StabilityScenes, MixExponents) {
   for_each_scene(Axis::Mixed, [](const Level& level, std::uint64_t, const Scene& scene) {
     int low = 2000, high = -2000;
@@ -165,7 +165,7 @@ TEST(StabilityScenes, HaveStraightSides) {
 }
 
 // All other vertices are exactly in one plane, and along the axis of its normal's largest component the moved one is
-// off it by so many ulps of the largest coordinate.
+// off it by that number of ulps of the largest coordinate.
 TEST(StabilityScenes, AreOffTheirPlaneByWholeUlps) {
   for_each_scene(Axis::OffPlane, [](const Level& level, std::uint64_t, const Scene& scene) {
     const Polygon& polygon = scene.asked.polygon;
@@ -209,7 +209,7 @@ TEST(StabilityMotion, IsARotationButForRoundings) {
 TEST(StabilityMotion, RoundsAPosedPointOnce) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   matrix.row(0) = Eigen::RowVector3d(1, 0x1p-53, 0x1p-80);
-  EXPECT_EQ(posed(matrix, {1, 1, 1}).x(), 1 + 0x1p-52);  // a tie but for the last term, which doubles would drop
+  EXPECT_EQ(posed(matrix, {1, 1, 1}).x(), 1 + 0x1p-52);  // a tie without the last term, which doubles would drop
 }
 
 // The same scenes in every mode: what differs is the mode.

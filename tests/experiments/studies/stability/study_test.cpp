@@ -35,7 +35,7 @@ using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
-/// `filtered`, but for what a test replaces.
+/// `filtered`, except for what a test replaces.
 class Planted : public cases::Method {
  public:
   using Change = std::function<PartialAnswer(PartialAnswer, QueryKind)>;
