@@ -13,6 +13,7 @@ them. Without docs/cost.json the README shows instructions in place of times.
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -64,10 +65,14 @@ def ratio_of(contestants, family):
     return [1 / median, 1 / upper, 1 / lower]
 
 
+def refuse(commit, root):
+    if fault := fault_of(commit, root):
+        raise SystemExit(f"the program's commit, {commit}, {fault}; measure with one that was built from a landed commit")
+
+
 def kept(bench, root):
     """What the pages need of the file that `touchstone bench` wrote: times, ratios, wrong answers and the machine."""
-    if fault := fault_of(bench["run"]["commit"], root):
-        raise SystemExit(f"the program's commit, {bench['run']['commit']}, {fault}; measure with one that was built from a landed commit")
+    refuse(bench["run"]["commit"], root)
     contests, noisy = [], []
     for contest in bench["contests"]:
         if (contest["family"], contest["name"]) in FAMILIES:
@@ -85,6 +90,8 @@ def kept(bench, root):
 
 
 def measured(touchstone, root):
+    version = subprocess.run([touchstone, "--version"], check=True, capture_output=True, text=True).stdout
+    refuse(re.search(r"^commit: (\S+)", version, re.MULTILINE)[1], root)  # before the wait
     with tempfile.TemporaryDirectory() as folder:
         families = ",".join(family for family, _ in FAMILIES)
         subprocess.run([touchstone, "bench", "--family", families, "--quiet", "--output", folder, "--force"], check=True)
