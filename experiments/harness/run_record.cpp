@@ -9,6 +9,7 @@
 #include <ctime>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
@@ -45,11 +46,17 @@ std::vector<std::string> engines() {
   return {std::istream_iterator<std::string>(names), {}};
 }
 
+/// Returns the name of the first processor with family, model and stepping, since virtual machines often shorten the
+/// name. Empty if /proc/cpuinfo does not say them.
 std::string processor() {
+  std::map<std::string, std::string> said;
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  return "";
+  for (std::string line; std::getline(info, line) && !line.empty();)
+    if (const auto colon = line.find(": "); colon != std::string::npos)
+      said[line.substr(0, line.find_last_not_of("\t ", colon - 1) + 1)] = line.substr(colon + 2);
+  if (said["model name"].empty()) return "";
+  return fmt::format("{} ({} family {}, model {}, stepping {})", said["model name"], said["vendor_id"],
+                     said["cpu family"], said["model"], said["stepping"]);
 }
 
 }  // namespace

@@ -4,7 +4,8 @@ from looks import LOOKS
 
 EXACT = {"filtered", "exact", "rational", "interval", "cgal-epeck", "cgal-epeck-distance", "cgal-epeck-intersect"}
 MORE_DIGITS = {"fast-double-double", "fast-mpfr-101", "fast-mpfr-201"}
-NOT_LIFTED = {"cgal-epeck-distance", "cgal-epeck-intersect"}  # exact about the triangles of a loop, which on rotated polygons are another question
+NOT_LIFTED = {"cgal-epeck-distance", "cgal-epeck-intersect", "convex-parts"}  # about parts of a loop, which on rotated polygons are another question
+OTHER_SHAPE = {"hull"}
 
 
 def rounds(method):
@@ -14,4 +15,4 @@ def rounds(method):
 
 def asks_the_question(method, placement):
     """Whether a method is asked about the polygon as the contract defines it."""
-    return placement != "rotated" or method not in NOT_LIFTED
+    return method not in OTHER_SHAPE and (placement != "rotated" or method not in NOT_LIFTED)

@@ -41,7 +41,7 @@ NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
 
 # Methods that a sentence names, and in what words.
 NAMED = {"fast": "careful plain doubles", "cgal-double": "CGAL’s kernel of plain doubles", "thesis": "the method of the 2008 thesis",
-         "fast-float": "floats"}
+         "fast-float": "floats, to which the input is rounded first"}
 
 
 def of_method(name):

@@ -35,7 +35,11 @@ thead th:first-child, tbody th { position: sticky; left: 0; background: var(--pa
 details { margin: 1rem 0; } summary { cursor: pointer; color: var(--link); }
 svg text { fill: currentColor; stroke: none; }
 @media (prefers-color-scheme: dark) { picture img { background: none; } img.scale { filter: invert(.91) hue-rotate(180deg); } article img { filter: brightness(.85); } }
-.scroll { overflow-x: auto; } .scroll:focus-visible { outline: 2px solid var(--link); }
+.scroll { overflow-x: auto; background: linear-gradient(to right, var(--paper) 30%, transparent) 0 / 2rem 100% no-repeat local, linear-gradient(to left, var(--paper) 30%,
+          transparent) 100% / 2rem 100% no-repeat local, linear-gradient(to right, var(--line), transparent) 0 / .7rem 100% no-repeat, linear-gradient(to left, var(--line),
+          transparent) 100% / .7rem 100% no-repeat; }
+@media (max-width: 40rem) { .picture .scroll::before, .scroll:has(> svg.scheme)::before { content: "scrolls sideways →"; position: sticky; left: 0; font-size: .8rem;
+                            color: var(--dim); } } .scroll:focus-visible { outline: 2px solid var(--link); }
 :target { outline: 3px solid var(--link); }
 @media (max-width: 34rem) { body { padding: .6rem; } }
 @media print { :root { --ink: #000; --paper: #fff; --soft: #fff; --line: #bbb; --dim: #444; --good: #00634a; --bad: #a33b00;

@@ -40,8 +40,9 @@ pre { overflow-x: auto; background: var(--soft); padding: .5rem; border-radius: 
 code.call { white-space: normal; overflow-wrap: anywhere; }
 dt { font-weight: 600; margin-top: .5rem; break-after: avoid; } dd { margin-left: 1.2rem; } .methods { columns: 2 22rem; }
 iframe.cell { width: 100%; height: 46rem; border: 1px solid var(--line); border-radius: .3rem; }
-.made { columns: 2 20rem; } .narrow svg.scheme { max-width: 27rem; } .narrow .picture img { max-width: min(100%, 34rem); }
+.made { columns: 2 20rem; } .narrow .picture img { max-width: min(100%, 34rem); }
 .paper { display: none; } .parts { display: flex; flex-wrap: wrap; justify-content: center; gap: 1rem; } svg.part { flex: 0 1 22rem; min-width: min(20rem, 100%); height: auto; }
+.parts figure { flex: 1 1 20rem; max-width: 27rem; margin: .5rem 0; } figure > svg.part { display: block; width: 100%; max-width: 27rem; margin: 0 auto; min-width: 0; }
 svg.scheme { display: block; width: 100%; max-width: 46rem; height: auto; margin: 0 auto; }
 @media (min-width: 75rem) { .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 1.5rem; margin-inline: calc(50% - min(48vw, 40rem)); } }
 @media (min-width: 62rem) { .picture .scroll, figure.cell { margin-inline: calc(50% - min(48vw, 40rem)); }
@@ -126,7 +127,7 @@ def commits(found):
     dates = sorted(distinct("date"))
     text = (f"Made between {dates[0][:16].replace('T', ' ')} and {dates[-1][:16].replace('T', ' ')} UTC on "
             f"{words(map(escaped, distinct('processor')))} with {words(map(escaped, distinct('compiler')))}, commit "
-            f"{words(code(c[:12]) for c in commit)}.")
+            f"{words(code(c[:12] + '+' * c.endswith('+')) for c in commit)}.")
     if len(commit) > 1:
         text += ' <b class="no">The studies were made by different commits; see each study.</b>'
     if any(c.endswith("+") for c in commit):
@@ -165,10 +166,8 @@ def page(results):
     contents = "".join(f'<li><a href="#{name}">{escaped(title)}</a></li>' for name, title in titles.items() if name in found)
     body = f"""<header><h1>Touchstone: does a ball touch a polygon, and how sure is the answer?</h1>
 <p class="lead">Collision programs ask millions of times whether a ball touches a flat face. They answer with floating-point
-numbers, which round; near contact
-the rounding decides. This page measures how often different methods are wrong, how far from contact, and the cost of never
-being wrong,
-with {code("filtered")}, which gives the answer of exact arithmetic.</p>
+numbers, which round; where the rounding decides, a branch goes the wrong way. This page measures how often different methods are
+wrong, how far from contact, and the cost of never being wrong, with {code("filtered")}, which gives the answer of exact arithmetic.</p>
 <p class="dim">{commits(found)} Every number and picture is generated from the data beside this page.</p></header>
 <main>{verdict.box(found, asked)}
 <nav aria-label="Contents"><h2>Contents</h2><ol id="contents"><li><a href="#question">The question, and the words used

@@ -15,7 +15,7 @@ class Study:
     about: str
     full: list  # calls of the program, each a list of arguments
     quick: list | None = None  # None: with --full alone, or for the paper
-    paper: list | None = None  # of one without quick calls: what the paper needs of it
+    paper: list | None = None  # what the paper needs of it, if that is more than the quick calls
     resumes: bool = False  # continues after an interruption, with --resume
 
     @property
@@ -23,7 +23,7 @@ class Study:
         return any(MESHES in call for call in self.full)
 
     def calls(self, mode):
-        return {"quick": self.quick, "paper": self.quick or self.paper, "full": self.full}[mode]
+        return {"quick": self.quick, "paper": self.paper or self.quick, "full": self.full}[mode]
 
 
 def same(*calls):
@@ -43,6 +43,8 @@ def of_seed(seed, *samples):
     return [*NEAR_EDGE, *samples, "--search", "0", "--no-maps", "--no-pictures", "--seed", str(seed), "--output", folder]
 
 
+QUICK_BENCH = "random-triangles,half-near,lattice-tangent,slivers,far,extreme,nearness,polygons-128"
+
 STUDIES = [
     Study("meshes", "every face of real meshes",
           **same(["meshes", MESHES, "--skip-bad", "--methods", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
@@ -61,7 +63,7 @@ STUDIES = [
           full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]]),
     Study("tradeoff", "run time against error", resumes=True,
           full=[["tradeoff", "--output", OUTPUT]],
-          quick=[["tradeoff", "--samples", "12", "--queries", "300", "--repetitions", "3", "--output", OUTPUT]]),
+          quick=[["tradeoff", "--samples", "12", "--queries", "300", "--repetitions", "11", "--output", OUTPUT]]),
     Study("soak", "the certified path under attack", resumes=True,
           full=[["soak", "--output", OUTPUT]], quick=[["soak", "--samples", "100000", "--output", OUTPUT]]),
     Study("motions", "moving balls near their thresholds", resumes=True,
@@ -77,11 +79,11 @@ STUDIES = [
     Study("recorded", "questions of a third-party simulation", resumes=True,
           full=[["recorded", "--output", OUTPUT]], paper=[["recorded", "--samples", "40", "--output", OUTPUT]]),
     Study("bench", "what certainty costs",
-          full=[["bench", "--output", OUTPUT]],
+          full=[["bench", "--output", OUTPUT]], quick=[["bench", "--family", QUICK_BENCH, "--output", OUTPUT]],
           paper=[["bench", "--repetitions", "7", "--output", OUTPUT]]),
     Study("bench-scenes", "whole scenes beside five libraries",
           full=[["bench-scenes", "--meshes", "cache/meshes", "--output", OUTPUT]],
-          paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "3", "--output", OUTPUT]]),
+          paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "7", "--output", OUTPUT]]),
 ]
 
 

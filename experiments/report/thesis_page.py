@@ -6,14 +6,14 @@ from replacing import replacing
 CHAPTERS = (("2", "Chapter 2: literature"), ("3", "Chapter 3: methodology"), ("4", "Chapter 4: the collision detection algorithm"),
             ("5", "Chapter 5: the virtual environment"), ("6", "Chapter 6: the case studies"),
             ("E", "Known errors of the method"))
-LABELS = {"T": "the thesis's public text", "S": "another public source", "D": "derived by arithmetic, or by an exact test",
+LABELS = {"T": "the thesis's public text", "S": "another public source", "D": "derived in this project, by arithmetic or by an exact test",
           "C": "rests on values chosen here, because no public source gives them"}
 
 STYLE = """
 article { margin: 1.5rem 0; padding: 1rem; border: 1px solid var(--line); border-radius: .5rem; background: var(--soft); }
 article h3 { margin: 0 0 .3rem; }
 article img { margin: .8rem auto 0; }
-article figure { margin: 0; }
+article figure { margin: 0; } article thead th:first-child, article tbody th { background: var(--soft); }
 .page { color: var(--dim); font-size: .88rem; font-weight: 400; } .status { font-weight: 600; }
 .chosen { color: #8a5a00; } @media (prefers-color-scheme: dark) { .chosen { color: #e8b44c; } }
 table { width: 100%; margin-top: .6rem; } tbody th { width: 46%; }
@@ -68,7 +68,8 @@ def numbers_table(rows):
             agrees = f'<span class="{tone}">{row["agrees"]}</span> <small>{row["basis"]}</small>'
         body += f'<tr><th scope="row">{escaped(row["what"])}</th><td>{ours}</td>'
         body += f"<td>{stated}</td><td>{agrees}</td></tr>" if any_stated else "</tr>"
-    beside = '<th scope="col">stated</th><th scope="col">agrees</th>' if any_stated else ""
+    source = "derived here" if all(row["label"] == "D" for row in rows if row["stated"]) else "stated"
+    beside = f'<th scope="col">{source}</th><th scope="col">agrees</th>' if any_stated else ""
     return (f'<table><thead><tr><th scope="col">number</th><th scope="col">ours</th>{beside}</tr></thead>'
             f"<tbody>{body}</tbody></table>")
 
@@ -77,7 +78,7 @@ def article(folder, entry, rows, shown):
     page = f' <span class="page">p. {entry["page"]}</span>' if entry["page"] else ""
     tone = {"reproduced": "yes", "differs": "no", "reproduced with chosen values": "chosen"}.get(entry["status"], "")
     return (f'<article id="{anchor(entry)}"><h3>{name_of(entry)}: {escaped(entry["caption"])}{page}</h3>'
-            f'<div class="status {tone}">{escaped(entry["status"])}</div>'
+            f'<div class="status {tone}">{escaped(status_of(entry, rows))}</div>'
             f'<p>{escaped(entry["text"])}</p>{picture(folder, entry, shown)}{numbers_table(rows)}</article>')
 
 
@@ -89,8 +90,14 @@ def bases(stated):
     """How many numbers agree, by what that means; those of the known errors apart. `stated`: rows of numbers.csv."""
     own = [row for row in stated if row["id"].startswith("E.")]
     groups = [(text, [row for row in stated if row["basis"] == basis and row not in own]) for basis, text in BASES.items()]
-    return [f"{sum(row['agrees'] == 'yes' for row in rows)} of {len(rows)}: {text}"
-            for text, rows in groups + [("known errors of the thesis's method, derived here", own)] if rows]
+    return [f"{sum(row['agrees'] == 'yes' for row in rows)} of {len(rows)}{distinct(rows)}: {text}"
+            for text, rows in groups + [("known errors of the thesis's method: numbers of this project's own fact sheet, not of the thesis", own)] if rows]
+
+
+def distinct(rows):
+    """Captions repeat themselves: how many different numbers there are, if fewer than rows."""
+    values = {(row["stated"], row["unit"]) for row in rows}
+    return f" ({len(values)} different numbers)" if len(values) < len(rows) else ""
 
 
 def fit(own):
@@ -105,6 +112,13 @@ def fit(own):
             f"{number(homes)} home poses tried, {number(share, 3)} % have a layout in which all captions hold.</p>")
 
 
+def status_of(entry, rows):
+    """As the page shows it: what a photograph shows cannot be computed, but the numbers of its caption may be."""
+    if entry["status"].startswith("photograph") and any(row["stated"] for row in rows):
+        return "photograph: its caption's numbers alone are computed"
+    return entry["status"]
+
+
 def chapter_of(entry):
     return entry["id"].removeprefix("table ").split(".")[0]
 
@@ -115,7 +129,8 @@ def write_page(folder, entries, numbers, run):
         own.setdefault(row["id"], []).append(row)
     statuses = {}
     for entry in entries:
-        statuses[entry["status"]] = statuses.get(entry["status"], 0) + 1
+        status = status_of(entry, own.get(entry["id"], []))
+        statuses[status] = statuses.get(status, 0) + 1
     stated = [row for row in numbers if row["stated"]]
     differing = [row for row in stated if row["agrees"] == "no"]
     counts = "".join(f"<li>{count} {escaped(status)}</li>" for status, count in sorted(statuses.items(), key=lambda item: -item[1]))
@@ -127,7 +142,7 @@ def write_page(folder, entries, numbers, run):
     for chapter, title in CHAPTERS:
         members = [entry for entry in entries if chapter_of(entry) == chapter]
         index += f'<h3>{title}</h3><ul class="index">' + "".join(
-            f'<li><a href="#{anchor(entry)}">{name_of(entry)}</a>: {escaped(entry["status"])}</li>' for entry in members) + "</ul>"
+            f'<li><a href="#{anchor(entry)}">{name_of(entry)}</a>: {escaped(status_of(entry, own.get(entry["id"], [])))}</li>' for entry in members) + "</ul>"
         sections += f'<section><h2 id="chapter-{chapter}">{title}</h2>' + "".join(
             article(folder, entry, own.get(entry["id"], []), shown) for entry in members) + "</section>"
     body = f"""<header><h1>The figures of a 2008 thesis, as numbers</h1>

@@ -12,5 +12,8 @@ def files():
 
 
 def values():
-    yield "files", str(len(files()))
-    yield "cases", count(sum(1 for file in files() for line in file.open() if line.strip()))
+    cases = {file.stem: sum(1 for line in file.open() if line.strip()) for file in files()}
+    yield "files", str(len(cases))
+    yield "cases", count(sum(cases.values()))
+    yield "moving", count(cases["moving"])
+    yield "at-rest", count(sum(cases.values()) - cases["moving"])

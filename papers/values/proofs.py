@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The claims about the compiled expressions, from the page that the proofs generate."""
+"""The claims about the recorded expressions, from the page that the proofs generate."""
+import collections
 import pathlib
 import re
 
@@ -26,7 +27,9 @@ def claims():
 def values():
     found = claims()
     yield "claims", str(len(found))
-    yield "expressions", str(len({(constant, instance) for constant, instance, _ in found}))
+    arithmetics = collections.Counter((constant, instance) for constant, instance, _ in found)
+    yield "expressions", str(len(arithmetics))
+    yield "shared", str(sum(count == len(ARITHMETICS) for count in arithmetics.values()))
 
 
 def tables():

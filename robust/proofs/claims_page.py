@@ -111,15 +111,17 @@ def rows_left(records):
 
 def page(model, records):
     all_claims = claims.of_records(model, records)
+    once = sum(count == 1 for count in collections.Counter((claim.constant, claim.instance) for claim in all_claims).values())
     axioms = ",\n  ".join(f"`{axiom}`" for axiom in coq.AXIOMS)
     return f"""# Claims, and what they rest on
 
 <!-- Written by robust/proofs/claims_page.py --write; a test compares. -->
 
-The filters rest on {len(records)} expressions, for which {len(all_claims)} claims are proved, one for each arithmetic. In
-every run of `./check`, Gappa proves them from the record of the compiled templates. `./check --full` passes only if Coq
-checks all {len(all_claims)} as well, the rules of the error calculus, each of its steps that the tests carry out, and the lemma of
-parity. See [the proofs](README.md) for how.
+The filters rest on {len(records)} expressions. For {len(records) - once} of them the same statement is proved at three units, those of
+doubles, double-doubles and floats (in floats, queries use `kLanePoint` and `kLaneProduct` alone); for {once}, of
+double-doubles, once. That makes {len(all_claims)} claims. `./check` has Gappa prove them from the record of the source templates; `./check
+--quick` leaves this out. `./check --full` passes only if Coq checks all {len(all_claims)} as well, the rules of the error calculus, each
+of its steps that the tests carry out, and the lemma of parity. See [the proofs](README.md) for how.
 
 ## Claims that Coq checks
 
@@ -159,8 +161,11 @@ Of the claims that Coq checks:
 - Coq's kernel, and what its library assumes of real numbers and of logic. The stage fails if a theorem assumes anything
   but
   {axioms}.
-- [recording.h](recording.h) records the operations that the compiler compiles: it runs the same templates over another
-  type. [statement.py](statement.py) and [signs.py](signs.py) state what was recorded.
+- [recording.h](recording.h) records the operations of the source templates, over a type in place of doubles.
+  [statement.py](statement.py) and [signs.py](signs.py) state what was recorded. Object code is not looked at.
+- The lanes of doubles, the first stage, add in [another order](README.md#assumptions) than the record; an argument on paper
+  covers them, no proof. Constant, maxima and expression are paired by hand where a filter uses them.
+- What combines the signs is tested, not proved.
 - [Scaling](README.md#what-is-proved) from maxima of 1 to all maxima, the 1/32 of a constant and the addition of `kTiny`,
   which the tests of bounds compare in rationals.
 - In double-doubles, `dot` and `cross` round otherwise than the sums and products that are recorded. That the claims hold

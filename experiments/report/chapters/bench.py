@@ -6,7 +6,7 @@ import re
 import chart
 from looks import look_of
 from noise import TOO_NOISY, of_contestant
-from page import code, count, escaped, folded, multiple, percent, power, rounded, table, words
+from page import code, count, counted, escaped, folded, multiple, percent, power, rounded, table, words
 from readings.bench import STAGE_COLOURS as STAGES
 from readings.bench import SET, SETS, TRIANGLES, WITHOUT_FLOATS, contests, named, polygons, sets
 
@@ -28,16 +28,13 @@ def is_noisy(ratio):
 
 
 def price(study):
-    """In words, against fast; empty if the times of this run are too noisy to tell."""
-    every = contests(study)
-    sizes = polygons(every)
-    most = max(sizes)
-    if any(is_noisy(c["filtered"]["ratio"]) for c in (every["random-triangles", ""], every["half-near", ""], sizes[most])):
+    """One number in words, of questions for which neither side has a hierarchy; empty if the times of this run are too noisy to tell."""
+    ratio = contests(study)["random-triangles", ""]["filtered"]["ratio"]
+    if is_noisy(ratio):
         return ""
-    return (f"contact of a ball and a triangle took {code('filtered')} {multiple(ratio_of(every['random-triangles', '']), 3)} the time "
-            f"of {code('fast')} with balls anywhere and {multiple(ratio_of(every['half-near', '']), 3)} with half of them at "
-            f"{power('2', -50)} from contact; contact of a small ball and a prepared polygon of {count(most)} vertices "
-            f"{multiple(ratio_of(sizes[most]))}.")
+    return (f"contact of a triangle and a ball anywhere took {code('filtered')} {multiple(ratio['median'], 3)} the time of {code('fast')} (quartiles of "
+            f"{counted(len(ratio['repetitions']), 'repetitions')} in turns: {rounded(ratio['lower_quartile'], 3)} to {rounded(ratio['upper_quartile'], 3)}); near contact and about "
+            'polygons: <a href="#bench">certainty, timed</a>.')
 
 
 def finding(study):

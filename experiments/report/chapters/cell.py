@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone cell`: the thesis's manufacturing cell, playing."""
+import dataclasses
 import json
 
 import chart
@@ -72,15 +73,23 @@ def notched_face(study):
         raise DataError(f"{path}: its first case cannot be read: {error}") from None
 
 
+@dataclasses.dataclass(frozen=True)
+class Consequence:
+    """A wrong answer that changes what the robot does."""
+    drawing: str  # SVG
+    words: str
+
+
 def consequence(study):
-    """Where a wrong answer changes what the robot does; empty if that was not run."""
+    """Of a U-shaped part that the thesis's method lets the robot grip; None if that was not run."""
     if not (study.folder / DRIVEN).is_dir() or not (study.folder / EXACTLY).is_dir():
-        return ""
+        return None
     driven, exactly = (path_of(study, run) for run in (DRIVEN, EXACTLY))
     ball, outline = notched_face(study)
     gap = next(row["gap"] for row in study.rows(f"{DRIVEN}/moves.csv", phase=str, joint=str, gap=maybe(finite)) if row["gap"] is not None)
     xs, ys = zip(*(point[:2] for point in outline))
-    low_x, low_y, scale = min(xs) - 15, min(ys) - 8, 6.0
+    low_x, low_y, width = min(xs) - 2, min(ys) - 8, 380
+    scale = width / (max(xs) + 14 - low_x)
     height = (max(ys) + 4 - low_y) * scale
 
     def at(x, y):
@@ -89,21 +98,21 @@ def consequence(study):
     def sphere(row, colour, words, below):
         x, y = at(row["sphere_x"], row["sphere_y"]).split(",")
         return (f'<circle cx="{x}" cy="{y}" r="{ball["radius"] * scale}" stroke="{colour}" stroke-width="2"/><circle cx="{x}" cy="{y}" r="2.5" fill="{colour}" stroke="none"/>'
-                + chart.text(float(x) + 48, float(y) + below, words, "start", f'style="fill: {colour}; paint-order: stroke; stroke: var(--paper); stroke-width: 5" font-weight="600"'))
+                + chart.text(float(x) + ball["radius"] * scale + 8, float(y) + below, words, "start", f'style="fill: {colour}; paint-order: stroke; stroke: var(--soft); stroke-width: 5" font-weight="600"'))
 
     def way(rows, colour, dash):
-        near = [at(row["sphere_x"], row["sphere_y"]) for row in rows if low_x < row["sphere_x"] < max(xs) + 15 and low_y < row["sphere_y"]]
+        near = [at(row["sphere_x"], row["sphere_y"]) for row in rows if low_x < row["sphere_x"] < max(xs) + 14 and low_y < row["sphere_y"]]
         return f'<polyline points="{" ".join(near)}" stroke="{colour}" stroke-width="1.5" stroke-dasharray="{dash}"/>'
 
-    thesis, exact = look_of("thesis"), look_of("exact")
-    drawn = (f'<polygon points="{" ".join(at(*point[:2]) for point in outline)}" fill="var(--soft)" stroke-width="1.5"/>'
+    thesis = look_of("thesis")
+    drawn = (f'<polygon points="{" ".join(at(*point[:2]) for point in outline)}" fill="var(--paper)" stroke-width="1.5"/>'
              + way(exactly, "currentColor", "2 3") + way(driven, thesis.colour, "") + sphere(exactly[-1], "currentColor", "exact: touches", 5)
              + sphere(driven[-1], thesis.colour, "thesis: “contact”", 24))
-    return chart.figure(round((max(xs) + 15 - low_x) * scale), round(height), "Seen from above: the U part, the way of the sphere, and where it stops by the thesis's method, in the notch, and by the "
-                        "exact answer, at the part.", drawn,
-                        f"<b>A wrong answer that changes what the robot does.</b> The part is U-shaped, and the base turns until the sphere (circle) touches it. Driven by "
-                        f"{code('thesis')}, it stops in the notch, {rounded(gap)} mm from any material, and grips there; {count(len(exactly) - len(driven))} steps later it "
-                        "would have touched. The process then ends where the part, held wrongly, touches the vice. Driven by the exact answer it completes.")
+    words = (f"The part is U-shaped, seen from above, and the robot's base turns until the sphere at the gripper (circle) touches it. Driven by "
+             f"{code('thesis')}, it stops in the notch, {rounded(gap)} mm from any material, and grips there; {count(len(exactly) - len(driven))} steps later it "
+             "would have touched. The process then ends where the part, held wrongly, touches the vice. Driven by the exact answer it completes.")
+    return Consequence(chart.part(width, round(height), "Seen from above: the U part, the way of the sphere, and where it stops by the thesis's method, in the "
+                                  "notch, and by the exact answer, at the part.", drawn), words)
 
 
 def near_table(study):
@@ -131,7 +140,7 @@ with our numbers, without any program or network.</p>"""
     page = study.folder / "cell.html"
     text += folded("Play it here", iframe(page)) + still(study)
     text += '<p class="dim">The playing cell alone: <a href="cell/cell.html">cell.html</a>, by <code>touchstone cell export</code>.</p>'
-    return f'{text}<div class="narrow">{consequence(study)}</div>' + near_table(study) + folded("The moves", table(
+    return text + near_table(study) + folded("The moves", table(
         f"The moves. Commanded: by whole steps; exact: where contact, or the plan, is. until: what ends the move.{follows}",
         ["move", "phase", "joint", "until", "commanded", "exact"],
         [[str(row["move"]), escaped(row["phase"]), escaped(row["joint"]), escaped(row["until"]), f"{row['degrees']:+g}°".replace("-", "−"),

@@ -2,8 +2,9 @@
 """The chapter of `touchstone near-edge`: random polygons, double by double."""
 import math
 
+from chapters import reach
 from names import DISTANCES, NAMED, PLACEMENTS, TITLES, of_method
-from page import (bar, code, count, counted, escaped, folded, percent, percent_number, picture, power, rounded, share_of_size, smaller, table,
+from page import (bar, code, count, counted, escaped, folded, percent, percent_number, picture, power, rounded, smaller, table,
                   upper_limit, words)
 from readings.near_edge import CONTACT, Data, asked
 
@@ -20,10 +21,10 @@ def furthest_sentence(data):
     """About the methods that were wrong at all."""
     near, far = data.distances[0], data.distances[-1]
     shares = {m: (data.furthest(m, near, CONTACT), data.furthest(m, far, CONTACT)) for m in data.methods}
-    said = words(f"{code(m)} {share_of_size(a) if a else 'none'} and {share_of_size(b) if b else 'none'}" for m, (a, b) in shares.items() if a or b)
+    said = words(f"{code(m)} {reach.length(a) if a else 'none'} and {reach.length(b) if b else 'none'}" for m, (a, b) in shares.items() if a or b)
     if not said:
         return "a search found no wrong answer away from contact."
-    return (f"the furthest wrong answers that a search found, in shares of the polygon’s size, with the polygon {DISTANCES[near]} and "
+    return (f"the furthest wrong answers that a search found, on a polygon of 1 m, with it {DISTANCES[near]} and "
             f"{DISTANCES[far]}: {said}.")
 
 
@@ -93,8 +94,8 @@ def map_picture(study):
         for method in methods:
             wrong[method] += sum(row[method] != "=" for row in rows)
     found = words(f"{code(m)} {percent(wrong[m] / pixels) if wrong[m] else 'none'}" for m in methods)
-    return picture(path, "Maps about the reflex vertex of an L: one pixel for each double of two coordinates of the ball's centre, a row "
-                         "for each method, columns for the foot and the final answer at three distances from the origin.",
+    return picture(path, "Maps about the reflex vertex of an L: one pixel for each double of two coordinates of the ball's centre, a column "
+                         "for each method, rows for the foot and the final answer, and for distances from the origin.",
                    f"The plane about the reflex vertex of an L, one pixel a double. Without colour: right. Orange: says inside (or contact) "
                    f"where it is not; blue: says outside (or "
                    f"none){'; yellow: confuses inside and boundary' if confused else ''}. <b>What "
@@ -115,4 +116,6 @@ are rounded to doubles. For each, the exact distance from the ball's centre is c
 nearest to it and moved double by double, from 1 to 2³² of them, to either side (<i>face</i>, <i>edge</i>, <i>vertex</i>:
 what is nearest). Likewise the centre is moved so that its foot crosses an edge or passes a vertex.</p>"""
     text += "".join(rates_picture(study, data, placement) for placement in data.placements if placement == "rotated" or len(data.placements) == 1)
+    if data.distances:
+        text += f"<p>How far: {furthest_sentence(data)}</p>{reach.picture(data)}"
     return text + folded("Wrong answers within one double of each threshold, and a map of them", rates_table(data) + map_picture(study))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone stability`: what makes answers worse, far from contact too."""
-from names import MODES, NEARNESSES, SIGNS
+from names import NEARNESSES, SIGNS
 from page import bar, code, count, counted, escaped, folded, level, percent, picture, power, smaller, table, words
-from readings.stability import STAND_IN, Data, asked
+from readings.stability import Data, asked
 
 TITLE = "Polygons under stress"
 
@@ -28,9 +28,7 @@ def failures_picture(study, data):
         return ""
     said = []
     for method in data.methods:
-        own = [row for row in data.rows if row["method"] == method and row["nearness"] == "ample" and row["axis"] not in MODES
-               and not row["axis"].endswith(STAND_IN)]
-        failed, samples = sum(row["failed_samples"] for row in own), sum(row["samples"] for row in own)
+        failed, samples = data.failed(method, "ample")
         said.append(f"{code(method)} {percent(failed / samples) if failed else 'none'}")
     return picture(path, f"Heat maps, one a method: a row for each of {len(data.axes)} stresses, from mild to bad; the colour is the share of polygons "
                          "with a wrong final answer.",

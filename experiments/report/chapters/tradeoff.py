@@ -21,19 +21,10 @@ def times(data, method, placement, balls):
     return "not timed" if ratio is None else TOO_NOISY if data.is_noisy(method, placement, balls) else multiple(ratio)
 
 
-def price(study):
-    """In words, against fast; empty where it was not timed, or is too noisy to tell."""
-    data = Data(study)
-    if not all(data.ratio("filtered", p, b) and not data.is_noisy("filtered", p, b) for p in data.placements for b in ("near", "anywhere")):
-        return ""
-    return f"on the same questions (planar to rotated polygons), {code('filtered')} took " + words(
-        f"{words(dict.fromkeys(times(data, 'filtered', p, balls) for p in data.placements), 'to')} the time of {code('fast')} {where}"
-        for balls, where in (("anywhere", "with balls anywhere"), ("near", "with balls within 8 doubles of contact"))) + "."
-
-
 def finding(study):
     data = Data(study)
-    never = [row["method"] for row in data.front if (row["measure"], row["placement"]) == ("not-right", data.placements[-1]) and not row["error"]]
+    never = [row["method"] for row in data.front if (row["measure"], row["placement"]) == ("not-right", data.placements[-1]) and not row["error"]
+             and asks_the_question(row["method"], row["placement"])]
     return (f"Never wrong on {NAMES[data.placements[-1]]} polygons: {words(map(code, never))}." if never else
             f"Every method was wrong on {NAMES[data.placements[-1]]} polygons.")
 
@@ -59,7 +50,7 @@ def rates_table(data):
 
 def front_picture(study, data):
     path = smaller(study.folder, "front-not-right")
-    rows = [row for row in data.front if row["measure"] == "not-right"]
+    rows = [row for row in data.front if row["measure"] == "not-right" and asks_the_question(row["method"], row["placement"])]
     if path is None or not rows:
         return ""
     parts = []
@@ -73,7 +64,8 @@ def front_picture(study, data):
                    "Wrong or undecided answers within 8 doubles of contact, against the time of a question; vertical lines are 95 % limits. Lower is more "
                    "often right, further left is faster. At the foot stand methods of which no wrong answer was seen, with the number of polygons. A "
                    "method is on the front (ringed) if every method at least as accurate is slower, quartiles apart; with a broken ring, noise may keep "
-                   f"it from there. Grey: the front by medians and by quartiles. <b>Result:</b> {'; '.join(parts)}.")
+                   f"it from there. Grey: the front by medians and by quartiles. {code('filtered')} uses a hierarchy where polygons have many "
+                   f"edges, and {code('fast')} scans them all. Left out: methods that answer about another shape. <b>Result:</b> {'; '.join(parts)}.")
 
 
 def chapter(study):

@@ -9,9 +9,11 @@ from pictures.style import STYLES, plt, save
 
 def draw_missed(axes, rows):
     """Shares by step, a curve a radius."""
-    for (color, line, marker), radius in zip(STYLES, dict.fromkeys(row["radius_mm"] for row in rows)):
+    radii = list(dict.fromkeys(row["radius_mm"] for row in rows))
+    for place, ((_, line, marker), radius) in enumerate(zip(STYLES, radii)):
+        color = plt.get_cmap("cividis")(place / len(radii))  # colours of STYLES are of methods
         own = [row for row in rows if row["radius_mm"] == radius]
-        steps = [float(row["step_deg"]) for row in own]
+        steps = [float(row["step_deg"]) * 1.05 ** (place - (len(radii) - 1) / 2) for row in own]  # whiskers beside each other
         shares = [100 * float(row["share"]) for row in own]
         low = [s - 100 * float(row["lower"]) for s, row in zip(shares, own)]
         high = [100 * float(row["upper"]) - s for s, row in zip(shares, own)]

@@ -4,6 +4,7 @@
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import math
+import textwrap
 
 import numpy as np
 from matplotlib.colors import ListedColormap
@@ -45,11 +46,15 @@ def draw_scene(axes, spots):
 
 
 def draw_verdicts(axes, rows, methods, offsets):
+    right = [method for method in methods if all(verdict(row) < 2 for row in rows if row["method"] == method)]
+    wrong = [method for method in methods if method not in right]
+    names = ["all of the others", *wrong] if right else wrong
+    methods, said = right[:1] + wrong, ", ".join(right)
     grid = np.full((len(methods), len(offsets)), np.nan)
-    for row in rows:
+    for row in (row for row in rows if row["method"] in methods):
         grid[methods.index(row["method"]), offsets.index(float(row["offset"]))] = verdict(row)
     axes.imshow(grid, cmap=ListedColormap(list(COLOURS.values())), vmin=-0.5, vmax=4.5, aspect="auto", interpolation="nearest")
-    axes.set_yticks(range(len(methods)), methods)
+    axes.set_yticks(range(len(methods)), names)
     shown = [o for o in offsets if o == 0 or abs(o) in (2.0**-4, 2.0**-16, 2.0**-28, 2.0**-40)]
     axes.set_xticks([offsets.index(o) for o in shown],
                     ["0" if o == 0 else f"${'-' if o < 0 else ''}2^{{{int(math.log2(abs(o)))}}}$" for o in shown])
@@ -57,7 +62,7 @@ def draw_verdicts(axes, rows, methods, offsets):
         axes.axhline(y + 0.5, color="#ffffff", linewidth=1.5)
     axes.axvline(offsets.index(0.0), color="#888888", linewidth=0.6)
     axes.set_xlabel("radius less its threshold, in sizes: to the left the ball misses, to the right it touches")
-    axes.set_title("does it touch?")
+    axes.set_title("does it touch?" + (textwrap.fill(f" Right throughout: {said}", 125) if right else ""))
     axes.legend(handles=[Patch(facecolor=colour, edgecolor="#888888", label=label) for label, colour in COLOURS.items()],
                 loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=5, frameon=False, fontsize=8)
 
@@ -67,7 +72,8 @@ def draw_times(axes, rows, methods):
     lowest = 2.0**-60
     timed = {method: [(float(row["offset"]), float(row["time_error"])) for row in rows
                       if row["method"] == method and row["time_error"] != "" and float(row["offset"]) > 0] for method in methods}
-    timed = {method: own for method, own in timed.items() if own}
+    exact = [method for method, own in timed.items() if own and not any(error for _, error in own)]
+    timed = {method: own for method, own in timed.items() if own and method not in exact}
     for method in in_order(timed):
         look = look_of(method)
         offsets, errors = zip(*timed[method])
@@ -76,10 +82,13 @@ def draw_times(axes, rows, methods):
     axes.set_xscale("log", base=2)
     axes.set_yscale("log", base=2)
     axes.set_ylim(lowest / 2, 2)
+    axes.set_yticks([lowest, *(2.0**k for k in range(-50, 1, 10))], ["0", *(f"$2^{{{k}}}$" for k in range(-50, 0, 10)), "1"])
+    axes.axhline(lowest, color="#000000", linewidth=1, label=f"0 throughout: {', '.join(exact)}" if exact else None)
+    axes.set_ylabel("error of the time")
     axes.set_xlabel("radius less its threshold, in sizes")
-    axes.set_title("error of the time, as way in sizes (0: at the foot)")
+    axes.set_title("error of the time, as way in sizes of the polygon")
     axes.grid(color="#dddddd", linewidth=0.5)
-    axes.legend(fontsize=7, ncols=4, loc="upper center", bbox_to_anchor=(0.5, -0.2), frameon=False)
+    axes.legend(fontsize=7, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2), frameon=False)
 
 
 def main(folder):

@@ -151,6 +151,7 @@ SPOTS = {"face": ("a point inside an L", "the centre straight above it"),
 # Rows that all look like the truth, or, since all centres round to one float, are of one colour.
 TELLS_NOTHING = ("truth", "exact", "filtered", "fast-float")
 TESTS = {"foot": "foot", "contact": "final answer"}
+LEAST_TOLD = 0.01  # a map far from the origin is drawn if fast is wrong in so much of it
 
 
 def draw_maps(folder, spot):
@@ -160,15 +161,18 @@ def draw_maps(folder, spot):
         return
     maps = [read_map(folder / f"map-{spot}-{test}-{distance}.csv") for test, distance, _ in columns]
     names = [name for name in maps[0] if name not in TELLS_NOTHING] or ["truth"]
+    telling = [distance == 0 or "fast" not in letters or (letters["fast"] != "=").mean() >= LEAST_TOLD for (_, distance, _), letters in zip(columns, maps)]
+    left_out = [column for column, tells in zip(columns, telling) if not tells]
+    columns, maps = ([each for each, tells in zip(list_, telling) if tells] for list_ in (columns, maps))
     dpi, pixels_a_double = 150, 3
     size = maps[0]["truth"].shape[0]
     side = size * pixels_a_double / dpi
-    gap, left, top, bottom = 0.12, 1.3, 1.35, 1.15
-    width = left + max(len(columns), 4) * (side + gap)  # the title and the legend need so much
-    height = top + len(names) * (side + gap) + bottom
+    gap, left, top, bottom = 0.12, 1.3, 1.2 + 0.2 * bool(left_out), 1.15
+    width = left + max(len(names), 3) * (side + gap)  # the title and the legend need so much
+    height = top + len(columns) * (side + gap) + bottom
     figure = plt.figure(figsize=(width, height))
-    for column, ((test, _, words), letters) in enumerate(zip(columns, maps)):
-        for row, name in enumerate(names):
+    for row, ((test, _, words), letters) in enumerate(zip(columns, maps)):
+        for column, name in enumerate(names):
             axes = figure.add_axes([(left + column * (side + gap)) / width,
                                     1 - (top + (row + 1) * side + row * gap) / height, side / width, side / height])
             verdicts = None if name == "truth" else letters[name]
@@ -178,15 +182,16 @@ def draw_maps(folder, spot):
             for spine in axes.spines.values():
                 spine.set(visible=True, color="#888888", linewidth=0.5)
             if row == 0:
-                axes.set_title(f"{TESTS[test]},\n{words}")
+                axes.set_title(name)
             if column == 0:
-                axes.set_ylabel(name, fontsize=9)
-            if row == len(names) - 1 and column == 0:
+                axes.set_ylabel(f"{TESTS[test]},\n{words}", fontsize=9)
+            if row == len(columns) - 1 and column == 0:
                 axes.set_xlabel(f"{size} doubles", fontsize=8.5)
     about, middle = SPOTS[spot]
     figure.text(0.1 / width, 1 - 0.12 / height, f"About {about}: {size} x {size} doubles,\n"
                 "one pixel a double of either coordinate of the centre", va="top", fontsize=11)
-    figure.text(0.1 / width, 1 - 0.52 / height, f"In the middle: {middle}", va="top", fontsize=9)
+    aside = f"\nNot drawn: {len(left_out)} maps farther from the origin, since fast is wrong in less than {100 * LEAST_TOLD:.0f} % of each." if left_out else ""
+    figure.text(0.1 / width, 1 - 0.52 / height, f"In the middle: {middle}{aside}", va="top", fontsize=9)
     for i, test in enumerate(dict.fromkeys(test for test, _, _ in columns)):
         parts = [(WRONG if name != "truth" else TRUTH, part) for (its_test, _, _), letters in zip(columns, maps)
                  for name, part in letters.items() if its_test == test and name in ("truth", *names)]
@@ -195,7 +200,7 @@ def draw_maps(folder, spot):
                    if any(its_kind is kind and (part == letter).any() for its_kind, part in parts)]
         figure.legend(handles=[Patch(facecolor=colour, edgecolor="#888888", label=words) for colour, words in entries if words],
                       title=TESTS[test], loc="lower left", ncol=2, frameon=False, fontsize=8, title_fontsize=8.5,
-                      alignment="left", bbox_to_anchor=((left + 1.3 + 4.2 * i) / width, 0))
+                      alignment="left", bbox_to_anchor=(0.62 * i, 0))
     save(figure, folder, f"maps-{spot}", ("png",))
 
 

@@ -11,6 +11,7 @@ from looks import in_order, look_of
 from names import AXES, MODES, NEARNESSES
 from page import level
 from pictures.style import draw, plt, save
+from shares import unless_whole
 
 # Where products underflow, bounds have an absolute part, which a line cannot show.
 UNDERFLOWING = ("small", "mixed", "flush")
@@ -70,11 +71,14 @@ def span(name, levels):
 def draw_failures(folder, rows):
     """A map a method and nearness: a row an axis, its levels from mild to bad."""
     rows = [row for row in rows if row["test"] == "contact" and row["axis"] not in MODES and row["nearness"] in MAPPED]
-    names, methods = distinct(rows, "axis"), in_order(distinct(rows, "method"))
+    failing = [row for row in rows if float(row["rate"]) > 0]
+    names, methods = ([one for one in distinct(rows, key) if any(row[key] == one for row in failing)] for key in ("axis", "method"))
+    methods, never = in_order(methods), [method for method in distinct(rows, "method") if method not in methods]
+    unseen = [AXES[name][0].replace("\n", " ") for name in distinct(rows, "axis") if name not in names]
     levels = {name: distinct([row for row in rows if row["axis"] == name], "level") for name in names}
     if not names:
         return
-    figure, grid = plt.subplots(len(MAPPED), len(methods), figsize=(4.2 + 1.3 * len(methods), len(MAPPED) * (0.2 * len(names) + 0.7) + 0.3),
+    figure, grid = plt.subplots(len(MAPPED), len(methods), figsize=(4.4 + 1.9 * len(methods), len(MAPPED) * (0.24 * len(names) + 0.7) + 0.7),
                                 sharex=True, sharey=True, squeeze=False, layout="constrained")
     shares = {(row["nearness"], row["method"], row["axis"], row["level"]): float(row["rate"]) for row in rows}
     colours = plt.get_cmap("YlOrRd").with_extremes(under="#ffffff")
@@ -84,18 +88,23 @@ def draw_failures(folder, rows):
                 edges = np.linspace(0, 1, len(levels[name]) + 1)
                 values = np.array([[shares.get((nearness, method, name, level), np.nan) for level in levels[name]]])
                 drawn = axes.pcolormesh(edges, [y - 0.42, y + 0.42], values, cmap=colours, vmin=1e-9, vmax=1, edgecolors="#bbbbbb", linewidth=0.3)
+                for left, right, value in zip(edges, edges[1:], values[0]):
+                    if value > 0:
+                        axes.annotate(unless_whole(value, f"{100 * value:.0f}", 0), ((left + right) / 2, y), ha="center", va="center", fontsize=4.5,
+                                      color="white" if value > 0.6 else "black")
             axes.set_ylim(len(names) - 0.5, -0.5)
             axes.set_xlim(0, 1)
-            axes.set_xticks([0, 1], ["mild", "bad"], fontsize=7.5)
+            axes.set_xticks([0, 1], ["first level", "last"], fontsize=7.5)
+            for label, side in zip(axes.get_xticklabels(), ("left", "right")):
+                label.set_ha(side)
             axes.set_yticks(range(len(names)), [span(name, levels[name]) for name in names], fontsize=7.5)
             axes.tick_params(length=0)
             axes.spines[:].set_visible(False)
         line[0].set_title(f"{NEARNESSES[nearness]}:", loc="right", x=-0.08, fontsize=8.5)
         for axes, method in zip(line, methods):
             axes.set_title(method, fontsize=8.5)
-    bar = figure.colorbar(drawn, ax=grid, shrink=0.5, aspect=30, ticks=[0, 0.5, 1])
-    bar.set_ticklabels(["few", "50 %", "all"])
-    bar.set_label("polygons with a wrong answer (empty: none)", fontsize=8)
+    said = "Polygons with a wrong answer, % (empty: none)." + (f" Nothing wrong at all: {', '.join(never)}." if never else "")
+    figure.suptitle(said + (f"\nNo method was wrong under: {', '.join(unseen)}." if unseen else ""), x=0.01, ha="left", fontsize=9)
     save(figure, folder, "failures")
 
 
@@ -171,8 +180,9 @@ def draw_conditions(folder, rows, stage, words):
             axes.set_xlabel("condition number")
         if i % columns == 0:
             axes.set_ylabel("relative error")
-    figure.suptitle(f"Error against condition number, {words}\npoints: single signs; red: the bound; dashed: error as "
-                    "large as the value\nleft out: what lies beyond the frame, and axes whose products underflow", x=0.01, ha="left", fontsize=10)
+    figure.suptitle(f"Error against condition number, {words}", x=0.01, ha="left", fontsize=10)
+    figure.supxlabel("Points: single signs. Red: the bound. Dashed: an error as large as the value. Left out: points beyond the frame, and axes whose products "
+                     "underflow.", fontsize=8, x=0.01, ha="left")
     save(figure, folder, f"conditions-{stage}")
 
 
@@ -180,6 +190,13 @@ CONDITIONS = {"maxima": "signs in doubles; condition: product of the largest com
               "permanent": "signs in doubles; condition: permanent / |value|",
               "double-double": "signs in double-doubles; condition: product of the largest components / |value|",
               "frame": "in the frame of a prepared polygon; condition: size / |value|"}
+
+
+IN_WORDS = {"maxima": "doubles", "permanent": "sharper doubles", "double-double": "double-doubles", "frame": "prepared polygon",
+            "fast-planarity": "fast (stated, not proved)"}
+QUANTITIES = {"vertex": "vertex against ball", "along": "foot before an edge", "beyond": "foot beyond an edge", "line": "edge's line against ball",
+              "normal": "normal", "front": "above or below the plane", "plane": "plane against ball", "side": "foot beside an edge",
+              "above": "foot above a vertex", "height": "height above the plane", "across": "foot across an edge"}
 
 
 def draw_tightness(folder, rows):
@@ -201,7 +218,7 @@ def draw_tightness(folder, rows):
     left.axvline(1, color="k", linewidth=1)
     left.set_xscale("log")
     left.set_xlim(5e-13, 3)
-    left.set_yticks(y, [f"{stage}: {name}" for stage, name in keys])
+    left.set_yticks(y, [f"{IN_WORDS[stage]}: {QUANTITIES.get(name, name)}" for stage, name in keys])
     left.set_ylim(len(keys) - 0.5, -0.5)
     left.set_xlabel("observed error / bound (the bound: 1; below $10^{-12}$ shown there)")
     left.grid(axis="x", color="#dddddd", linewidth=0.5)
@@ -211,11 +228,13 @@ def draw_tightness(folder, rows):
     for row in rows:
         if row["axis"] != "all":
             cell = keys.index((row["stage"], row["quantity"])), axes_names.index(row["axis"])
-            table[cell] = np.nanmax([table[cell], max(float(row["max"]), 1e-8)])
-    image = right.imshow(np.log10(table), aspect="auto", cmap="viridis", vmin=-8, vmax=0)
-    right.set_xticks(range(len(axes_names)), axes_names, rotation=60, ha="right")
+            table[cell] = np.nanmax([table[cell], float(row["max"])])
+    image = right.imshow(np.log10(np.where(table > 0, np.maximum(table, 1e-8), np.nan)), aspect="auto", cmap="viridis", vmin=-8, vmax=0)
+    for place in np.argwhere(table == 0):
+        right.annotate("0", place[::-1], ha="center", va="center", fontsize=6)
+    right.set_xticks(range(len(axes_names)), [AXES[name][0].replace("\n", " ") for name in axes_names], rotation=60, ha="right")
     right.set_yticks(y, [])
-    right.set_title("largest observed error / bound on each axis")
+    right.set_title("largest observed error / bound on each axis (0: no error; blank: not observed)")
     bar = figure.colorbar(image, ax=right, ticks=[-8, -6, -4, -2, 0])
     bar.set_ticklabels(["$10^{-8}$ or less", "$10^{-6}$", "$10^{-4}$", "$10^{-2}$", "1"])
     figure.suptitle("How tight the bounds on rounding errors are", x=0.01, ha="left")
@@ -223,13 +242,17 @@ def draw_tightness(folder, rows):
 
 
 def draw_onset(folder, rows):
-    distances, methods = distinct(rows, "origin_distance"), distinct(rows, "method")
-    figure, grid = plt.subplots(1, len(distances) + 1, figsize=(11, 3.6), layout="constrained", squeeze=False,
+    distances = distinct(rows, "origin_distance")
+    methods = [method for method in distinct(rows, "method") if any(int(row["failed_triangles"]) for row in rows if row["method"] == method)]
+    never = [method for method in distinct(rows, "method") if method not in methods]
+    figure, grid = plt.subplots(1, len(distances) + 1, figsize=(11, 3.8), layout="constrained", squeeze=False,
                                 width_ratios=[1] * len(distances) + [0.35])
     for axes, distance in zip(grid[0], distances):
         for method in in_order(methods):
             look = look_of(method)
             curve = [row for row in rows if row["origin_distance"] == distance and row["method"] == method]
+            wrong = [-int(row["offset_exponent"]) for row in curve if int(row["failed_triangles"])]
+            curve = [row for row in curve if wrong and -int(row["offset_exponent"]) >= min(wrong) - 1]  # at 0 curves would cover each other
             x = [-int(row["offset_exponent"]) for row in curve]
             rate, lower, upper = (np.array([100 * float(row[key]) for row in curve]) for key in ("rate", "lower", "upper"))
             axes.fill_between(x, lower, upper, color=look.colour, alpha=0.15, linewidth=0)
@@ -240,7 +263,8 @@ def draw_onset(folder, rows):
     grid[0][0].set_ylabel("triangles with a wrong\ncontact at either offset, %")
     grid[0][-1].set_axis_off()
     legend_in(grid[0][-1], grid[0][0])
-    figure.suptitle("Where wrong signs begin: a ball above a triangle's face, radius off by $2^{-k}$ to either side; bands: 95 % limits", x=0.01, ha="left")
+    figure.suptitle("Where wrong signs begin: a ball above a triangle's face, radius off by $2^{-k}$ to either side; bands: 95 % limits.\n"
+                    "A curve begins at the last offset at which its method is never wrong." + (f" Never wrong at any offset: {', '.join(never)}." if never else ""), x=0.01, ha="left")
     save(figure, folder, "onset")
 
 

@@ -286,16 +286,16 @@ def contact_from_above(cell, case, stop):
     (x0, y0), (x1, y1) = box["from"], box["to"]
     axes.fill([x0, x1, x1, x0], [y0, y0, y1, y1], color=PURPLE, alpha=0.45)
     axes.plot([x0, x1], [y1, y1], color=PURPLE, linewidth=2.5)
-    axes.annotate("material", (0, y0 + 8), ha="center")
-    axes.annotate("the side that is touched", (x0 + 1, y1 - 1.2), va="top", fontsize=8, color=BLACK)
+    axes.annotate("material", (0, -16), ha="center")
+    axes.annotate("the side that is touched", (x1 - 1, y1), xytext=(x1 + 3, y1 - 13), fontsize=8, color=BLACK, arrowprops={"arrowstyle": "-", "linewidth": 0.8})
 
     def place(x, y, _):
         away, round_base = turned(-station["azimuth"], x, y)
         return away - station["radius"], round_base
 
     draw_stops(axes, cell, case, stop, place)
-    axes.set_xlim(-30, 62)
-    axes.set_ylim(-30, 22)
+    axes.set_xlim(-24, 58)
+    axes.set_ylim(-24, 20)
     axes.set_xlabel("away from the base's axis, from the storage's axis (mm)")
     axes.set_ylabel("round the base (mm)")
     figure.tight_layout()

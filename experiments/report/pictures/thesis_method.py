@@ -249,14 +249,15 @@ def false_hits(rows):
             outline, rest = row["what"].split(", radius ")
             lines.setdefault(outline, []).append((float(rest.split(" %")[0]), row))
     for (color, style, marker), (outline, own) in zip(STYLES, lines.items()):
-        x, y = [radius for radius, _ in own], [float(row["ours"]) for _, row in own]
+        aside = 1.04 ** (list(lines).index(outline) - (len(lines) - 1) / 2)  # so that outlines do not cover each other
+        x, y = [radius * aside for radius, _ in own], [float(row["ours"]) for _, row in own]
         low = [v - float(row["lower"]) for v, (_, row) in zip(y, own)]
         high = [float(row["upper"]) - v for v, (_, row) in zip(y, own)]
         axes.errorbar(x, y, yerr=[low, high], color=color, linestyle=style, marker=marker, markersize=4, capsize=2, label=outline)
-        stated = [(radius, float(row["stated"])) for radius, row in own if row["stated"]]
+        stated = [(radius * aside, float(row["stated"])) for radius, row in own if row["stated"]]
         if stated:
             axes.plot(*zip(*stated), linestyle="", marker="o", markersize=9, markerfacecolor="none", markeredgecolor=color)
-    axes.plot([], [], linestyle="", marker="o", markersize=9, markerfacecolor="none", markeredgecolor=GREY, label="stated")
+    axes.plot([], [], linestyle="", marker="o", markersize=9, markerfacecolor="none", markeredgecolor=GREY, label="our fact sheet")
     axes.set_xscale("log")
     axes.set_xticks([0.2, 1, 5, 10], ["0.2", "1", "5", "10"])
     axes.minorticks_off()
@@ -303,10 +304,10 @@ def factor_reach(rows):
 def not_numbers(rows):
     """Shares of one whole: each bar of floats is a part of the one above it."""
     floats, doubles, outside, missed_ = (float(row["ours"]) for row in rows)
-    steps = [("floats: the arc cosine is no number", floats, look_of("thesis-float").colour),
-             ("and the point is called outside", floats * outside / 100, look_of("thesis-float").colour),
-             ("and a contact is missed", floats * outside * missed_ / 1e4, look_of("thesis-float").colour),
-             ("doubles: the arc cosine is no number", doubles, look_of("thesis").colour)]
+    steps = [("floats: the arc cosine is not a number", floats, look_of("thesis-float").colour),
+             ("of these, also: the point is called outside", floats * outside / 100, look_of("thesis-float").colour),
+             ("of these, also: a contact is missed", floats * outside * missed_ / 1e4, look_of("thesis-float").colour),
+             ("doubles: the arc cosine is not a number", doubles, look_of("thesis").colour)]
     figure, axes = plt.subplots(figsize=(7, 2.9))
     for place, (words, value, color) in enumerate(steps):
         axes.barh(-place, value, color=color, height=0.62, alpha=(1, 0.7, 0.45, 1)[place])
@@ -314,7 +315,7 @@ def not_numbers(rows):
     axes.set_yticks([-place for place in range(len(steps))], [words for words, _, _ in steps])
     axes.set_xlim(0, 1.2 * max(value for _, value, _ in steps))
     axes.set_xlabel("% of all points on edges")
-    axes.set_title("u·v / |u||v| on an edge is −1, or rounds below it")
+    axes.set_title("Feet on an edge, where the cosine of the angle rounds to below −1")
     axes.grid(axis="x", alpha=0.3)
     figure.tight_layout()
     return figure

@@ -102,10 +102,13 @@ def draw_band(axes, spots):
     axes.step(*zip(*corners, (x[-1], corners[-1][1])), where="post", color="#777777", linewidth=1, zorder=0.5)
 
 
-def arrow(axes, spot, colour, size, upwards=False):
-    axes.annotate("", (spot.x, spot.y), xytext=(0, (3 if upwards else -3) * size), textcoords="offset points", zorder=1.5,
-                  arrowprops={"arrowstyle": "<|-", "color": colour, "linewidth": 0.8, "mutation_scale": 1.1 * size,
-                              "shrinkA": 0, "shrinkB": 0})
+DOWN = MarkerPath([(0, 0), (0, -1), (-0.2, -0.75), (0, -1), (0.2, -0.75)], [MarkerPath.MOVETO, MarkerPath.LINETO, MarkerPath.MOVETO, MarkerPath.LINETO, MarkerPath.LINETO])
+UP = MarkerPath(-DOWN.vertices, DOWN.codes)
+
+
+def arrow(x, y, colour, size, path):
+    """From a mark of a size, three times as long."""
+    return Line2D([x], [y], color=colour, linestyle="", marker=path, markersize=6 * size, markerfacecolor="none", markeredgewidth=0.8, zorder=1.5)
 
 
 # A circle in pieces, for what is perhaps on the front.
@@ -131,9 +134,9 @@ def draw_front(axes, rows, every, size, whiskers):
         if whiskers and spot.whisker:
             axes.plot([spot.x, spot.x], spot.whisker, color=colour, linewidth=0.8, alpha=0.5 * pale, zorder=1)
         if spot.never and not spot.in_strip:
-            arrow(axes, spot, colour, here)
+            axes.add_line(arrow(spot.x, spot.y, colour, here, DOWN))
         elif spot.not_finite > 0 and rows[0]["measure"] != "not-right":
-            arrow(axes, spot, colour, here, upwards=True)
+            axes.add_line(arrow(spot.x, spot.y, colour, here, UP))
         axes.plot(spot.x, spot.y, marker, color=colour, markersize=here, zorder=3 if spot.front != "off" else 2, alpha=pale,
                   markerfacecolor="white" if spot.never else colour)
         if spot.front != "off":
@@ -213,10 +216,10 @@ def symbols(measure, rows):
              (Line2D([], [], color="#444444", linewidth=1), "quartiles of the time")]
     never = [spot.samples for spot in spots if spot.never and not spot.in_strip]
     if never:
-        open_marker = (marker(r"$\downarrow$", 15, markeredgewidth=0), marker("o", markerfacecolor="white"))
+        open_marker = (arrow([], [], "#444444", 3, DOWN), marker("o", markerfacecolor="white"))
         lines.append((open_marker, f"all correctly rounded:\n{range_of(never)} polygons"))
     if measure != "not-right" and any(spot.not_finite > 0 for spot in spots):
-        lines.append(((marker(r"$\uparrow$", 15, markeredgewidth=0), marker("o")), "of finite answers;\nothers overflow"))
+        lines.append(((arrow([], [], "#444444", 3, UP), marker("o")), "of finite answers;\nothers overflow"))
     return lines
 
 
@@ -275,7 +278,7 @@ def draw_pooled(rows, folder, measure):
     legend_by_group(figure, measure, rows)
     figure.canvas.draw()
     for axes, spots in drawn:
-        name_spots(axes, spots, [s for s in spots if s.front != "off" or s.not_finite > 0], 9)
+        name_spots(axes, spots, [s for s in spots if s.front != "off" or s.not_finite > 0 or s.never], 8)
     save(figure, folder, f"front-{measure}")
 
 

@@ -5,12 +5,15 @@ Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import math
 
+from looks import look_of
 from pictures.style import STYLES, plt, save
 
 
 def draw_misses(axes, rows):
     """Shares by steps, a curve a radius."""
-    for (color, line, marker), radius in zip(STYLES, dict.fromkeys(row["radius"] for row in rows)):
+    radii = list(dict.fromkeys(row["radius"] for row in rows))
+    for place, ((_, line, marker), radius) in enumerate(zip(STYLES, radii)):
+        color = str(0.75 * place / len(radii))  # greys: colours are of methods
         own = [row for row in rows if row["radius"] == radius]
         shares = [100 * float(row["rate"]) for row in own]
         bars = [[s - 100 * float(row["lower"]) for s, row in zip(shares, own)], [100 * float(row["upper"]) - s for s, row in zip(shares, own)]]
@@ -32,14 +35,14 @@ def draw_cost(axes, rows):
 
     lower, median, upper = zip(*map(parts, steps))
     axes.errorbar([int(row["asked"].split()[0]) for row in steps], median,
-                  yerr=[[m - low for m, low in zip(median, lower)], [high - m for m, high in zip(median, upper)]], color=STYLES[3][0], marker="o",
-                  markersize=4, capsize=2, label="steps, until one touches")
-    for (color, line, _), row in zip(STYLES, [row for row in rows if row not in steps]):
-        axes.axhline(parts(row)[1], color=color, linestyle=line, label=row["asked"] + ", exact")
+                  yerr=[[m - low for m, low in zip(median, lower)], [high - m for m, high in zip(median, upper)]], color=look_of("filtered").colour, linestyle=":", marker="o",
+                  markersize=4, capsize=2, label="filtered, in steps until one touches")
+    for (_, line, _), row in zip(STYLES, [row for row in rows if row not in steps]):
+        axes.axhline(parts(row)[1], color=look_of("filtered").colour, linestyle=line, label=row["asked"] + ", without steps")
     axes.set_yscale("log")
-    axes.set_ylabel("nanoseconds a motion (median)")
+    axes.set_ylabel("nanoseconds per motion")
     axes.legend()
-    axes.set_title("a measurement: what a motion costs")
+    axes.set_title("time per motion: medians (bars: quartiles)")
 
 
 def main(folder):

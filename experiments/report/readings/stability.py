@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Polygons under stress: how many of them methods fail on, and from which level."""
-from names import AXES
+from names import AXES, MODES
 from readings.asked import Asked
 from results import finite, maybe, natural, number, share
 
@@ -23,6 +23,12 @@ class Data:
                                       plain_upper=share, fused_wrong=natural, fused_lower=share, fused_upper=share)
         self.methods = list(dict.fromkeys(row["method"] for row in self.rows))
         self.axes = [axis for axis in AXES if any(row["axis"] == axis for row in self.rows)]
+
+    def failed(self, method, nearness):
+        """Polygons that the method was wrong about, and all; without axes whose truth is another one."""
+        own = [row for row in self.rows if row["method"] == method and row["nearness"] == nearness and row["axis"] not in MODES
+               and not row["axis"].endswith(STAND_IN)]
+        return sum(row["failed_samples"] for row in own), sum(row["samples"] for row in own)
 
     def first_failure(self, axis, nearness, method):
         """The level, "" where none failed; None where it was not asked."""

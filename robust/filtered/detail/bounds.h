@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// The error bounds of the filters. Each test run proves every constant (robust/proofs).
+/// The error bounds of the filters. robust/proofs/CLAIMS.md lists how each is proved, and which are counted by hand.
 ///
 /// Model: every operation returns its exact result times (1 + d), |d| <= unit, plus at most 2^-1021 in magnitude
 /// (underflow, flushed to zero or not). The model holds for doubles in every rounding direction with `kUnit`, for fused

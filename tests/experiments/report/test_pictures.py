@@ -17,6 +17,7 @@ matplotlib.use("Agg")
 
 import dark
 from looks import LIBRARIES, LOOKS
+from methods import asks_the_question
 from pictures import thesis_cell, thesis_method
 
 STATION = {"azimuth": 0, "radius": 500, "height": 409, "deck": 412}
@@ -57,6 +58,13 @@ class Looks(unittest.TestCase):
         names = re.findall(r'(?:\.name = |return \{|broad_phase<[^;]*>\(|kEmbree = )"([^"]+)"', text)
         self.assertGreaterEqual(len(names), 10)
         self.assertEqual(set(names) - set(LIBRARIES), set())
+
+
+class Front(unittest.TestCase):
+    def test_methods_that_answer_about_another_shape_are_not_compared(self):
+        asked = {placement: [method for method in LOOKS if asks_the_question(method, placement)] for placement in ("lattice-frame", "rotated")}
+        self.assertEqual(set(LOOKS) - set(asked["lattice-frame"]), {"hull"})
+        self.assertEqual(set(asked["lattice-frame"]) - set(asked["rotated"]), {"convex-parts", "cgal-epeck-distance", "cgal-epeck-intersect"})
 
 
 class Dark(unittest.TestCase):

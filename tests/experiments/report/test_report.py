@@ -20,6 +20,7 @@ TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Pa
 REPORT = SOURCE / "experiments/report/report.py"
 sys.path.insert(0, str(SOURCE / "experiments/report"))
 
+from methods import EXACT, rounds
 from page import rounded, share_of_size, upper_limit
 from report import CHAPTERS, page
 from results import DataError, study_in
@@ -167,6 +168,13 @@ class Report(unittest.TestCase):
             for word in (run["command"], run["commit"] or "unknown", run["compiler"], run["machine"]):
                 self.assertIn(re.sub(r"\s+", " ", word), self.page.text)
 
+    def test_a_run_names_its_processor_with_family_and_model(self):
+        processor = json.loads((self.original / "soak/run.json").read_text())["processor"]
+        if "model name" in pathlib.Path("/proc/cpuinfo").read_text():
+            self.assertRegex(processor, r"\S \(\w+ family \d+, model \d+, stepping \d+\)$")
+        else:
+            self.assertEqual(processor, "")
+
     def test_names_a_study_that_was_not_run_with_its_command(self):
         for name in CHAPTERS:
             gone = self.results.parent / "gone"
@@ -212,6 +220,65 @@ class Report(unittest.TestCase):
         self.assertIn("took filtered 2.25 × the time of fast", self.changed().text)
         path.write_text('{"contests": []}')
         self.assertIn(f"{path}: no contest random-triangles", self.complaint())
+
+    def test_the_price_is_one_number_with_its_quartiles_and_repetitions(self):
+        path = self.results / "bench/bench.json"
+        bench = json.loads(path.read_text())
+        ratio = next(c for c in bench["contests"][0]["contestants"] if c["name"] == "filtered")["ratio"]
+        ratio |= {"median": 1.25, "lower_quartile": 1.2, "upper_quartile": 1.31, "repetitions": [1.25] * 11}
+        path.write_text(json.dumps(bench))
+        self.assertIn("took filtered 1.25 × the time of fast (quartiles of 11 repetitions in turns: 1.20 to 1.31)", self.changed().text)
+        ratio["too_noisy"] = True
+        path.write_text(json.dumps(bench))
+        self.assertNotIn("Price:", self.changed().text)
+
+    def test_the_headline_is_an_outcome_of_the_data(self):
+        path = self.results / "stability/failures.csv"
+
+        def of_plain_doubles(row):
+            return (row["method"], row["nearness"], row["test"]) == ("fast", "ample", "contact") and row["axis"] != "rounding"
+
+        polygons = sum(int(row["samples"]) for row in rows_of(path) if of_plain_doubles(row))
+        edited(path, lambda row: row.update(failed_samples=row["samples"] if row["axis"] == "aspect" else "0") if of_plain_doubles(row) else None)
+        failed = sum(int(row["failed_samples"]) for row in rows_of(path) if of_plain_doubles(row))
+        self.assertGreater(failed, 0)
+        self.assertIn(f"With the radius off by a quarter of the distance, careful plain doubles are wrong about {rounded(100 * failed / polygons)} % of the "
+                      "polygons under stress. filtered was never wrong in any of", self.changed().text)
+        edited(path, lambda row: row.update(failed_samples="0") if of_plain_doubles(row) else None)
+        self.assertIn("Within one double of contact, careful plain doubles are wrong in", self.changed().text)
+
+    def test_the_verdict_says_of_no_method_that_it_was_wrong_which_was_not(self):
+        def counted():
+            """By whether methods bound their errors: those that were wrong, and those that were not."""
+            asked = [CHAPTERS[name].asked(study_in(self.results / name)) for name in CHAPTERS]
+            wrong = {m: sum(counts[m].wrong for counts in asked if m in counts) for m in dict.fromkeys(m for counts in asked for m in counts)}
+            return wrong, [m for m in wrong if rounds(m)], [m for m in wrong if m in EXACT - {"exact"} and not wrong[m]]
+
+        def said():
+            wrong, unbounded, sure = counted()
+            k = sum(wrong[m] > 0 for m in unbounded)
+            text = self.changed().text
+            self.assertIn(f"{'All' if k == len(unbounded) else f'{k} of'} {len(unbounded)} methods that compute in floats or doubles without bounding their errors", text)
+            self.assertIn(f"these never were: {', '.join(sure[:-1])} and {sure[-1]}.", text)
+            return k, sure
+
+        before, sure = said()
+        self.assertIn("interval", sure)
+        edited(self.results / "tradeoff/bands.csv", lambda row: row.update(wrong="1") if row["method"] == "interval" else None)
+        self.assertNotIn("interval", said()[1])
+        for study in ("near-edge/bands.csv", "tradeoff/bands.csv", "regress/outcomes.csv", "meshes/meshes.csv", "cell/methods.csv"):
+            names = {"failures", "wrong", "wrong_hits", "wrong_misses"}
+            edited(self.results / study, lambda row: row.update({name: "0" for name in names & row.keys()}) if row["method"] == "thesis" else None)
+        self.assertEqual(said()[0], before - 1)
+
+    def test_a_phone_shows_the_verdict_whole(self):
+        box = self.whole.partition('class="verdict"')[2].partition("</section>")[0]
+        drawn = re.findall(r'<svg class="(\w+)" viewBox="0 0 (\d+) ', box)
+        self.assertEqual(len(drawn), 2)
+        for kind, width in drawn:
+            self.assertEqual(kind, "part")
+            self.assertLessEqual(int(width), 400)  # so that letters of 12 are legible at 320 pixels
+        self.assertNotRegex(box, "<img|<table")
 
     def test_cost_against_nearness_is_that_of_the_bench(self):
         path = self.results / "bench/bench.json"
@@ -333,7 +400,7 @@ class Report(unittest.TestCase):
         edited(self.results / "near-edge/worst.csv", lambda row: row.update(sampled_share="", climbed_share=""))
         self.assertIn("a search found no wrong answer away from contact", self.changed().text)
         edited(self.results / "near-edge/worst.csv", lambda row: row.update(climbed_share="0.001") if row["method"] == "fast" else None)
-        self.assertIn(f"10⁶ sizes away: fast {share_of_size(0.001)} and {share_of_size(0.001)}.", self.changed().text)
+        self.assertIn("10⁶ sizes away: fast 1 mm and 1 mm.", self.changed().text)
         edited(self.results / "near-edge/rates.csv", lambda row: row.update(failures=row["trials"]) if row["method"] == "fast" else None)
         self.assertIn("careful plain doubles (fast) 100 %", self.changed().text)
 
@@ -345,7 +412,8 @@ class Report(unittest.TestCase):
         answers = sum(int(row["cases"]) for row in rows if row["family"] == "all")
         self.assertEqual(answers, sum(int(row["cases"]) for row in rows if row["family"] != "all"))
         text = Page(report(only)[0]).text
-        self.assertIn(f"filtered, which decides exactly, gave no wrong answer in {answers:,} questions.", text)
+        self.assertIn("filtered was never wrong in the study below", text)
+        self.assertIn("differed from exact arithmetic in none of 200 adversarial cases", text)
         self.assertIn(f"The certified path under attack{answers:,}200 cases0{rounded(100 * upper_limit(200))}", text)
 
     def test_outlines_that_are_asked_about_in_both_placements_count_once(self):
@@ -366,7 +434,10 @@ class Report(unittest.TestCase):
         edited(self.results / "soak/soak.csv", lambda row: row.update(differences="1"))
         text = self.changed().text
         self.assertIn("against its guarantee", text)
-        self.assertNotIn("filtered gave none", text)
+        self.assertNotIn("filtered was never wrong", text)
+        self.assertNotIn("How sure:", text)
+        self.assertNotRegex(text, "these never were: filtered")
+        self.assertIn("Compared with exact answers, filtered was wrong in The certified path under attack.", text)
         self.assertIn("none: it failed", text)
 
     def test_times_are_in_the_data(self):
@@ -377,12 +448,14 @@ class Report(unittest.TestCase):
                 row["median_ns"] = "10"
 
         edited(self.results / "tradeoff/timings.csv", tenfold)
-        shutil.rmtree(self.results / "bench")  # whose times come first
-        self.assertIn("filtered took 100 × the time of fast with balls anywhere", self.changed().text)
+
+        def tradeoff():
+            return re.search(r'<h2 id="tradeoff">.*?</section>', report(self.results)[0], re.S)[0]
+
+        self.assertIn("100\u00a0×", tradeoff())
         edited(self.results / "tradeoff/timings.csv", lambda row: row.update(lower_quartile_ns="10", upper_quartile_ns="16"))
-        text = self.changed().text
-        self.assertNotIn("What it costs", text)
-        self.assertIn("too noisy to tell", text)
+        self.assertIn("too noisy to tell", tradeoff())
+        self.assertNotIn("100\u00a0×", tradeoff())
 
     def test_engines_that_were_not_built_in_are_named(self):
         self.assertRegex(self.page.text, r"Not in this build[^.]*\bbullet\b")

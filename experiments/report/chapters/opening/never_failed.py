@@ -36,14 +36,14 @@ def table_of(asked, titles):
     if not rows:
         return ""
     right, unsure = others(asked)
-    answers, wrong, _ = sums(asked, CERTIFIED)
-    also = f"{code(CERTIFIED)} was wrong in {count(wrong) if wrong else 'none'} of {count(answers)} answers that were compared with exact ones."
-    also += f" Also never wrong: {words(f'{code(m)} ({count(sums(asked, m)[0])} answers)' for m in right)}." if right else ""
+    failed = [escaped(titles[name]) for name, counts in asked.items() if CERTIFIED in counts and counts[CERTIFIED].wrong]
+    also = f"Compared with exact answers, {code(CERTIFIED)} was wrong in " + (words(failed) + "." if failed else "none of the studies.")
+    also += f" Also never wrong: {words(map(code, right))}." if right else ""
     also += "".join(f" {code(m)} was never wrong either, but said “don’t know” {count(n)} times of {count(sums(asked, m)[0])}." for m, n in unsure.items())
     limits = table(
         f"Answers of {code(CERTIFIED)} about contact that were compared with exact ones. Answers about the same polygon depend on each "
         "other, so the limit counts polygons (or outlines that they share, faces, cases). It holds for polygons that are drawn as that "
-        "study draws them; studies are not added up. The bounds behind the answers are proved as well, in every test run.",
+        "study draws them; studies are not added up. Error bounds behind the answers are proved as well.",
         ["study", "answers", "about", "wrong", "95 % upper limit"], rows, range(1, 5))
     return (f"<section><h2>What never failed, and how sure that is</h2><p>{also}</p>"
             + folded(f"By study: how often {CERTIFIED} was asked, and the limits", limits) + "</section>")
