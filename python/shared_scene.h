@@ -11,8 +11,8 @@
 
 namespace touchstone::python {
 
-/// A scene that Python threads may ask and change at once: questions share it, a change has it alone. Each waits for what
-/// was asked before it, and for nothing later. Both release the interpreter, also while they wait.
+/// A scene that Python threads may ask and change at once: questions share it, a change has it alone. Each waits for
+/// what was asked before it, and for nothing later. Both release the interpreter, also while they wait.
 class SharedScene {
  public:
   /// Returns f(scene).

@@ -14,12 +14,12 @@ namespace touchstone::python {
 
 inline pybind11::str text(std::string_view word) { return {word.data(), word.size()}; }
 
-/// Returns the enumerator of a number. Throws pybind11::value_error if there is none: each has a word.
+/// Returns the enumerator with this number. Throws pybind11::value_error if no enumerator has it: each has a word.
 template <class Enumerator>
 Enumerator enumerator_of(int number, const char* name) {
   const auto value = static_cast<Enumerator>(number);
   if (to_string(value).empty())
-    throw pybind11::value_error(std::string(name) + ": there is none of number " + std::to_string(number));
+    throw pybind11::value_error(std::string(name) + ": no value has the number " + std::to_string(number));
   return value;
 }
 
