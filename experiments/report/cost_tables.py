@@ -81,6 +81,7 @@ def kept(bench, root):
             contests.append({"family": contest["family"], "name": contest["name"], "ratio": ratio_of(found, contest["family"]), "contestants": [
                 {"name": name, "nanoseconds": [c["nanoseconds"][which] for which in QUARTILES], "wrong": c.get("wrong")} for name, c in found.items()]})
             noisy += [f"{contest['family']}, {name}" for name, c in found.items() if not noise.of_contestant(c)]
+            noisy += [f"{contest['family']}, ratio"] if not noise.is_steady(*contests[-1]["ratio"][1:]) else []
     found = {(contest["family"], contest["name"]) for contest in contests}
     if missing := [family for family, name in FAMILIES if (family, name) not in found]:
         raise SystemExit(f"no times of {', '.join(missing)}")
@@ -107,7 +108,7 @@ def share(wrong):
         return ""
     if not wrong["count"]:
         return f"0 of {wrong['of']:,}"
-    return unless_whole(wrong["count"] / wrong["of"], f"{100 * wrong['count'] / wrong['of']:.0f}") + " %"
+    return unless_whole(wrong["count"] / wrong["of"], f"{100 * wrong['count'] / wrong['of']:.2g}") + " %"
 
 
 def spread(numbers, form):

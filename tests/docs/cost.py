@@ -68,7 +68,8 @@ class Cost(unittest.TestCase):
     def test_noise_is_not_stored(self):
         noisy = bench(self.commit)
         noisy["contests"][1]["contestants"][1]["nanoseconds"]["upper_quartile"] = 80
-        with self.assertRaisesRegex(SystemExit, "too noisy to quote: random-triangles, filtered; measure again"):
+        noisy["contests"][2]["contestants"][1]["ratio"]["upper_quartile"] = 2
+        with self.assertRaisesRegex(SystemExit, "too noisy to quote: random-triangles, filtered; half-near, ratio; measure again"):
             cost_tables.kept(noisy, self.root)
 
     def test_pages_show_the_stored_measurements(self):
