@@ -85,7 +85,9 @@ Eigen::Vector3d normal_of(const Polygon& polygon) {
 class Study {
  public:
   explicit Study(const Options& options)
-      : options_(options), methods_(options.methods.methods()), families_(workloads::find_families(options.families)) {}
+      : options_(options), methods_(options.methods.methods()), families_(workloads::find_families(options.families)) {
+    workloads::require_vertices(families_, options.vertices);
+  }
 
   [[nodiscard]] Sum zero() const { return {.count = std::vector<std::array<Count, kAngles>>(methods_.size())}; }
 
@@ -200,7 +202,9 @@ harness::Command angles_command() {
   command.families(options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
-  command.whole("--vertices", options->vertices, "Vertices of the polygons, as nearly as a family allows", 3, 1U << 17)
+  command
+      .whole("--vertices", options->vertices, "Vertices of the polygons, as nearly as a family allows", 3,
+             workloads::kMostVertices)
       .changes_results();
   harness::declare_study(command, *options, "--samples", "Polygons of each family");
   command.writes({angles::table().description()});

@@ -39,7 +39,9 @@ class Run {
                   options.seed,
                   options.threads,
                   options.shape,
-                  methods::find_method(options.oracle)} {}
+                  methods::find_method(options.oracle)} {
+    workloads::require_vertices(settings_.families, options.shape.vertices);
+  }
 
   int operator()() {
     if (options_.search > 0) run_.require_resumable(kSearchCheckpoint, options_.search, no_onsets(settings_));
@@ -140,9 +142,11 @@ harness::Command near_edge_command() {
   });
   command
       .whole("--vertices", options->shape.vertices, "Vertices of the outer loops, as nearly as a family allows", 3,
-             1U << 17)
+             workloads::kMostVertices)
       .changes_results();
-  command.whole("--holes", options->shape.holes, "Holes of each polygon; those without room are missing", 0, 1000)
+  command
+      .whole("--holes", options->shape.holes, "Holes of each polygon; those without room are missing", 0,
+             workloads::kMostHoles)
       .changes_results();
   command
       .real("--origin-distance", options->shape.origin_distance,
@@ -156,10 +160,9 @@ harness::Command near_edge_command() {
   command.whole("--search", options->search,
                 "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
                 "and distance from the origin",
-                0, kMostSamples);
+                0, harness::kMostSamples);
   command.flag("--no-maps", options->no_maps, "Draw no maps: they ask each method some hundred thousand times");
-  harness::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold",
-                         kMostSamples);
+  harness::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
   command.writes(tables());
   command.writes(search_tables());
   command.example("near-edge --methods fast,filtered --samples 20 --search 0");
