@@ -89,8 +89,8 @@ struct Sample {
 /// Returns the families of these names, in the order of all_families; `all` selects every family. Throws
 /// std::invalid_argument, which names the first unknown one.
 [[nodiscard]] std::vector<Family> find_families(const std::vector<std::string>& names);
-/// Throws std::invalid_argument, which names the option and the limit, if one of these families has no outlines with so
-/// many vertices.
+/// Throws std::invalid_argument, which names the option and the limit, if one of these families has no outlines with
+/// this number of vertices.
 void require_vertices(const std::vector<Family>& families, std::size_t vertices);
 /// Returns the names of the families that find_families selects, joined by commas. Throws as it does.
 [[nodiscard]] std::string selected_names(const std::vector<std::string>& names);
