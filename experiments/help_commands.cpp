@@ -22,7 +22,9 @@ using harness::CommandDescription;
 CommandDescription program_of(const std::string& about, const std::vector<Command>& commands) {
   CommandDescription program{.name = {},
                              .about = about,
-                             .footer = {},
+                             .footer =
+                                 "Cases, cells and scripts lie in share/touchstone beside the program's folder, or\n"
+                                 "where the variable TOUCHSTONE_DATA says.",
                              .options = {{.name = "--version",
                                           .value = {},
                                           .about = "Print the version, the commit and the engines",

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/harness/run_record.h"
+#include "experiments/harness/data.h"
 #include "experiments/judge/corpus/corpus_case.h"
 
 namespace touchstone::corpus {
@@ -38,7 +38,7 @@ std::string completed(const std::string& text, const std::string& name) {
 }  // namespace
 
 std::string given_text(const std::string& name) {
-  const auto file = harness::source_folder() / "experiments/judge/corpus/given" / (name + ".jsonl");
+  const auto file = harness::data("experiments/judge/corpus/given/" + name + ".jsonl");
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
   std::string text, line;
