@@ -9,10 +9,10 @@
 #include <string>
 
 #include "experiments/cell/cell_commands.h"
+#include "experiments/harness/data.h"
 #include "experiments/harness/input.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
-#include "experiments/harness/run_record.h"
 #include "experiments/harness/write_file.h"
 #include "geometry/io/detail/legible.h"
 
@@ -25,7 +25,7 @@ struct NewOptions {
 };
 
 int run(const NewOptions& options) {
-  const std::filesystem::path least = harness::source_folder() / "experiments/cell/cells/least";
+  const std::filesystem::path least = harness::data("experiments/cell/cells/least");
   const harness::OutputFolder held(options.folder, options.line, {.force = options.force});
   for (const char* name : {"arm.urdf", "cell.json"}) {
     std::ifstream stream = harness::open_file(least / name);

@@ -14,8 +14,8 @@
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/run_options.h"
+#include "experiments/harness/data.h"
 #include "experiments/harness/processes.h"
-#include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
 
@@ -31,7 +31,7 @@ struct ServeOptions {
 int run(const ServeOptions& options) {
   const harness::StopSignal stop_signal;
   RunOptions chosen = options.run;
-  if (chosen.file.empty()) chosen.file = (harness::source_folder() / "experiments/cell/cells/aristo.json").string();
+  if (chosen.file.empty()) chosen.file = harness::data("experiments/cell/cells/aristo.json").string();
   const browser::Simulator simulator = simulator_of(chosen);
   std::vector<browser::Variant> presets;
   if (chosen.preset.empty())

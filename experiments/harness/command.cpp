@@ -459,13 +459,16 @@ int Command::operator()(std::vector<std::string> arguments) const {
 }
 
 CommandDescription description_of(const std::string& about, const std::vector<Command>& commands) {
-  CommandDescription program{.name = {},
-                             .heading = {},
-                             .about = about,
-                             .footer = {},
-                             .options = {},
-                             .examples = {"help near-edge"},
-                             .subcommands = {}};
+  CommandDescription program{
+      .name = {},
+      .heading = {},
+      .about = about,
+      .footer =
+          "Cases, cells and scripts lie in share/touchstone beside the program's folder, or where "
+          "the variable TOUCHSTONE_DATA says.",
+      .options = {},
+      .examples = {"help near-edge"},
+      .subcommands = {}};
   program.options.push_back({.name = "--version",
                              .value = {},
                              .about = "Print the version, the commit and the engines",

@@ -64,6 +64,7 @@ OutputFolder::OutputFolder(std::filesystem::path folder, const std::string& comm
   lock();
   try {
     refuse_content(existing);
+    remove_unfinished();
   } catch (...) {
     release();
     throw;
@@ -107,13 +108,22 @@ void OutputFolder::refuse_content(Existing existing) const {
   const bool has_checkpoint = std::filesystem::exists(path_ / "checkpoint.json", error);
   if (existing.resume && has_checkpoint) return;
   std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(path_)) names.insert(entry.path().filename().string());
+  for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+    const std::string name = entry.path().filename().string();
+    if (!is_unfinished(name)) names.insert(name);
+  }
   names.erase(kLock);
   if (names.empty()) return;
   const std::string name = io::legible(*names.begin());
   if (existing.resume) refuse("has no checkpoint.json to continue from, but " + name);
   refuse(fmt::format("is not empty (it has {}); --force overwrites what is there{}", name,
                      has_checkpoint ? ", --resume continues its run" : ""));
+}
+
+void OutputFolder::remove_unfinished() const {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(path_))
+    if (is_unfinished(entry.path().filename().string())) std::filesystem::remove(entry.path(), error);
 }
 
 void OutputFolder::share() const {

@@ -2,14 +2,16 @@
 #include "experiments/harness/pictures.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <optional>
+#include <system_error>
 
+#include "experiments/harness/data.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/write_file.h"
 
 namespace touchstone::harness {
 namespace {
@@ -28,7 +30,7 @@ bool run_script(const char* name, const std::string& arguments, const std::strin
     fmt::print(stderr, "touchstone: no pictures: no python3 with matplotlib and numpy{}\n", where);
     return false;
   }
-  const std::string script = shell_quoted((source_folder() / "experiments/report" / name).string());
+  const std::string script = shell_quoted(data(std::string("experiments/report/") + name).string());
   if (std::system((*python + " -B " + script + " " + arguments).c_str()) == 0) return true;
   fmt::print(stderr, "touchstone: the pictures could not be drawn{}\n", where);
   return false;
@@ -43,14 +45,13 @@ int draw_pictures(const std::string& name, const OutputFolder& folder) {
 }
 
 int draw_png(const std::string& svg, const std::filesystem::path& file) {
-  const std::string beside = fmt::format("{}.new-{}", file.string(), ::getpid());
-  const std::filesystem::path drawing = beside + ".svg", drawn = beside + ".png";
-  write_file(drawing, svg);
-  const bool done =
-      run_script("svg_to_png.py", shell_quoted(drawing.string()) + " " + shell_quoted(drawn.string()), "");
-  std::filesystem::remove(drawing);
-  if (done) std::filesystem::rename(drawn, file);
-  return done ? 0 : 1;
+  // A file without a name, which the script inherits and nobody needs to remove.
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> drawing(std::tmpfile(), std::fclose);
+  if (!drawing || std::fwrite(svg.data(), 1, svg.size(), drawing.get()) != svg.size() ||
+      std::fflush(drawing.get()) != 0)
+    throw std::system_error(errno, std::generic_category(), "a temporary file cannot be written");
+  const int number = ::fileno(drawing.get());
+  return run_script("svg_to_png.py", fmt::format("/dev/fd/{} {}", number, shell_quoted(file.string())), "") ? 0 : 1;
 }
 
 }  // namespace touchstone::harness

@@ -5,7 +5,6 @@
 #include <sys/utsname.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iterator>
@@ -67,11 +66,6 @@ std::string version_text() {
   return fmt::format("touchstone {}\ncommit: {}\ncompiler: {}\nengines: {}", TOUCHSTONE_VERSION,
                      commit.empty() ? "unknown" : commit, kCompiler,
                      found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", ")));
-}
-
-std::filesystem::path source_folder() {
-  const char* folder = std::getenv("TOUCHSTONE_SOURCE_DIR");
-  return folder != nullptr ? folder : TOUCHSTONE_SOURCE_DIR;
 }
 
 std::string utc_now() {

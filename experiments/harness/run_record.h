@@ -25,8 +25,6 @@ void write_run_record(const std::filesystem::path& folder, const Run& run);
 
 /// Returns the version of the project, the commit, the compiler and the optional engines of this build: a line each.
 [[nodiscard]] std::string version_text();
-/// Returns the folder of the sources: $TOUCHSTONE_SOURCE_DIR, else the folder from which the program was built.
-[[nodiscard]] std::filesystem::path source_folder();
 /// Returns the current time as `2026-11-23T03:19:51Z`.
 [[nodiscard]] std::string utc_now();
 /// Quotes a text as one word of a shell command.

@@ -10,9 +10,8 @@
 
 namespace touchstone::harness {
 
-void declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about,
-                   std::uint64_t most) {
-  command.whole(samples, options.samples, about, 1, most);
+void declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about) {
+  command.whole(samples, options.samples, about, 1, kMostSamples);
   command.seed(options.seed).changes_results();
   command.threads(options.threads, "Threads of each process; they do not change the results");
   command.resume(options.resume);

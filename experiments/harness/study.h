@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,10 +32,13 @@ struct StudyOptions : Printing {
   std::function<std::vector<std::pair<std::string, std::string>>()> result_options;
 };
 
+/// The largest number of samples of a study: products with the numbers of families, placements and the like do not
+/// overflow.
+inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
+
 /// Declares these options, after those of the study itself. `samples`: the name and the meaning of the number of
 /// samples.
-void declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about,
-                   std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+void declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about);
 
 /// One run of a study by all processes: its folder, its phases and its end. Only the first process writes and prints.
 class StudyRun {

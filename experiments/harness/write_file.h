@@ -3,19 +3,25 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace touchstone::harness {
 
 /// Writes the text, byte for byte, to a new file beside the target, which then takes its name. Readers thus find the
-/// earlier file or the complete new one. A symbolic link of that name is replaced, not followed.
+/// earlier file or the complete new one, also after the machine has failed: the text is on the disk before the file
+/// takes its name, and the name before this returns. A symbolic link of that name is replaced, not followed.
 ///
 /// Throws std::runtime_error, which names the file and the reason, if it cannot be written; an earlier file is then
 /// unchanged.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 /// The same for a command that writes one file. Without `force`, throws like refuse_overwrite if the file exists by
-/// now: if two commands write the same file, one succeeds.
+/// now: if two commands write the same file, one succeeds. Removes what killed processes left of earlier attempts.
 void write_file(const std::filesystem::path& path, const std::string& text, bool force);
+
+/// Returns whether this is the name of a file that write_file (or experiments/report/replacing.py) writes, before the
+/// file takes its own: NAME.new- and the number of the process. A killed process leaves such a file.
+[[nodiscard]] bool is_unfinished(std::string_view name);
 
 /// Checks the target of a command that writes one file, before the command computes its content.
 ///

@@ -24,6 +24,8 @@ using cases::Key;
 // Bounds the search for failures of a method that never fails.
 constexpr std::uint64_t kMostSamplesPerCase = 10'000;
 
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;  // the search then counts without overflow
+
 struct CasesOptions {
   workloads::Workload workload;
   std::uint64_t seed = 1, first = 0, count = 10;
@@ -88,14 +90,14 @@ harness::Command cases_command() {
                  "Placement of the outline in space");
   command.choice("--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
   command.choice("--way", workload.way, workloads::all_ways(), "How the ball moves");
-  command.whole("--vertices", workload.vertices, "Vertices of the outer loop", 3, 1U << 17);
-  command.whole("--holes", workload.holes, "Holes", 0);
+  command.whole("--vertices", workload.vertices, "Vertices of the outer loop", 3, workloads::kMostVertices);
+  command.whole("--holes", workload.holes, "Holes", 0, workloads::kMostHoles);
   command.integer("--ulps", workload.doubles, "Number of doubles by which the radius is moved from the threshold");
   command.real("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines");
   command.real("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
   command.seed(options->seed);
   command.whole("--first", options->first, "Number of the first sample", 0);
-  command.whole("--samples", options->count, "Cases to print", 0);
+  command.whole("--samples", options->count, "Cases to print", 0, kMostSamples);
   command.flag("--expected", options->expected, "Add the exact answer");
   command.names("--failing", options->failing.names, "Only cases on which one of these methods errs");
   methods::declare_engines(

@@ -4,10 +4,13 @@
 Draws what `touchstone show --svg` writes (lines, circles, rectangles, paths of straight lines, texts and panels that are
 cut off) as a PNG, with Matplotlib. Anything else in the file is an error.
 """
+import pathlib
 import sys
 import xml.etree.ElementTree
 
 import matplotlib
+
+from replacing import replacing
 
 matplotlib.use("Agg")
 from matplotlib import figure, patches, path  # noqa: E402
@@ -75,7 +78,8 @@ def main(source, target):
     axes.axis("off")
     for child in root:
         draw(axes, child, 0, 0, None)
-    drawing.savefig(target, format="png", dpi=100 * SCALE)
+    with replacing(pathlib.Path(target)) as file:
+        drawing.savefig(file, format="png", dpi=100 * SCALE)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@
 
 #include "experiments/cell/model/convert.h"
 #include "experiments/cell/model/read_cell.h"
-#include "experiments/harness/run_record.h"
+#include "experiments/harness/data.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/thesis/drawn_cell.h"
 
@@ -189,7 +189,7 @@ std::uint64_t missed_moves(const Settings& settings) { return std::max<std::uint
 Study begin_study(const Settings& settings, const std::vector<std::string>& changes) {
   Study study{};
   study.settings = settings;
-  const auto file = harness::source_folder() / "experiments/cell/cells/aristo.json";
+  const auto file = harness::data("experiments/cell/cells/aristo.json");
   const auto cell_of = [&](const char* name) {
     std::vector<std::string> all = cell::preset(file, name);
     all.insert(all.end(), changes.begin(), changes.end());

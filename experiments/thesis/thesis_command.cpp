@@ -15,6 +15,7 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/stop_signal.h"
+#include "experiments/harness/study.h"
 #include "experiments/thesis/entries.h"
 #include "experiments/thesis/output.h"
 
@@ -89,7 +90,7 @@ harness::Command thesis_command() {
       "numbers that can be computed, the stated numbers, whether they agree, and a picture. Writes CSV files, "
       "run.json, pictures (SVG and PNG) and index.html, which shows all of them.");
   command.whole("--samples", options->samples, "Random balls for each outline and radius (20000; with --quick 2000)",
-                100);
+                100, harness::kMostSamples);
   command.flag("--quick", options->quick, "A tenth of the samples, and coarser steps between places of the storage");
   command.seed(options->seed);
   command.threads(options->threads);

@@ -12,10 +12,9 @@
 namespace touchstone::workloads {
 namespace {
 
-constexpr std::size_t kMostVertices = std::size_t{1} << 17;
-
 void check(const Workload& workload) {
-  if (workload.vertices > kMostVertices) throw std::invalid_argument("more than 2^17 vertices");
+  require_vertices({workload.family}, workload.vertices);
+  if (workload.holes > kMostHoles) throw std::invalid_argument("more than 1000 holes");
   if (!(workload.koch_dimension > 1 && workload.koch_dimension < 2))
     throw std::invalid_argument("the dimension of a Koch curve lies between 1 and 2");
   if (!(workload.origin_distance >= 0 && workload.origin_distance <= 0x1p53))
@@ -124,6 +123,13 @@ std::vector<Family> find_families(const std::vector<std::string>& names) {
     if (std::ranges::any_of(names, [&](const std::string& name) { return name == "all" || name == to_string(family); }))
       found.push_back(family);
   return found;
+}
+
+void require_vertices(const std::vector<Family>& families, std::size_t vertices) {
+  for (const Family family : families)
+    if (const std::size_t most = family == Family::RandomSimple ? kMostRandomSimple : kMostVertices; vertices > most)
+      throw std::invalid_argument("--vertices " + std::to_string(vertices) + ": outlines of the family " +
+                                  std::string(to_string(family)) + " have at most " + std::to_string(most));
 }
 
 std::string selected_names(const std::vector<std::string>& names) {

@@ -44,12 +44,19 @@ enum class Way {
   Through,   ///< halfway in the plane below the place, perpendicular to the plane; the radius is the one that just fits
 };
 
+// Vertices of the outer loop. Random simple outlines take time that grows with the cube of the number: a second at
+// most.
+inline constexpr std::size_t kMostVertices = std::size_t{1} << 17, kMostRandomSimple = 1024;
+
+// Holes. Each keeps clear of all others: a tenth of a second.
+inline constexpr std::size_t kMostHoles = 1000;
+
 struct Workload {
   Family family = Family::Star;
   Placement placement = Placement::LatticeFrame;
   BallPlace ball = BallPlace::Anywhere;
-  std::size_t vertices = 24;  ///< of the outer loop, as close to this number as the family allows; at most 2^17
-  std::size_t holes = 0;
+  std::size_t vertices = 24;  ///< of the outer loop, as close to this number as the family allows; see require_vertices
+  std::size_t holes = 0;      ///< at most kMostHoles
   int doubles = 0;  ///< by how many doubles a Near* or LatticeTangent radius differs from the double of the distance
   double koch_dimension = 1.26;  ///< in (1, 2)
   double origin_distance = 0;    ///< distance of the polygon from the origin, in units of its size
@@ -82,6 +89,9 @@ struct Sample {
 /// Returns the families of these names, in the order of all_families; `all` selects every family. Throws
 /// std::invalid_argument, which names the first unknown one.
 [[nodiscard]] std::vector<Family> find_families(const std::vector<std::string>& names);
+/// Throws std::invalid_argument, which names the option and the limit, if one of these families has no outlines with
+/// this number of vertices.
+void require_vertices(const std::vector<Family>& families, std::size_t vertices);
 /// Returns the names of the families that find_families selects, joined by commas. Throws as it does.
 [[nodiscard]] std::string selected_names(const std::vector<std::string>& names);
 [[nodiscard]] const std::vector<BallPlace>& all_ball_places();

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: page_runs.py PAGE --samples              prints the page's programs in C++ as one program
-       page_runs.py PAGE TOUCHSTONE [SAMPLES] [--without-python] [--write]
+"""Usage: page_runs.py PAGE TOUCHSTONE [--build BUILD] [--configure=OPTION]... [--without-python] [--write]
 
 Runs the samples of a page and compares what they print with the page's `text` blocks. A `text` block belongs to the C++
-program (`cpp`; SAMPLES is the program compiled from all of them), the commands (`sh`) or the script (`python`) before it.
-Commands without a `text` block are not run. A block after "`NAME`:" is written to a file of that name. Everything runs in
-one folder, empty at first, in the order of the page. Exit status 1 if a sample prints something else; --write puts that
-into the page.
+program (`cpp`), the commands (`sh`) or the script (`python`) before it. Commands without a `text` block are not run. A block
+after "`NAME`:" is written to a file of that name. Everything runs in one folder, empty at first, in the order of the page.
+Exit status 1 if a sample prints something else; --write puts that into the page.
+
+Programs in C++ are compiled as a reader would: the library of BUILD is installed into a new folder, and a project that says
+what the page's block `cmake` says makes each program a target of its own. A program that reads a file of Touchstone's from
+anywhere else is an error. OPTION: for the configuration of that project.
 """
 
 import argparse
@@ -46,30 +48,47 @@ def blocks_of(page):
     return blocks
 
 
-def samples(blocks):
-    includes, bodies = [], []
-    for block in (b for b in blocks if b.language == "cpp" and not b.file):
-        includes += re.findall(r"^#include .*$", block.text, re.MULTILINE)
-        rest = re.sub(r"^#include .*\n", "", block.text, flags=re.MULTILINE)
-        bodies.append(rest.replace("int main()", f"void sample_{len(bodies)}()"))
-    calls = "".join(f"    case {i}: sample_{i}(); break;\n" for i in range(len(bodies)))
-    return ("\n".join(dict.fromkeys([*includes, "#include <cstdlib>"])) + "\n\nnamespace {\n\n" + "\n".join(bodies) +
-            "\n}  // namespace\n\nint main(int, char** arguments) {\n  switch (std::atoi(arguments[1])) {\n" + calls +
-            "  }\n}\n")
+def run_tool(*command):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
+    return done.stdout
 
 
-def run(blocks, options, folder):
-    """Yields each block that has a `text` block, with what it prints."""
+def compile_samples(blocks, options, folder):
+    """Returns the programs of the blocks `cpp`, in their order."""
+    texts = [block.text for block in blocks if block.language == "cpp" and block.output]
+    if not texts:
+        return []
+    prefix, build = folder / "prefix", folder / "build"
+    for component in "library", "development":
+        run_tool("cmake", "--install", options.build, "--prefix", prefix, "--component", component)
+    use = next(block.text for block in blocks if block.language == "cmake")
+    project = "cmake_minimum_required(VERSION 3.25)\nproject(Reader LANGUAGES CXX)\n"
+    for number, text in enumerate(texts):
+        (folder / f"sample_{number}.cpp").write_text(text)
+        project += f"add_executable(sample_{number} sample_{number}.cpp)\n" + use.replace("yours", f"sample_{number}")
+    (folder / "CMakeLists.txt").write_text(project)
+    run_tool("cmake", "-G", "Ninja", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}", *options.configure)
+    run_tool("cmake", "--build", build)
+    read = set(re.findall(r"^    (.*\b(?:geometry|robust|touchstone)/.*\.h)$", run_tool("ninja", "-C", build, "-t", "deps"), re.MULTILINE))
+    elsewhere = sorted(header for header in read if prefix not in (build / header).resolve().parents)
+    if not read or elsewhere:
+        sys.exit(f"headers were read from outside of the installation: {elsewhere}")
+    return [str(build / f"sample_{number}") for number in range(len(texts))]
+
+
+def run(blocks, options, programs, folder):
+    """Yields each block that has a `text` block, with what it prints. `programs`: of the blocks `cpp`."""
     environment = dict(os.environ, PATH=f"{pathlib.Path(options.touchstone).resolve().parent}:{os.environ['PATH']}")
-    number_of_sample = 0
+    programs = iter(programs)
     for block in blocks:
         if block.file:
             (folder / block.file).write_text(block.text)
         if not block.output:
             continue
         if block.language == "cpp":
-            command = [options.samples, str(number_of_sample)]
-            number_of_sample += 1
+            command = [next(programs)]
         elif block.language == "sh":
             command = ["bash", "-c", block.text]
         elif options.without_python:
@@ -84,22 +103,17 @@ def run(blocks, options, folder):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("page", type=pathlib.Path)
-    parser.add_argument("touchstone", nargs="?", type=pathlib.Path)
-    parser.add_argument("samples", nargs="?", type=pathlib.Path)
-    parser.add_argument("--samples", action="store_true", dest="print_samples")
+    parser.add_argument("touchstone", type=pathlib.Path)
+    parser.add_argument("--build", type=pathlib.Path)
+    parser.add_argument("--configure", action="append", default=[])
     parser.add_argument("--without-python", action="store_true")
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     page = options.page.read_text()
     blocks = blocks_of(page)
-    if options.print_samples:
-        print(samples(blocks), end="")
-        return 0
-
-    if options.samples:
-        options.samples = options.samples.resolve()
-    with tempfile.TemporaryDirectory() as folder:
-        results = list(run(blocks, options, pathlib.Path(folder)))
+    with tempfile.TemporaryDirectory() as compiled, tempfile.TemporaryDirectory() as folder:
+        programs = compile_samples(blocks, options, pathlib.Path(compiled).resolve())
+        results = list(run(blocks, options, programs, pathlib.Path(folder)))
     wrong = [(block, printed) for block, printed in results if printed != block.output.text]
     if options.write:
         for block, printed in reversed(wrong):

@@ -2,7 +2,7 @@
 """Usage: every_command.py TOUCHSTONE SOURCE SCRATCH
 
 What holds of every subcommand, as the program's own help lists them: with --json it prints its tables as JSON, with --quiet
-nothing; a result that cannot be written to standard output never ends with status 0; a folder or file of results is neither
+nothing, and no file of its names a folder of the machine; a result that cannot be written to standard output never ends with status 0; a folder or file of results is neither
 written by two runs nor written over unasked, and all this is known before a run computes. A new subcommand needs a line in
 COMMANDS. Exit status 1 otherwise.
 """
@@ -18,11 +18,12 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import unittest
 
 TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 PATIENCE = 300  # seconds, for what takes a few
-CELL = str(SOURCE / "experiments/cell/cells/aristo.json")
+CELL = "cells/aristo.json"
 MAPS = "map-<spot>-<test>-<distance>.csv"
 OUTPUT = "OUTPUT"  # stands for a folder or file that is not there yet
 
@@ -112,11 +113,19 @@ def content(folder):
     return {str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None for path in sorted(folder.rglob("*"))}
 
 
+def places_in(folder):
+    """The files that name a folder of this machine, with that folder."""
+    places = [SOURCE.resolve(), pathlib.Path(TOUCHSTONE).resolve().parent, pathlib.Path.home(), tempfile.gettempdir(), SCRATCH]
+    return [(str(file), str(place)) for file in sorted(folder.rglob("*")) if file.is_file() for place in places
+            if f"{place}/".encode() in file.read_bytes()]
+
+
 class EveryCommand(unittest.TestCase):
     def setUp(self):
         shutil.rmtree(SCRATCH, ignore_errors=True)
         SCRATCH.mkdir(parents=True)
         self.addCleanup(shutil.rmtree, SCRATCH)
+        shutil.copytree(SOURCE / "experiments/cell/cells", SCRATCH / "cells")
         (SCRATCH / "mesh.obj").write_text(MESH)
         (SCRATCH / "case.jsonl").write_text(CASE)
         drawn = subprocess.run([TOUCHSTONE, "cases", "--samples", "1", "--failing", "thesis"], capture_output=True, text=True, check=True)
@@ -179,6 +188,7 @@ class EveryCommand(unittest.TestCase):
         for name in COMMANDS:
             with self.subTest(command=name):
                 text = self.help_of(name)
+                self.assertNotIn(str(SOURCE), text)
                 examples = text.rpartition("\nExample")[2].replace(" \\\n", "").splitlines()[1:]
                 self.assertTrue(examples)
                 for example in examples:
@@ -214,7 +224,7 @@ class EveryCommand(unittest.TestCase):
                 continue
             with self.subTest(call=call):
                 output = SCRATCH / f"tables-{number}"
-                done = self.run_in([*call, "--json"], output, stdout=subprocess.PIPE)
+                done = self.run_in([*call, "--json"], output.name, stdout=subprocess.PIPE)
                 if call == ["scenes", "mesh.obj", "--samples", "2"]:  # its answers are lines of JSON already
                     self.assertEqual((done.returncode, done.stdout), (2, ""))
                     self.assertIn("--json requires --output", done.stderr)
@@ -223,6 +233,7 @@ class EveryCommand(unittest.TestCase):
                 printed = json.loads(done.stdout)
                 self.assertIsInstance(printed, list if is_one_of(call, LISTS) else dict)
                 self.assertTrue(printed)
+                self.assertEqual(places_in(output), [])
                 written = sorted(output.rglob("*.csv"))
                 if writes(call) and call[0] != "bench":
                     self.assertEqual(sorted(printed), [table.name for table in written if not table.name.startswith("map-")])
@@ -265,7 +276,7 @@ class EveryCommand(unittest.TestCase):
                         done = self.run_in(call, SCRATCH / f"{how}-{number}", stdout=out, **close)
                     self.assertEqual(done.returncode, 2, done.stderr)
                     self.assertIn("cannot be written: " + reason, done.stderr)
-                    self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["case.jsonl", "mesh.obj", "wrong.jsonl"])
+                    self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["case.jsonl", "cells", "mesh.obj", "wrong.jsonl"])
 
     def test_fails_where_what_it_printed_is_lost(self):
         """A pipe without a reader takes no byte, and no command knows before it writes one."""

@@ -15,6 +15,7 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/stop_signal.h"
+#include "experiments/harness/study.h"
 
 namespace touchstone::cell {
 namespace {
@@ -65,7 +66,7 @@ harness::Command missed_command() {
   command.footer(
       "Moves one joint of the arm through thin sheets at random. Counts how often stepping, which tests for contact "
       "only after each step, misses the first contact, for spheres and steps of several sizes.");
-  command.whole("--samples", options->samples, "Moves", 1);
+  command.whole("--samples", options->samples, "Moves", 1, harness::kMostSamples);
   command.seed(options->seed);
   command.threads(options->threads);
   command.output(options->output, "Folder for missed.csv, run.json and the picture");

@@ -11,7 +11,7 @@
 #include "experiments/cell/model/cell_entry.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/model/read_cell.h"
-#include "experiments/harness/run_record.h"
+#include "experiments/harness/data.h"
 
 namespace touchstone::kinematics {
 namespace {
@@ -33,7 +33,7 @@ std::string_view name_of(std::size_t joint) {
 }
 
 const cell::Cell& aristo_cell() {
-  static const cell::Cell cell = cell::read_cell(harness::source_folder() / "experiments/cell/cells/aristo.json");
+  static const cell::Cell cell = cell::read_cell(harness::data("experiments/cell/cells/aristo.json"));
   return cell;
 }
 

@@ -16,6 +16,7 @@
 #include "experiments/cases/input_lines.h"
 #include "experiments/harness/command.h"
 #include "experiments/harness/counted.h"
+#include "experiments/harness/data.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/stop_signal.h"
@@ -31,10 +32,8 @@
 namespace touchstone::commands {
 namespace {
 
-std::filesystem::path corpus_folder() { return harness::source_folder() / "tests/corpus"; }
-
 struct MakeOptions {
-  std::string folder = corpus_folder().string();
+  std::string folder;
   unsigned threads = harness::all_threads();
   bool force = false;
   std::string line;  ///< the command line that repeats the run
@@ -50,7 +49,7 @@ int make(const MakeOptions& options) {
 
 std::vector<std::string> corpus_files() {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(corpus_folder()))
+  for (const auto& entry : std::filesystem::directory_iterator(harness::data("tests/corpus")))
     if (entry.path().extension() == ".jsonl") files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;
@@ -140,7 +139,7 @@ harness::Command make_command() {
   harness::Command command("make", "Write every file of the corpus, with its page");
   auto options = std::make_shared<MakeOptions>();
   command.keep_line(options->line);
-  command.text("FOLDER", options->folder, "Destination");
+  command.text("FOLDER", options->folder, "Destination; the corpus is tests/corpus").required();
   command.threads(options->threads, "Number of threads; does not affect the files");
   command.force(options->force);
   command.example("corpus make new-corpus");

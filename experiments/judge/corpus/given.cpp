@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "experiments/cases/comparison.h"
+#include "experiments/harness/data.h"
 #include "experiments/harness/input.h"
-#include "experiments/harness/run_record.h"
 #include "experiments/judge/corpus/corpus_case.h"
 
 namespace touchstone::corpus {
@@ -39,7 +39,7 @@ std::string completed(const std::string& text, const std::string& name) {
 }  // namespace
 
 std::string given_text(const std::string& name) {
-  const auto file = harness::source_folder() / "experiments/judge/corpus/given" / (name + ".jsonl");
+  const auto file = harness::data("experiments/judge/corpus/given/" + name + ".jsonl");
   std::ifstream stream = harness::open_file(file);
   std::string text, line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) try {

@@ -14,8 +14,8 @@ namespace {
 constexpr const char* kPage = R"(# The corpus
 
 Version {version}: {cases} cases in the contract's format, each with its exact answer or the error that it must produce.
-`touchstone corpus make --force` generates all `.jsonl` files of this folder, `corpus.json` (version and counts) and
-this page, always with the same bytes. `touchstone corpus check` derives every answer twice, by `exact` and by a
+`touchstone corpus make tests/corpus --force` generates all `.jsonl` files of this folder, `corpus.json` (version and
+counts) and this page, always with the same bytes. `touchstone corpus check` derives every answer twice, by `exact` and by a
 separate implementation over GMP's rationals, which shares no arithmetic, rounding or sweep with it. The second program
 for moving balls is `filtered`, which asks `exact` where doubles decide nothing. The test of the corpus compares every
 answer with a third program, the independent checker in `tests/system/independent`.

@@ -12,14 +12,8 @@
 namespace touchstone::methods {
 namespace {
 
-constexpr int kStopSignals[] = {SIGINT, SIGTERM};
-
 std::atomic<bool> is_writing = false, is_interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "used within a signal handler");
-
-void handle_by(void (*handler)(int)) {
-  for (const int signal : kStopSignals) std::signal(signal, handler);
-}
 
 [[noreturn]] void leave() {
   constexpr std::string_view message = "touchstone: interrupted\n";
@@ -28,16 +22,16 @@ void handle_by(void (*handler)(int)) {
 }
 
 extern "C" void interrupt_judge(int) {
-  handle_by(SIG_DFL);
+  harness::handle_end_signals(SIG_DFL);
   is_interrupted = true;
   if (!is_writing) leave();
 }
 
 }  // namespace
 
-KillEngineOnSignal::KillEngineOnSignal() { handle_by(interrupt_judge); }
+KillEngineOnSignal::KillEngineOnSignal() { harness::handle_end_signals(interrupt_judge); }
 
-KillEngineOnSignal::~KillEngineOnSignal() { handle_by(SIG_DFL); }
+KillEngineOnSignal::~KillEngineOnSignal() { harness::handle_end_signals(SIG_DFL); }
 
 DeferSignals::DeferSignals() { is_writing = true; }
 
@@ -49,7 +43,7 @@ DeferSignals::~DeferSignals() {
 void leave_signals_to_other_threads() {
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int signal : kStopSignals) sigaddset(&signals, signal);
+  for (const int signal : harness::kEndSignals) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 

@@ -85,7 +85,9 @@ Eigen::Vector3d normal_of(const Polygon& polygon) {
 class Study {
  public:
   explicit Study(const Options& options)
-      : options_(options), methods_(options.methods.methods()), families_(workloads::find_families(options.families)) {}
+      : options_(options), methods_(options.methods.methods()), families_(workloads::find_families(options.families)) {
+    workloads::require_vertices(families_, options.vertices);
+  }
 
   [[nodiscard]] Sum zero() const { return {.count = std::vector<std::array<Count, kAngles>>(methods_.size())}; }
 
@@ -201,7 +203,8 @@ harness::Command angles_command() {
     return workloads::selected_names(options->families);
   });
   command
-      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3, 1U << 17)
+      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3,
+             workloads::kMostVertices)
       .changes_results();
   harness::declare_study(command, *options, "--samples", "Polygons of each family");
   command.writes({angles::table().description()});

@@ -65,9 +65,8 @@ const std::vector<OffPlane>& all_off_plane() {
 
 std::vector<workloads::Family> outlines_of(std::size_t vertices) {
   using workloads::Family;
-  constexpr std::size_t kMostRandomSimple = 1024;  // a second
   return {Family::Star, Family::Comb, Family::Spiral,
-          vertices <= kMostRandomSimple ? Family::RandomSimple : Family::Koch};
+          vertices <= workloads::kMostRandomSimple ? Family::RandomSimple : Family::Koch};
 }
 
 Polygon draw_polygon(workloads::Family outline, std::size_t vertices, std::uint64_t seed, std::uint64_t index) {

@@ -21,8 +21,8 @@ struct OffPlane {
 
 [[nodiscard]] const std::vector<OffPlane>& all_off_plane();
 
-/// Returns the outlines that can have `vertices` vertices: star, comb, spiral, and random-simple up to 1,024 vertices,
-/// koch beyond.
+/// Returns the outlines that can have `vertices` vertices: star, comb, spiral, and random-simple up to
+/// kMostRandomSimple vertices, koch beyond.
 [[nodiscard]] std::vector<workloads::Family> outlines_of(std::size_t vertices);
 
 /// Draws polygon number `index` of these, exactly planar: on an integer lattice in an integer frame. A function of its

@@ -6,6 +6,7 @@
 #include "experiments/harness/study.h"
 #include "experiments/methods/selection.h"
 #include "experiments/studies/motions/output.h"
+#include "experiments/workloads/workload.h"
 
 namespace touchstone::commands {
 namespace {
@@ -53,11 +54,10 @@ harness::Command motions_command() {
   options->output = "results/motions";
   methods::declare_compared_methods(command, options->methods);
   command
-      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3, 1U << 10)
+      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3,
+             workloads::kMostRandomSimple)
       .changes_results();
-  constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
-  harness::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement",
-                         kMostSamples);
+  harness::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement");
   command.writes(tables());
   command.example("motions --methods fast,filtered --samples 20");
   command.runs(harness::study_runner("motions", kVersion, *options,

@@ -40,7 +40,9 @@ class Run {
                   options.seed,
                   options.threads,
                   options.shape,
-                  methods::find_method(options.oracle)} {}
+                  methods::find_method(options.oracle)} {
+    workloads::require_vertices(settings_.families, options.shape.vertices);
+  }
 
   int operator()() {
     if (options_.search > 0) run_.require_resumable(kSearchCheckpoint, options_.search, no_onsets(settings_));
@@ -142,9 +144,10 @@ harness::Command near_edge_command() {
   });
   command
       .whole("--vertices", options->shape.vertices, "Vertices of the outer loops, approximate; families round it", 3,
-             1U << 17)
+             workloads::kMostVertices)
       .changes_results();
-  command.whole("--holes", options->shape.holes, "Holes per polygon, as many as fit", 0, 1000).changes_results();
+  command.whole("--holes", options->shape.holes, "Holes per polygon, as many as fit", 0, workloads::kMostHoles)
+      .changes_results();
   command
       .real("--origin-distance", options->shape.origin_distance,
             "The distance of each polygon from the origin, in multiples of its size", 0.0, 0x1p30)
@@ -157,10 +160,9 @@ harness::Command near_edge_command() {
   command.whole("--search", options->search,
                 "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
                 "and distance from the origin",
-                0, kMostSamples);
+                0, harness::kMostSamples);
   command.flag("--no-maps", options->no_maps, "Draw no maps: they ask each method some hundred thousand times");
-  harness::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold",
-                         kMostSamples);
+  harness::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
   command.writes(tables());
   command.writes(search_tables());
   command.example("near-edge --methods fast,filtered --samples 20 --search 0");

@@ -14,7 +14,8 @@ namespace touchstone::near_edge {
 struct Settings {
   std::vector<const cases::Method*> methods;
   std::vector<workloads::Family> families;
-  std::uint64_t samples = 1;  ///< per stratum; at most kMostSamples
+  /// Per stratum; up to harness::kMostSamples, indices of samples and of their redraws do not collide.
+  std::uint64_t samples = 1;
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< of each process
   cases::Shape shape = {};
@@ -23,8 +24,6 @@ struct Settings {
   const cases::Method* truth = methods::find_method("exact");
 };
 
-/// Below this number, indices of samples and of their redraws do not collide.
-inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t kCheckedOneIn = 100;
 
 /// The results of the study; sums do not depend on their order.

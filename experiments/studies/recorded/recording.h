@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace touchstone::recorded {
 
 /// A build of Bullet that steps piles.
 struct Simulation {
-  std::string_view name;     ///< of the engine as a method
-  std::string_view program;  ///< its path
+  std::string_view name;  ///< of the engine as a method
+  std::string program;    ///< its path
 };
 
 /// Returns the builds that this program was built with, doubles before floats.

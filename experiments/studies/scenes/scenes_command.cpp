@@ -24,6 +24,7 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/stop_signal.h"
+#include "experiments/harness/study.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
@@ -325,7 +326,8 @@ harness::Command scenes_command() {
             "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a case, or "
             "the numbers x y z r; # begins a comment; - is standard input")
       .takes("FILE");
-  command.whole("--samples", options->random, "The number of random balls, half of them near a face", 1);
+  command.whole("--samples", options->random, "The number of random balls, half of them near a face", 1,
+                harness::kMostSamples);
   command.require_one_of({"--balls", "--samples"});
   command.seed(options->seed, "The seed of --samples; the same seed gives the same bytes");
   command.flag("--any", options->any, "Answer whether the ball touches any face");

@@ -6,6 +6,7 @@
 #include "experiments/harness/study.h"
 #include "experiments/studies/tunnelling/cost.h"
 #include "experiments/studies/tunnelling/output.h"
+#include "experiments/workloads/workload.h"
 
 namespace touchstone::commands {
 namespace {
@@ -56,7 +57,8 @@ harness::Command tunnelling_command() {
   options->samples = 20'000;
   options->output = "results/tunnelling";
   command
-      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3, 1U << 10)
+      .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3,
+             workloads::kMostRandomSimple)
       .changes_results();
   command.whole("--repetitions", options->repetitions, "The number of turns of each way of asking", 1, 100'000);
   harness::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");

@@ -3,7 +3,7 @@
 
 No process of an engine outlives the judge, which waits for none: neither where it is interrupted or killed, nor where
 the engine ended by itself. Every one of them inherits the end of a pipe, which is closed with the last. And a judge
-whose standard input is closed, or cannot be read, says so and ends. Exit status 1 otherwise.
+whose standard input is closed, or cannot be read, says so and ends. A signal that the judge was started to ignore, as by nohup, ends nothing. Exit status 1 otherwise.
 """
 
 import os
@@ -26,15 +26,18 @@ HELPERS = [  # that an engine leaves behind
 # It ends when what it has left behind, and has ended since, is gone: a process that is not waited for stays in the list.
 LEAVES_MANY = "for i in 1 2 3 4 5; do (true &); done; while read pids </proc/$PPID/task/$PPID/children; " \
               "[ \"$pids\" != $$ ]; do :; done; "
+END_SIGNALS = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
 VERDICT = "read line; echo '{{\"id\":\"a\"}}'"
 
 
-def start(program, engine, *options):
-    """The judge, whose input stays open, and the pipe; `{pipe}` in the engine is its other end."""
+def start(program, engine, *options, ignored=()):
+    """The judge, whose input stays open and which ignores these signals from the beginning, and the pipe; `{pipe}` in the
+    engine is its other end."""
     reader, writer = os.pipe()
     engine = engine.format(pipe=f"/proc/self/fd/{writer}")
+    handle = lambda: [signal.signal(each, signal.SIG_IGN if each in ignored else signal.SIG_DFL) for each in END_SIGNALS]
     judge = subprocess.Popen([program, "judge", "--methods", "fast", "--engine", engine, *options], pass_fds=[writer],
-                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, preexec_fn=handle)
     os.close(writer)
     judge.stdin.write(CASE)
     judge.stdin.flush()
@@ -60,6 +63,15 @@ def check_signal(program, which, status, engine, options):
         sys.exit(f"{what}: exit status {judge.returncode}")
     if not all_have_ended(reader):
         sys.exit(f"{what}: the engine goes on")
+
+
+def check_ignored_signal(program, which):
+    judge, reader = start(program, "echo > {pipe}; " + VERDICT, ignored=[which])
+    os.read(reader, 1)  # the engine runs
+    judge.send_signal(which)
+    verdicts, _ = judge.communicate(timeout=SECONDS)
+    if judge.returncode != 0 or verdicts.count(b"\n") != 2:
+        sys.exit(f"{which.name}, which is ignored: exit status {judge.returncode}: {verdicts}")
 
 
 def check_engine_that_ends(program, before, options):
@@ -108,10 +120,12 @@ def main(program):
     check_unreadable_input(program, "</")
     for _ in range(5):  # the engine may stop it before it has told the judge that the engine runs
         check_stopped_supervisor(program)
+    for which in END_SIGNALS:
+        check_ignored_signal(program, which)
     for options in [], ["--time-limit", "1000"]:
         for helper in HELPERS:
-            check_signal(program, signal.SIGINT, 130, helper, options)
-            check_signal(program, signal.SIGTERM, 130, helper, options)
+            for which in END_SIGNALS:
+                check_signal(program, which, 130, helper, options)
             check_signal(program, signal.SIGKILL, -signal.SIGKILL, helper, options)
             check_engine_that_ends(program, helper, options)
         check_engine_that_ends(program, LEAVES_MANY, options)

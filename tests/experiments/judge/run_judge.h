@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -14,6 +13,7 @@
 
 #include "experiments/judge/judge.h"
 #include "experiments/methods/registry.h"
+#include "tests/experiments/support/scratch.h"
 
 /// Runs the judge on texts and captures verdicts and complaints.
 namespace touchstone::judge_tests {
@@ -45,10 +45,10 @@ inline std::string take(std::FILE* file) {
   return text;
 }
 
-/// Writes a file whose name belongs to this process and test, because others run concurrently. Returns its path.
+/// Writes a file into a folder of this process. Returns its path.
 inline std::string write_file(const std::string& name, const std::string& text) {
-  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const std::string path = testing::TempDir() + "judge_test_" + std::to_string(::getpid()) + "_" + test + "_" + name;
+  static const run_tests::Scratch folder;
+  const std::string path = folder.path / name;
   std::ofstream(path) << text;
   return path;
 }

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <unistd.h>
-
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 namespace touchstone::run_tests {
 
-/// A temporary folder of this process, removed at the end.
+/// A new temporary folder, removed at the end.
 struct Scratch {
-  Scratch() : path(std::filesystem::temp_directory_path() / ("touchstone-tests-" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path);
+  Scratch() {
+    std::string name = (std::filesystem::temp_directory_path() / "touchstone-tests-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
+    path = name;
   }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;

@@ -395,6 +395,8 @@ TEST(Sample, RefusesWhatTheFamilyCannotGive) {
   refuses([](Workload& w) { w.koch_dimension = 1; });
   refuses([](Workload& w) { w.koch_dimension = 2; });
   refuses([](Workload& w) { w.vertices = 1000000; });
+  refuses([](Workload& w) { w.family = Family::RandomSimple, w.vertices = kMostRandomSimple + 1; });
+  refuses([](Workload& w) { w.holes = kMostHoles + 1; });
   refuses([](Workload& w) { w.origin_distance = -1; });
   refuses([](Workload& w) { w.origin_distance = 1e12; });
   refuses([](Workload& w) { w.origin_distance = 1e15, w.placement = Placement::Rotated, w.vertices = 1000; });

@@ -16,6 +16,7 @@ echo "by pkg-config: $(/tmp/by_pkg_config)"
 
 if [ -e packages/touchstone_*.deb ]; then
   touchstone judge --methods filtered --quiet cases.jsonl >/dev/null && echo "program: agrees with the corpus"
+  touchstone cell new /tmp/cell >/dev/null && touchstone corpus check | grep -q ' 0 faults$' && echo "data: found"
 fi
 if [ -e packages/python3-touchstone_*.deb ]; then
   echo "module: $(python3 -c 'import touchstone

@@ -95,7 +95,7 @@ def main():
     promised = re.search(r"prints `([^`]*)`", readme)[1]
     wanted = {"by find_package": promised, "by pkg-config": promised}
     if "touchstone" in names:
-        wanted["program"] = "agrees with the corpus"
+        wanted |= {"program": "agrees with the corpus", "data": "found"}
     if "python3-touchstone" in names:
         wanted["module"] = "True"
     answers = use_in_clean_root(given)

@@ -42,6 +42,7 @@ def expect(holds, otherwise):
 @contextlib.contextmanager
 def server(touchstone):
     """The address of a server that ends well when it is interrupted."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background of a shell it is ignored, also by children
     process = subprocess.Popen([touchstone, "cell", "serve", str(CELL), "--port", "0"], stdout=subprocess.PIPE, text=True)
     try:
         yield re.search(r"http://\S+/", process.stdout.readline()).group()

@@ -9,6 +9,7 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
+#include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/output.h"
@@ -290,6 +291,7 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnSomeSamplesThatNobodyFails) {
 
 // Sums of the largest sweep that the options allow stay below 2^64.
 TEST(NearEdgeCounts, DoNotOverflow) {
+  using harness::kMostSamples;
   const std::uint64_t most = kMostSamples * cases::all_strata().size() * cases::all_offsets().size() * kTests.size();
   EXPECT_EQ(most / cases::all_strata().size() / cases::all_offsets().size() / kTests.size(), kMostSamples);
   EXPECT_LT(kMostSamples * cases::all_strata().size(), std::uint64_t{1} << 48) << "indices and redrawn ones stay apart";
@@ -334,7 +336,7 @@ TEST(NearEdgeCommand, WritesResultsAndASidecar) {
 std::string error_of(const std::vector<std::string>& arguments) {
   try {
     run_command(arguments);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     return error.what();
   }
   return "";
@@ -397,6 +399,9 @@ TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--oracle", "fast"}), harness::UsageError);
   EXPECT_THROW(run_command({"--holes", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--vertices", "2"}), harness::UsageError);
+  const Scratch scratch;
+  EXPECT_EQ(error_of({"--vertices", "1025", "--output", scratch.path.string()}),
+            "--vertices 1025: outlines of the family random-simple have at most 1024");
   EXPECT_THROW(run_command({"--origin-distance", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }

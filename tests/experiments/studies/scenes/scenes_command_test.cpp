@@ -406,6 +406,7 @@ TEST_F(SceneCommand, TakesItsOwnFileOfAnswersForBallsAndReplacesIt) {
 
 // Answers go to a pipe, which holds the command up until it has been interrupted.
 TEST_F(SceneCommand, RecordsWhatIsMissingWhereItIsInterrupted) {
+  std::signal(SIGINT, SIG_DFL);  // in the background of a shell it is ignored
   std::filesystem::create_directories(path("results"));
   ASSERT_EQ(::mkfifo(path("results/answers.jsonl").c_str(), 0600), 0);
   std::thread reader([file = path("results/answers.jsonl")] {
