@@ -223,33 +223,38 @@ void add_second_case(const Study& study, EntryList& entries) {
 
 void add_heights(const Study& study, EntryList& entries) {
   std::vector<Number> highest, lowest;
-  std::string above, below;
-  const int by = study.settings.height_scan;
+  std::string above, below, between;
   for (std::size_t i = 0; i < study.heights.size(); ++i) {
-    const auto& places = study.heights[i];
-    const Stretch run = longest_stretch(places), of_sphere = longest_stretch(study.heights_of_sphere[i]);
-    if (run.empty() || of_sphere.empty()) continue;
+    const auto &places = study.heights[i], &by_sphere = study.heights_of_sphere[i];
+    const auto ends = completing(places), of_sphere = completing(by_sphere);
+    if (!ends || !of_sphere) continue;
     const std::string which = fmt::format("case {}'s angle and radius", i + 1);
-    highest.push_back(
-        found("upper end of the longest unbroken range, at " + which, "mm", places[run.last].height, true));
-    highest.push_back(found("the same by the sphere alone", "mm", places[of_sphere.last].height, true));
-    lowest.push_back(
-        found("lower end of the longest unbroken range, at " + which, "mm", places[run.first].height, true));
-    lowest.push_back(found("the same by the sphere alone", "mm", places[of_sphere.first].height, true));
-    if (run.last + 1 < places.size())
-      above += fmt::format(" Case {}, {} mm higher: {}.", i + 1, by, places[run.last + 1].reason);
-    if (run.first > 0) below += fmt::format(" Case {}, {} mm lower: {}.", i + 1, by, places[run.first - 1].reason);
+    const auto height = [](const cell::Tried& place) { return place.height; };
+    highest.push_back(found("greatest height that completes, at " + which, "mm", height(places[ends->last]), true));
+    highest.push_back(found("the same by the sphere alone", "mm", height(by_sphere[of_sphere->last]), true));
+    lowest.push_back(found("least height that completes, at " + which, "mm", height(places[ends->first]), true));
+    lowest.push_back(found("the same by the sphere alone", "mm", height(by_sphere[of_sphere->first]), true));
+    const auto next = [&](std::size_t end, std::size_t beyond) {
+      if (beyond >= places.size())
+        return fmt::format(" Case {} completes at {:g} mm, where the scan ends.", i + 1, height(places[end]));
+      return fmt::format(" Case {} does not complete at {:g} mm: {}.", i + 1, height(places[beyond]),
+                         places[beyond].reason);
+    };
+    above += next(ends->last, ends->last + 1);
+    below += next(ends->first, ends->first - 1);  // before the first one: beyond the end, too
+    if (const std::string in_between = gaps(places, *ends, &cell::Tried::height); !in_between.empty())
+      between += fmt::format(" Of the heights between, case {} does not complete at {}.", i + 1, in_between);
   }
   for (auto* numbers : {&highest, &lowest})
     numbers->push_back(found("height in the case studies", "mm", study.cell.storage.height, true));
   entries.add("6.30", Status::WithChosen,
               "The storage raised step by step, and the whole process tried at each height, as `touchstone cell area` "
               "does. The thesis's own rule, which tests the sphere alone, lets the arm through the storage." +
-                  above,
+                  above + between,
               std::move(highest),
               "The arm from the side, touching the material in storage at the chosen height and at the highest, and "
               "the range of heights of both cases as bars.");
-  entries.add("6.31", Status::WithChosen, "The same, lowered step by step." + below, std::move(lowest),
+  entries.add("6.31", Status::WithChosen, "The same, lowered step by step." + below + between, std::move(lowest),
               "The arm from the side, touching the material in storage at the chosen height and at the lowest, and the "
               "range of heights of both cases as bars.");
 }

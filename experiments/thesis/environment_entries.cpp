@@ -284,32 +284,36 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
       "The cell from above: robot, storage with three slots, machine, the circle in which the robot's body "
       "turns, and the arm at home.");
 
-  const Stretch run = longest_stretch(study.radii);
+  const auto& radii = study.radii;
+  const auto ends = completing(radii);
   std::vector<Number> close, far;
-  const std::string step = fmt::format("{} mm", study.settings.radius_scan);
-  std::string too_far, too_close;
-  if (!run.empty()) {
-    const auto& radii = study.radii;
-    close.push_back(found("least radius that completes, by " + step, "mm", radii[run.first].radius, true));
+  std::string too_close, too_far;
+  if (ends) {
+    close.push_back(found("least radius that completes", "mm", radii[ends->first].radius, true));
     close.push_back(found("circle in which the robot's body turns", "mm", study.plan.body, true));
     close.push_back(found("from the storage's axis to its near side", "mm", -study.plan.storage.min().x(), true));
-    far.push_back(found("largest radius that completes, by " + step, "mm", radii[run.last].radius, true));
-    if (run.first > 0) too_close = fmt::format(" {} closer: {}.", step, radii[run.first - 1].reason);
-    if (run.last + 1 < radii.size()) too_far = fmt::format(" {} further: {}.", step, radii[run.last + 1].reason);
+    far.push_back(found("greatest radius that completes", "mm", radii[ends->last].radius, true));
+    const auto fails = [&](std::size_t at) {
+      return fmt::format(" It does not complete at {:g} mm: {}.", radii[at].radius, radii[at].reason);
+    };
+    if (ends->first > 0) too_close = fails(ends->first - 1);
+    if (ends->last + 1 < radii.size()) too_far = fails(ends->last + 1);
+    if (const std::string between = gaps(radii, *ends, &cell::Tried::radius); !between.empty())
+      too_far += fmt::format(" Of the radii between the least and the greatest, it does not complete at {}.", between);
   }
   const cell::Reach reach = cell::reach_of(study.cell);
   far.push_back(found("reach of the sphere's centre from the shoulder's axis, at most", "mm", reach.outer, true));
-  entries.add("5.18", Status::WithChosen,
-              fmt::format("Too close: the process does not complete. At a radius of 200 mm: {}.{}",
-                          cell::try_place(study.cell, study.parts, study.covered, {}, 1, 200, storage.height).reason,
-                          too_close),
+  const std::string tried = fmt::format(
+      "The whole process with the storage at the first case's angle and height, and at radii by {} mm and its own. ",
+      study.settings.radius_scan);
+  entries.add("5.18", Status::WithChosen, tried + "No radius below the least one here completes." + too_close,
               std::move(close),
-              "The cell from above with the storage at a radius of 200 mm: it overlaps the circle in which the robot's "
-              "body turns.");
-  entries.add("5.19", Status::WithChosen, "Too far: beyond this radius the process does not complete." + too_far,
+              "The cell from above with the storage at the greatest radius that is too close, and the circle in which "
+              "the robot's body turns.");
+  entries.add("5.19", Status::WithChosen, tried + "No radius beyond the greatest one here completes." + too_far,
               std::move(far),
-              "The cell from above with the storage at a radius of 720 mm, beyond the circle that the sphere can "
-              "reach at that height.");
+              "The cell from above with the storage at the least radius that is too far, and the circle that the "
+              "sphere can reach at that height.");
   const auto position = [&](const CaseStudy& its, int moves) -> std::vector<Number> {
     return {found("angle", "°", its.cell.storage.angle, true), found("radius", "mm", its.cell.storage.radius, true),
             beside(found("moves that complete the way to the machine", "", count(its.moves_to_machine()), true),

@@ -293,9 +293,9 @@ std::vector<JointRow> side_rows(const Study& study) {
     for (const Moment& moment : its.moments)
       add_joints(arm, moment.name, its.cell.storage.height, its.process.stops[moment.stop].commanded, rows);
   for (std::size_t i = 0; i < study.heights.size(); ++i) {
-    const Stretch run = longest_stretch(study.heights[i]);
-    if (run.empty()) continue;
-    for (const auto& [name, place] : {std::pair("lowest", run.first), std::pair("highest", run.last)}) {
+    const auto ends = completing(study.heights[i]);
+    if (!ends) continue;
+    for (const auto& [name, place] : {std::pair("lowest", ends->first), std::pair("highest", ends->last)}) {
       cell::Cell cell = study.cases[i].cell;
       cell.storage.height = study.heights[i][place].height;
       const std::shared_ptr<const std::vector<cell::Covered>> uncovered =

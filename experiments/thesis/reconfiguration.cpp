@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/thesis/reconfiguration.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace touchstone::thesis_figures {
@@ -23,15 +25,24 @@ FloorPlan floor_plan(const std::vector<cell::ModelPart>& parts) {
   return plan;
 }
 
-Stretch longest_stretch(const std::vector<cell::Tried>& places) {
-  Stretch best{1, 0};
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    std::size_t end = i;
-    while (end < places.size() && !places[end].cause) ++end;
-    if (end > i && (best.empty() || end - i > best.last - best.first + 1)) best = {i, end - 1};
-    i = end;
+std::optional<Completing> completing(const std::vector<cell::Tried>& places) {
+  const auto completes = [](const cell::Tried& place) { return !place.cause; };
+  const auto first = std::ranges::find_if(places, completes);
+  if (first == places.end()) return std::nullopt;
+  const auto last = std::find_if(places.rbegin(), places.rend(), completes).base() - 1;
+  return Completing{static_cast<std::size_t>(first - places.begin()), static_cast<std::size_t>(last - places.begin())};
+}
+
+std::string gaps(const std::vector<cell::Tried>& places, const Completing& ends, double cell::Tried::*where) {
+  std::string text;
+  for (std::size_t i = ends.first; i < ends.last; ++i) {
+    if (!places[i].cause) continue;
+    const std::size_t first = i;
+    while (places[i + 1].cause == places[first].cause) ++i;
+    text += fmt::format("{}{:g}{} mm ({})", text.empty() ? "" : ", ", places[first].*where,
+                        i > first ? fmt::format(" to {:g}", places[i].*where) : "", outcome_of(places[first]));
   }
-  return best;
+  return text;
 }
 
 }  // namespace touchstone::thesis_figures

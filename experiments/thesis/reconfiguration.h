@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,12 +26,16 @@ struct FloorPlan {
 };
 [[nodiscard]] FloorPlan floor_plan(const std::vector<cell::ModelPart>& parts);
 
-/// A contiguous run of places that complete.
-struct Stretch {
+/// From the first to the last of some places that complete, in their order.
+struct Completing {
   std::size_t first, last;  ///< indices of places
-  [[nodiscard]] bool empty() const { return first > last; }
 };
-/// Returns the longest run, the first of equal ones.
-[[nodiscard]] Stretch longest_stretch(const std::vector<cell::Tried>& places);
+/// Returns nothing if none completes.
+[[nodiscard]] std::optional<Completing> completing(const std::vector<cell::Tried>& places);
+
+/// Returns the places between these two that do not complete, with their outcomes: `405 to 415 mm (in-the-way), 570 mm
+/// (in-the-way)`; an empty text if all complete. `where` is what differs between places.
+[[nodiscard]] std::string gaps(const std::vector<cell::Tried>& places, const Completing& ends,
+                               double cell::Tried::*where);
 
 }  // namespace touchstone::thesis_figures

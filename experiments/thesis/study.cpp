@@ -139,21 +139,29 @@ std::vector<Task> tasks_of(Study& study) {
       return Where{-180.0 + settings.angle_step * static_cast<int>(i / radii),
                    kLowestRadius + static_cast<double>(settings.radius_step) * static_cast<double>(i % radii), height};
     });
-  scan(study.radii, count(kHighestRadius - kLowestRadius, settings.radius_scan), false,
-       [=, first_angle = study.cell.storage.angle](std::size_t i) {
-         return Where{first_angle, kLowestRadius + static_cast<double>(settings.radius_scan) * static_cast<double>(i),
-                      height};
-       });
+  // Along a line, and the case study's own place among them.
+  const auto line = [](int lowest, int highest, int step, double own) {
+    std::vector<double> values{own};
+    for (int value = lowest; value <= highest; value += step)
+      if (value != own) values.push_back(value);
+    std::ranges::sort(values);
+    return values;
+  };
+  const auto tried_radii = line(kLowestRadius, kHighestRadius, settings.radius_scan, study.cell.storage.radius);
+  scan(study.radii, tried_radii.size(), false, [=, first_angle = study.cell.storage.angle](std::size_t i) {
+    return Where{first_angle, tried_radii[i], height};
+  });
   // The stand must reach above the floor.
   const int lowest = study.cell.storage.stand ? static_cast<int>(-study.cell.storage.stand->top) + 5 : 5;
-  for (std::size_t place = 0; place < study.cases.size(); ++place)
+  for (std::size_t place = 0; place < study.cases.size(); ++place) {
+    const cell::Station& storage = study.cases[place].cell.storage;
+    const auto tried_heights = line(lowest, kHighestHeight, settings.height_scan, storage.height);
     for (const bool sphere_alone : {false, true})
-      scan(sphere_alone ? study.heights_of_sphere[place] : study.heights[place],
-           count(kHighestHeight - lowest, settings.height_scan), sphere_alone,
-           [=, angle = study.cases[place].cell.storage.angle,
-            radius = study.cases[place].cell.storage.radius](std::size_t i) {
-             return Where{angle, radius, static_cast<double>(settings.height_scan) * static_cast<double>(i) + lowest};
+      scan(sphere_alone ? study.heights_of_sphere[place] : study.heights[place], tried_heights.size(), sphere_alone,
+           [=, angle = storage.angle, radius = storage.radius](std::size_t i) {
+             return Where{angle, radius, tried_heights[i]};
            });
+  }
   tasks.emplace_back([&study] { study.predictions = predict(study); });
 
   tasks.emplace_back([&study, &gripper, samples, seed] {

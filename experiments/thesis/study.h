@@ -74,8 +74,8 @@ struct Study {
   FloorPlan plan;
   std::vector<cell::Tried> area;                    ///< angle by angle, radius by radius, at the chosen height
   std::vector<cell::Tried> area_of_sphere;          ///< the same by the sphere alone
-  std::vector<cell::Tried> radii;                   ///< at case 1's angle and height
-  std::array<std::vector<cell::Tried>, 2> heights;  ///< at each case's angle and radius
+  std::vector<cell::Tried> radii;                   ///< at case 1's angle and height, its own radius among them
+  std::array<std::vector<cell::Tried>, 2> heights;  ///< at each case's angle and radius, its own height among them
   std::array<std::vector<cell::Tried>, 2> heights_of_sphere;
 
   // Known errors

@@ -7,6 +7,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
+#include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <nlohmann/json.hpp>
@@ -20,16 +21,6 @@
 
 namespace touchstone::cell::browser {
 
-/// The state that the sessions of a server share.
-struct SharedBySessions {
-  HttpServer::Handler handler;
-  HttpServer::Limits limits;
-  ConnectionSlots slots;
-
-  SharedBySessions(HttpServer::Handler given, const HttpServer::Limits& most)
-      : handler(std::move(given)), limits(most), slots(most.most_connections) {}
-};
-
 namespace {
 
 namespace asio = boost::asio;
@@ -37,6 +28,21 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 using boost::system::error_code;
 using Tcp = asio::ip::tcp;
+
+}  // namespace
+
+/// The state that the sessions of a server share.
+struct SharedBySessions {
+  HttpServer::Handler handler;
+  HttpServer::Limits limits;
+  ConnectionSlots slots;
+  asio::thread_pool::executor_type workers;
+
+  SharedBySessions(HttpServer::Handler given, const HttpServer::Limits& most, asio::thread_pool& pool)
+      : handler(std::move(given)), limits(most), slots(most.most_connections), workers(pool.get_executor()) {}
+};
+
+namespace {
 
 constexpr std::uint32_t kMostHead = 8 * 1024;
 constexpr int kThreads = 4;
@@ -99,12 +105,17 @@ class Session : public std::enable_shared_from_this<Session> {
       return write(refusal(400, fmt::format("a request of HTTP/1.1 has one Host, this one has {}", hosts)),
                    message.version(), false);
     const std::string_view target = view(message.target());
-    write(answer({.method = std::string(view(message.method_string())),
-                  .path = std::string(target.substr(0, target.find('?'))),
-                  .host = std::string(view(message[http::field::host])),
-                  .content_type = std::string(view(message[http::field::content_type])),
-                  .body = message.body()}),
-          message.version(), message.keep_alive());
+    HttpRequest request{.method = std::string(view(message.method_string())),
+                        .path = std::string(target.substr(0, target.find('?'))),
+                        .host = std::string(view(message[http::field::host])),
+                        .content_type = std::string(view(message[http::field::content_type])),
+                        .body = message.body()};
+    const auto reply = [self = shared_from_this(), version = message.version(), keep_alive = message.keep_alive()](
+                           HttpReply answer) { self->write(std::move(answer), version, keep_alive); };
+    if (message.method() != http::verb::post) return reply(answer(request));
+    asio::post(shared_->workers, [this, reply, request = std::move(request)] {
+      asio::post(stream_.get_executor(), [reply, answer = answer(request)]() mutable { reply(std::move(answer)); });
+    });
   }
 
   [[nodiscard]] HttpReply answer(const HttpRequest& request) const {
@@ -166,13 +177,19 @@ HttpReply refusal(unsigned status, const std::string& reason, std::string allow)
 struct HttpServer::State {
   asio::io_context context;
   Tcp::acceptor acceptor{context};
-  asio::steady_timer clock{context};
+  asio::steady_timer clock{context}, pause{context};
   std::shared_ptr<SharedBySessions> shared;
+  asio::thread_pool workers{kThreads};
 
   void accept() {
     acceptor.async_accept(asio::make_strand(context), [this](error_code error, Tcp::socket socket) {
-      if (!error) std::make_shared<Session>(std::move(socket), shared)->start();
-      accept();
+      if (!error) {
+        std::make_shared<Session>(std::move(socket), shared)->start();
+        return accept();
+      }
+      // Without a free descriptor, for instance, the next try would fail at once, too.
+      pause.expires_after(HttpServer::kPause);
+      pause.async_wait([this](error_code) { accept(); });
     });
   }
 
@@ -185,7 +202,7 @@ struct HttpServer::State {
 
 HttpServer::HttpServer(const std::string& host, std::uint16_t port, Handler handler, const Limits& limits)
     : state_(std::make_unique<State>()) {
-  state_->shared = std::make_shared<SharedBySessions>(std::move(handler), limits);
+  state_->shared = std::make_shared<SharedBySessions>(std::move(handler), limits, state_->workers);
   try {
     const auto found = Tcp::resolver(state_->context).resolve(host, std::to_string(port));
     const Tcp::endpoint endpoint = found.begin()->endpoint();
@@ -219,6 +236,8 @@ void HttpServer::run(const std::atomic<bool>& stop) {
   std::vector<std::jthread> threads;
   for (int i = 1; i < kThreads; ++i) threads.emplace_back([this] { state_->context.run(); });
   state_->context.run();
+  state_->workers.stop();
+  state_->workers.join();
 }
 
 }  // namespace touchstone::cell::browser

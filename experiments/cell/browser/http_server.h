@@ -36,8 +36,10 @@ struct HttpReply {
 /// throws. Each of these replies is a JSON object whose `error` gives the reason. A reply to HEAD has no body, whatever
 /// the handler returns. Cuts off a client that takes longer than `patience` to send a request or to receive the reply
 /// and, if there are more than `most_connections`, the connection that has been idle longest. Then continues to serve.
+/// If it cannot accept a connection, because the process has no free descriptor, it tries again after `kPause`.
 class HttpServer {
  public:
+  static constexpr std::chrono::milliseconds kPause{100};
   using Handler = std::function<HttpReply(const HttpRequest&)>;
   struct Limits {
     std::size_t most_body = std::size_t{64} * 1024;
@@ -45,8 +47,9 @@ class HttpServer {
     std::size_t most_connections = 64;
   };
 
-  /// Starts to listen; port 0 chooses a free one. Several threads call the handler concurrently. Throws
-  /// std::runtime_error, which names the address, if the server cannot listen there.
+  /// Starts to listen; port 0 chooses a free one. Several threads call the handler concurrently. POST has threads of
+  /// its own: other methods never wait for what is posted. Throws std::runtime_error, which names the address, if the
+  /// server cannot listen there.
   HttpServer(const std::string& host, std::uint16_t port, Handler handler, const Limits& limits);
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
@@ -58,7 +61,8 @@ class HttpServer {
   /// Returns whether only this machine can reach the server.
   [[nodiscard]] bool loopback() const;
 
-  /// Serves until `stop` is set. Notices that within a tenth of a second, but finishes requests in progress first.
+  /// Serves until `stop` is set. Notices that within a tenth of a second, but finishes requests in progress first;
+  /// those that still wait for a thread are dropped.
   void run(const std::atomic<bool>& stop);
 
  private:

@@ -1,25 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cell/browser/setting.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
 
 #include "experiments/cell/model/cell_entry.h"
+#include "experiments/cell/model/change_cell.h"
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_station.h"
 #include "experiments/cell/model/stops.h"
 #include "experiments/harness/json/strict_json.h"
 #include "experiments/methods/registry.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell::browser {
 namespace {
 
-double within(const CellEntry& entry, double least, double most) {
-  const double number = entry.number();
+/// The keys of a cell file that the page sets. None of them names a file or a folder.
+constexpr std::array<std::string_view, 40> kKeys{
+    "about",     "aim",    "angle", "at",      "box",          "capsule",  "clearance", "cylinder",  "face",  "from",
+    "gripper",   "height", "home",  "machine", "machine_slot", "machines", "material",  "materials", "move",  "name",
+    "obstacles", "parts",  "place", "radius",  "robot",        "robots",   "sides",     "slot",      "slots", "solid",
+    "sphere",    "stand",  "step",  "stops",   "storage",      "storages", "to",        "top",       "turn",  "zones"};
+
+void require_within(const char* key, double number, double least, double most) {
   if (number < least || number > most)
-    entry.bad(fmt::format("must be from {:g} to {:g}, is {:g}", least, most, number));
-  return number;
+    throw BadSetting(fmt::format("request: {}: must be from {:g} to {:g}, is {:g}", key, least, most, number));
+}
+
+/// Whatever set the numbers: the request, a change of the cell, or its file.
+void require_bounds(const Setting& setting, const Cell& cell) {
+  require_within("storage.angle", setting.angle, -kMostDegrees, kMostDegrees);
+  require_within("storage.radius", setting.radius, 0, longest(cell));
+  require_within("storage.height", setting.height, 0, longest(cell));
+  require_within("step", setting.step, kLeastStep, kMostStep);
 }
 
 Setting read(const CellEntry& whole, const Cell& cell) {
@@ -27,23 +45,29 @@ Setting read(const CellEntry& whole, const Cell& cell) {
   whole.has_only({"storage", "slot", "step", "drive", "changes", "piece"});
   if (const auto storage = whole.find("storage")) {
     storage->has_only({"angle", "radius", "height"});
-    const double most = longest(cell);
-    if (const auto angle = storage->find("angle")) setting.angle = within(*angle, -kMostDegrees, kMostDegrees);
-    if (const auto radius = storage->find("radius")) {
-      if (radius->positive() > most) (void)within(*radius, 0, most);
-      setting.radius = radius->positive();
-    }
-    if (const auto height = storage->find("height")) setting.height = within(*height, 0, most);
+    if (const auto angle = storage->find("angle")) setting.angle = angle->number();
+    if (const auto radius = storage->find("radius")) setting.radius = radius->positive();
+    if (const auto height = storage->find("height")) setting.height = height->number();
   }
   if (const auto slot = whole.find("slot")) setting.slot = slot_named(cell.storage, *slot);
-  if (const auto step = whole.find("step")) setting.step = within(*step, kLeastStep, kMostStep);
+  if (const auto step = whole.find("step")) setting.step = step->number();
   if (const auto drive = whole.find("drive")) {
     setting.drive = drive->text();
     // Programs of the user's own are not run for a page.
     if (std::ranges::none_of(methods::all_methods(), [&](const auto& each) { return each->name() == setting.drive; }))
       drive->bad(fmt::format("there is no method \"{}\"", setting.drive));
   }
+  require_bounds(setting, cell);
   return setting;
+}
+
+std::set<std::string> keys_named(const CellEntry& change) {
+  const std::string text = change.text();
+  try {
+    return keys_of_change(text);
+  } catch (const BadCell& error) {
+    change.bad(error.what());
+  }
 }
 
 /// Reads the checked JSON of a request.
@@ -84,9 +108,9 @@ Variation read_variation(std::string_view text) {
     const auto changes = whole.find("changes");
     if (!changes) return variation;
     for (const CellEntry& change : changes->items()) {
-      for (const char* key : {"urdf", "mesh", "file", "packages"})
-        if (change.text().find(key) != std::string::npos)
-          change.bad(fmt::format("names \"{}\": the page changes no files", key));
+      for (const std::string& key : keys_named(change))
+        if (std::ranges::find(kKeys, key) == kKeys.end())
+          change.bad(fmt::format("the page does not set \"{}\"; it sets {}", io::legible(key), fmt::join(kKeys, ", ")));
       variation.changes.push_back(change.text());
     }
     if (variation.changes.size() > kMostChanges) changes->bad(fmt::format("are more than {}", kMostChanges));

@@ -44,14 +44,15 @@ struct Variation {
 };
 inline constexpr std::size_t kMostChanges = 200;
 /// Reads the keys "changes", an array of texts, and "piece" of a request. Throws BadSetting for text that is not JSON,
-/// another type, more than kMostChanges changes, and a change that names a file: "urdf", "mesh", "meshes", "file" and
-/// "packages" are for who starts the program; copies of what is there are not.
+/// another type, more than kMostChanges changes, one that is not a path and a value (change_cell.h), and one that names
+/// a key which the page does not set: files, for instance, are for who starts the program. Copies of what is there are
+/// not searched for such keys.
 [[nodiscard]] Variation read_variation(std::string_view text);
 
 /// Reads {"storage": {"angle": a, "radius": r, "height": h}, "slot": name, "step": s, "drive": name}. Missing values
 /// are those of the cell; "changes" and "piece" are for read_variation. Throws BadSetting for text that is not JSON, an
-/// unknown or duplicate key, another type, a number that is not finite or out of bounds, an unknown slot, and a drive
-/// that `touchstone methods` does not list.
+/// unknown or duplicate key, another type, a number that is not finite, a number of the setting that is out of bounds,
+/// be it from the request or from the cell, an unknown slot, and a drive that `touchstone methods` does not list.
 [[nodiscard]] Setting read_setting(std::string_view text, const Cell& cell);
 
 /// A pose that the page asks about: the arm's commands in degrees, in the cell under a setting.

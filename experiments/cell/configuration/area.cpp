@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "experiments/cell/model/cell_entry.h"
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/solid_faces.h"
 
@@ -23,11 +22,7 @@ Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
   cell.storage.angle = angle;
   cell.storage.radius = radius;
   cell.storage.height = height;
-  try {
-    check_reach(cell);
-  } catch (const BadCell& error) {
-    return {angle, radius, height, FailureCause::OutOfReach, error.what()};
-  }
+  if (auto fault = reach_fault(cell)) return {angle, radius, height, FailureCause::OutOfReach, std::move(*fault)};
   Process process = simulate({cell, with_stand(parts, cell.storage), covered}, rule);
   const auto contact = std::ranges::find(process.moves, Until::Contact, &Move::until);
   const bool from_side = contact != process.moves.end() && contact->joint == kBase;

@@ -39,9 +39,9 @@ struct Tried {
 
 /// Tries every place; heights vary fastest, then radii.
 ///
-/// A place that check_reach refuses is OutOfReach, with its message as the reason. `covered` is that of the arm, which
-/// does not depend on the storage. The result does not depend on the number of threads; `progress` counts places.
-/// Returns nothing if `stop` became true. Throws what simulate throws. Cost: about 50 ms per place.
+/// A place with a reach_fault is OutOfReach, with that as the reason: no reason names a file. `covered` is that of the
+/// arm, which does not depend on the storage. The result does not depend on the number of threads; `progress` counts
+/// places. Returns nothing if `stop` became true. Throws what simulate throws. Cost: about 50 ms per place.
 [[nodiscard]] std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector<ModelPart>& parts,
                                                            const std::shared_ptr<const std::vector<Covered>>& covered,
                                                            const Grid& grid, const Rule& rule, unsigned threads,

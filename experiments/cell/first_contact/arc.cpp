@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <stdexcept>
 
 #include "experiments/workloads/degrees.h"
@@ -18,8 +19,14 @@ void require_valid(const Arc& arc) {
     throw std::invalid_argument(fmt::format("the arc turns by {} degrees, not by 0 to 360", arc.degrees));
 }
 
+// What underflows is far below the last place of the largest coordinate, which is from 1 to 2.
+Eigen::Vector3d direction_of(const Eigen::Vector3d& v) {
+  const int exponent = std::ilogb(v.cwiseAbs().maxCoeff());
+  return v.unaryExpr([&](double x) { return std::scalbn(x, -exponent); }).stableNormalized();
+}
+
 Eigen::Vector3d point_at(const Arc& arc, double degrees) {
-  const Eigen::Vector3d unit = arc.axis.stableNormalized(), v = arc.start - arc.point;
+  const Eigen::Vector3d unit = direction_of(arc.axis), v = arc.start - arc.point;
   const Eigen::Vector3d along = v.dot(unit) * unit;
   if (degrees == 0) return arc.start;
   return arc.point + along + workloads::cosine(degrees) * (v - along) + workloads::sine(degrees) * unit.cross(v);

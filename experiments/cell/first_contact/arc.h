@@ -22,6 +22,11 @@ struct Arc {
 /// outside [0, 360].
 void require_valid(const Arc& arc);
 
+/// Returns the direction of a vector as a vector of length 1, off by some units in the last place, for every finite
+/// vector but 0, however long or short: it is multiplied by a power of two first. Vectors that differ by a power of two
+/// only have the same direction, bit by bit.
+[[nodiscard]] Eigen::Vector3d direction_of(const Eigen::Vector3d& v);
+
 /// Returns the point at an angle in degrees, in doubles: off by a few units in the last place of the largest coordinate
 /// of start and point. At angle 0 it is the start itself. The bits are the same on every machine. Cost: some
 /// microseconds.

@@ -21,7 +21,7 @@ bool meet(const Box& a, const Box& b) {
 
 /// The point at an angle, by the C library: here it may be off by a little.
 Eigen::Vector3d roughly_at(const Arc& arc, double degrees) {
-  const Eigen::Vector3d unit = arc.axis.stableNormalized(), v = arc.start - arc.point;
+  const Eigen::Vector3d unit = direction_of(arc.axis), v = arc.start - arc.point;
   const Eigen::Vector3d along = v.dot(unit) * unit;
   const double angle = degrees * std::numbers::pi / 180;
   return arc.point + along + std::cos(angle) * (v - along) + std::sin(angle) * unit.cross(v);

@@ -4,6 +4,7 @@
 #include <mpfr.h>
 
 #include <cmath>
+#include <limits>
 
 #include "experiments/cell/first_contact/exact_face.h"
 
@@ -17,7 +18,7 @@ int order(const Dyadic& a, const Dyadic& b) {
 
 }  // namespace
 
-Charts::Charts(const Eigen::Vector3d& axis) : axis_(in_units(axis, lowest_bit(axis, 0))) {
+Charts::Charts(const Eigen::Vector3d& axis) : axis_(in_units(axis, lowest_bit(axis, std::numeric_limits<int>::max()))) {
   squared_length_ = dot(axis_, axis_);
   exponent_ = static_cast<unsigned>(mpz_sizeinbase(squared_length_.get_mpz_t(), 2) / 2);
 }

@@ -82,7 +82,10 @@ ThroughSheet draw_through_sheet(std::uint64_t seed, std::uint64_t n) {
   angles[kShoulder] += between(-20, 20);
   angles[kElbow] += between(-20, 20);
   const auto joint = static_cast<std::size_t>(random.integer(kBase, kElbow));
-  const double size = between(30, 45), move = random.coin() ? size : -size;
+  const double size = between(30, 45);
+  const bool up = random.coin();
+  // The other way, where the joint's limits leave no room for this one.
+  const double move = (chain.room(angles, joint, up) >= size) == up ? size : -size;
   const Arc arc = chain.arc(angles, joint, move, sphere_center(layout()));
 
   const double at = between(2, arc.degrees - 2);

@@ -20,8 +20,9 @@ namespace touchstone::kinematics {
 inline constexpr std::array kRadii{0.5, 1.0, 2.0, 4.0, 6.0};   // mm; the last is the one of the layout
 inline constexpr std::array kSteps{0.25, 0.5, 1.0, 2.0, 5.0};  // degrees; the thesis's is 1
 
-/// A move of one joint, and a sheet of thickness 0 somewhere on its path: 60 to 160 mm wide, its normal up to 60
-/// degrees off the path. A function of (seed, n).
+/// A move of one joint, by 30 to 45 degrees within its limits and those of the joint that makes up for it, and a sheet
+/// of thickness 0 somewhere on its path: 60 to 160 mm wide, its normal up to 60 degrees off the path. A function of
+/// (seed, n).
 struct ThroughSheet {
   Arc arc;
   Polygon sheet;

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -56,6 +57,38 @@ nlohmann::json value_of(const std::string& path, const std::string& text) {
   }
 }
 
+struct Change {
+  std::string path;
+  std::vector<Key> keys;              ///< of the path
+  std::optional<std::string> source;  ///< the path of what is copied, if it is a copy
+  nlohmann::json value;               ///< otherwise
+};
+
+Change parsed(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) throw BadCell(fmt::format("{}: has no \"=\"", assignment));
+  Change change{assignment.substr(0, equals), {}, std::nullopt, {}};
+  change.keys = keys_of(change.path);
+  const std::string text = assignment.substr(equals + 1);
+  if (text.starts_with('@'))
+    change.source = text.substr(1);
+  else
+    change.value = value_of(change.path, text);
+  return change;
+}
+
+void add_names(std::set<std::string>& names, const std::vector<Key>& keys) {
+  for (const Key& key : keys)
+    if (const auto* name = std::get_if<std::string>(&key)) names.insert(*name);
+}
+
+void add_names(std::set<std::string>& names, const nlohmann::json& value) {
+  for (const auto& [key, member] : value.items()) {
+    if (value.is_object()) names.insert(key);
+    if (member.is_structured()) add_names(names, member);
+  }
+}
+
 /// Returns the value of the path that is copied to another.
 nlohmann::json value_at(const nlohmann::json& cell, const std::string& to, const std::string& from) {
   const nlohmann::json* at = &cell;
@@ -78,12 +111,10 @@ bool below(const std::string& label, const std::string& path) {
 }  // namespace
 
 void change_cell(nlohmann::json& cell, const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos) throw BadCell(fmt::format("{}: has no \"=\"", assignment));
-  const std::string path = assignment.substr(0, equals);
-  const std::vector<Key> keys = keys_of(path);
-  const std::string text = assignment.substr(equals + 1);
-  nlohmann::json value = text.starts_with('@') ? value_at(cell, path, text.substr(1)) : value_of(path, text);
+  Change change = parsed(assignment);
+  const std::string& path = change.path;
+  const std::vector<Key>& keys = change.keys;
+  nlohmann::json value = change.source ? value_at(cell, path, *change.source) : std::move(change.value);
 
   // The first element of a list that is not there begins it.
   if (keys.size() == 2 && std::holds_alternative<std::size_t>(keys[1]) && std::get<std::size_t>(keys[1]) == 0 &&
@@ -134,6 +165,15 @@ void change_cell(nlohmann::json& cell, const std::string& assignment) {
     label = gone ? labels.erase(label) : std::next(label);
   }
   if (!remove) labels[path] = "C";
+}
+
+std::set<std::string> keys_of_change(const std::string& assignment) {
+  const Change change = parsed(assignment);
+  std::set<std::string> names;
+  add_names(names, change.keys);
+  if (change.source) add_names(names, keys_of(*change.source));
+  if (change.value.is_structured()) add_names(names, change.value);
+  return names;
 }
 
 }  // namespace touchstone::cell

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <string>
 
 namespace touchstone::cell {
@@ -17,5 +18,10 @@ namespace touchstone::cell {
 /// Throws BadCell, whose message begins with the path, for an assignment without `=` or path, and for a path through a
 /// missing entry or through one that is not an object or array. Whether the cell is valid is for read_cell to decide.
 void change_cell(nlohmann::json& cell, const std::string& assignment);
+
+/// Returns every key that an assignment names: those of its path, those of the path that it copies, and those of the
+/// objects in its value, at every depth, as they read once the JSON is parsed. What it copies from the cell itself is
+/// not looked at. Throws BadCell, as change_cell does, for an assignment that is not a path and a value.
+[[nodiscard]] std::set<std::string> keys_of_change(const std::string& assignment);
 
 }  // namespace touchstone::cell

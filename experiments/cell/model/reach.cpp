@@ -68,7 +68,7 @@ std::string advice(const Reach& reach, double sphere, const Station& station, co
       rounded(all.least, true), rounded(all.most, false));
 }
 
-void check(const Cell& cell, const Station& station, const Reach& reach) {
+std::optional<std::string> fault(const Cell& cell, const Station& station, const Reach& reach) {
   const Eigen::AlignedBox3d material = bounds_of(cell.material.solid);
   const double around = cell.gripper.sphere.radius + material.diagonal().norm() / 2;
   const double azimuth = station.azimuth() * std::numbers::pi / 180;
@@ -80,12 +80,13 @@ void check(const Cell& cell, const Station& station, const Reach& reach) {
         reach.distance({x * std::cos(azimuth) - y * std::sin(azimuth), x * std::sin(azimuth) + y * std::cos(azimuth),
                         station.height + middle.z()});
     if (distance > reach.outer + around || distance < reach.inner - around)
-      throw BadCell(fmt::format(
-          "{}: {}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "
+      return fmt::format(
+          "{}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "
           "its sphere {:.6g} to {:.6g} away; {}",
-          cell.file.string(), station.key, distance < reach.inner ? "too near" : "too far", slot.name, distance,
-          reach.inner, reach.outer, advice(reach, cell.gripper.sphere.radius, station, material)));
+          station.key, distance < reach.inner ? "too near" : "too far", slot.name, distance, reach.inner, reach.outer,
+          advice(reach, cell.gripper.sphere.radius, station, material));
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -133,10 +134,14 @@ Reach reach_of(const Cell& cell) {
           sum};
 }
 
-void check_reach(const Cell& cell) {
+std::optional<std::string> reach_fault(const Cell& cell) {
   const Reach reach = reach_of(cell);
-  check(cell, cell.storage, reach);
-  check(cell, cell.machine, reach);
+  const std::optional<std::string> storage = fault(cell, cell.storage, reach);
+  return storage ? storage : fault(cell, cell.machine, reach);
+}
+
+void check_reach(const Cell& cell) {
+  if (const auto fault = reach_fault(cell)) throw BadCell(fmt::format("{}: {}", cell.file.string(), *fault));
 }
 
 }  // namespace touchstone::cell

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <string>
 
 #include "experiments/cell/model/cell.h"
 
@@ -24,10 +26,11 @@ struct Reach {
 
 [[nodiscard]] Reach reach_of(const Cell& cell);
 
-/// Throws BadCell naming `storage.radius` or `machine.radius` if the sphere cannot touch a ball around the material in
-/// one of the station's slots. The message gives the distance, whether it is too near or too far, and the radii at
-/// which the arm reaches all slots from above, joint limits and obstacles apart. Must be called again if a cell is
-/// changed after it was read.
+/// Returns what is wrong if the sphere cannot touch a ball around the material in one of a station's slots, as in
+/// `storage.radius: too far: ...`: the distance, whether it is too near or too far, and the radii at which the arm
+/// reaches all slots from above, joint limits and obstacles apart.
+[[nodiscard]] std::optional<std::string> reach_fault(const Cell& cell);
+/// Throws BadCell for such a fault. Must be called again if a cell is changed after it was read.
 void check_reach(const Cell& cell);
 
 }  // namespace touchstone::cell

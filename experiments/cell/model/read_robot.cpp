@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cell/first_contact/arc.h"
 #include "experiments/cell/model/home_poses.h"
 #include "experiments/cell/model/read_urdf.h"
 
@@ -134,8 +135,8 @@ Gripper read_gripper(const CellEntry& entry, const SolidContext& context) {
   if (const auto hold = entry.find("hold")) {
     hold->has_only({"along", "play"});
     const Eigen::Vector3d along = hold->at("along").point();
-    if (!(along.norm() > 0)) hold->at("along").bad("has no direction");
-    gripper.hold = {along.normalized(), hold->at("play").positive()};
+    if (along.isZero(0)) hold->at("along").bad("has no direction");
+    gripper.hold = {kinematics::direction_of(along), hold->at("play").positive()};
   }
   return gripper;
 }

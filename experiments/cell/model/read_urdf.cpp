@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/cell/first_contact/arc.h"
 #include "experiments/cell/model/check_xml.h"
 #include "experiments/cell/model/read_at_most.h"
 #include "geometry/io/detail/legible.h"
@@ -204,7 +205,7 @@ class UrdfReader {
     joint.axis =
         Eigen::Vector3d(location.finite(given.axis.x), location.finite(given.axis.y), location.finite(given.axis.z));
     if (joint.axis.isZero(0)) location.bad("has no axis");
-    joint.axis /= joint.axis.norm();
+    joint.axis = kinematics::direction_of(joint.axis);
     take_speed(joint, given, location);
     if (given.type == urdf::Joint::CONTINUOUS) {
       joint.lower = -360;

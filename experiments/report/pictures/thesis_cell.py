@@ -345,24 +345,26 @@ def heights(cell, places, which):
     left.grid(alpha=0.25)
     for case, color in ((1, BLUE), (2, ORANGE)):
         rows = [row for row in places if row["scan"] == f"heights {case}"]
-        step = rows[1]["height_mm"] - rows[0]["height_mm"]  # one is tried for so much of the bar
         for outcome, run in itertools.groupby(rows, key=lambda row: row["outcome"]):
             run = [row["height_mm"] for row in run]
-            if outcome in ("from the side", "from above"):
-                right.bar(case, run[-1] - run[0] + step, 0.8, bottom=run[0] - step / 2, linewidth=0, color=color,
+            completes = outcome in ("from the side", "from above")
+            if completes:
+                right.bar(case, run[-1] - run[0], 0.8, bottom=run[0], linewidth=1.5, edgecolor=color, color=color,
                           alpha=0.85 if outcome == "from the side" else 0.4)
-        for end, offset in (("highest", 12), ("lowest", -30)):
+            right.plot([case] * len(run), run, linestyle="", marker="." if completes else "x", markersize=4,
+                       color="white" if completes else BLACK)
+        for end, offset, side in (("highest", 8, "bottom"), ("lowest", -8, "top")):
             if f"case {case}, {end}" in cell.sides:
                 at = cell.sides[f"case {case}, {end}"][0]["height"]
-                right.annotate(f"{at:g} mm", (case, at + offset), ha="center", fontsize=8,
+                right.annotate(f"{at:g} mm", (case + 0.05, at + offset), ha="left", va=side, fontsize=8,
                                bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
     chosen = cell.drawing["stations"]["storage 1"]["deck"]
     right.axhline(chosen, color=BLACK, linewidth=0.8, linestyle=":")
     right.annotate("case studies", (2.55, chosen + 8), ha="right", fontsize=7)
     right.set_xticks([1, 2], ["case 1's place", "case 2's place"])
     right.set_xlim(0.4, 2.6)
-    right.set_ylim(0, 920)
+    right.set_ylim(-50, 920)
     right.set_ylabel("height of the storage's deck (mm)")
-    right.set_title("heights that complete\n(dark: touched from the side; light: from above)")
+    right.set_title("heights that complete (dots) and do not (crosses)\n(dark: touched from the side; light: from above)", fontsize=10)
     figure.tight_layout()
     return figure

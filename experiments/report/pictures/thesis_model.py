@@ -273,17 +273,27 @@ def area(cell, places):
     return figure
 
 
-def too_close(cell):
+def radii_that_fail(places):
+    """The greatest radius that is too close, and the least that is too far."""
+    rows = [row for row in places if row["scan"] == "radii"]
+    completes = [row["radius_mm"] for row in rows if row["outcome"] in ("from the side", "from above")]
+    return (max(row["radius_mm"] for row in rows if row["radius_mm"] < min(completes)),
+            min(row["radius_mm"] for row in rows if row["radius_mm"] > max(completes)))
+
+
+def too_close(cell, places):
+    radius, _ = radii_that_fail(places)
     figure, axes = plt.subplots(figsize=(6, 5.6))
-    plan(axes, cell, ("storage 1",), radius=200)
-    axes.set_title("radius 200 mm: the storage would stand in the robot's circle")
+    plan(axes, cell, ("storage 1",), radius=radius)
+    axes.set_title(f"radius {radius:g} mm: too close")
     figure.tight_layout()
     return figure
 
 
-def too_far(cell):
+def too_far(cell, places):
+    _, radius = radii_that_fail(places)
     figure, axes = plt.subplots(figsize=(6, 5.6))
-    plan(axes, cell, ("storage 1",), radius=720)
+    plan(axes, cell, ("storage 1",), radius=radius)
     reach = cell.drawing["reach"]
     length = reach["first"] + reach["second"]
     up = cell.drawing["stations"]["storage 1"]["height"] + cell.drawing["material"]["side"] + reach["down"] - reach["shoulder"]
@@ -292,7 +302,7 @@ def too_far(cell):
                   bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
     axes.set_xlim(-1000, 760)
     axes.set_ylim(-1010, 740)
-    axes.set_title("radius 720 mm: out of the arm's reach")
+    axes.set_title(f"radius {radius:g} mm: too far")
     figure.tight_layout()
     return figure
 

@@ -2,13 +2,19 @@
 // The cell as the entries of chapters 5 and 6 have it, and the files of `touchstone thesis`.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "experiments/cell/kinematics/solve_layout.h"
+#include "experiments/cell/model/read_cell.h"
 #include "experiments/commands.h"
 #include "experiments/thesis/drawn_cell.h"
 #include "experiments/thesis/entries.h"
@@ -33,6 +39,11 @@ constexpr Settings kSmall{.samples = 100,
                           .height_scan = 100,
                           .home_step = 40};
 
+const Study& small() {
+  static const Study study = run_study(kSmall, 1, kGoOn, [](std::uint64_t, std::uint64_t) {}).value();
+  return study;
+}
+
 /// By name, what a study writes.
 std::map<std::string, std::string> files_of(const Study& study) {
   const run_tests::Scratch scratch;
@@ -46,21 +57,31 @@ std::map<std::string, std::string> files_of(const Study& study) {
 }
 
 TEST(ThesisStudy, WritesTheSameBytesForAnyNumberOfThreads) {
-  const auto quiet = [](std::uint64_t, std::uint64_t) {};
-  const auto one = run_study(kSmall, 1, kGoOn, quiet), three = run_study(kSmall, 3, kGoOn, quiet);
-  ASSERT_TRUE(one && three);
-  const auto files = files_of(*one);
+  const auto three = run_study(kSmall, 3, kGoOn, [](std::uint64_t, std::uint64_t) {});
+  ASSERT_TRUE(three);
+  const auto files = files_of(small());
   EXPECT_EQ(files.size(), 18U);
   EXPECT_EQ(files, files_of(*three));
   for (const auto& [name, text] : files) EXPECT_FALSE(text.empty()) << name;
   // With so few samples, too, every stated number is found again, except for a reach that other sources' lengths do
   // not give.
-  for (const Entry& entry : entries_of(*one)) {
+  for (const Entry& entry : entries_of(small())) {
     if (entry.caption->id != "table 5.1") {
       EXPECT_TRUE(entry.agrees()) << entry.caption->id;
     }
   }
-  EXPECT_NE(table(entries_of(*one)).find("otherwise:\n  table 5.1: reach of the flange"), std::string::npos);
+  EXPECT_NE(table(entries_of(small())).find("otherwise:\n  table 5.1: reach of the flange"), std::string::npos);
+}
+
+// Two machines' results are the same: what a message says of a cell that comes with the program names no file.
+TEST(ThesisStudy, WritesNoPathOfTheMachine) {
+  std::size_t out_of_reach = 0;
+  for (const auto& [name, text] : files_of(small())) {
+    EXPECT_EQ(text.find(TOUCHSTONE_SOURCE_DIR), std::string::npos) << name;
+    EXPECT_EQ(text.find("aristo.json"), std::string::npos) << name;
+    if (name == "places.csv") out_of_reach += text.find("out-of-reach") != std::string::npos;
+  }
+  EXPECT_EQ(out_of_reach, 1U);
 }
 
 TEST(ThesisStudy, StopsWhenItIsAskedTo) {
@@ -174,19 +195,98 @@ TEST(Reconfiguration, IsThatOfTheWholeProcess) {
   }
 }
 
-TEST(Reconfiguration, FindsTheLongestRun) {
+TEST(Reconfiguration, FindsTheEndsOfWhatCompletesAndWhatDoesNotBetween) {
   const auto places = [](const std::string& marks) {
     std::vector<cell::Tried> all;
     for (const char mark : marks)
-      all.push_back({0, 0, 0, mark == '+' ? std::nullopt : std::optional(cell::FailureCause::OutOfReach), ""});
+      all.push_back({0, 0, 5.0 * static_cast<double>(all.size()),
+                     mark == '+'   ? std::nullopt
+                     : mark == '-' ? std::optional(cell::FailureCause::OutOfReach)
+                                   : std::optional(cell::FailureCause::InTheWay),
+                     ""});
     return all;
   };
-  EXPECT_TRUE(longest_stretch({}).empty());
-  EXPECT_TRUE(longest_stretch(places("---")).empty());
-  const Stretch run = longest_stretch(places("+-++-++"));
-  EXPECT_EQ(run.first, 2U);
-  EXPECT_EQ(run.last, 3U);
-  EXPECT_EQ(longest_stretch(places("--+++")).last, 4U);
+  const auto gaps_of = [&](const std::string& marks) {
+    return gaps(places(marks), *completing(places(marks)), &cell::Tried::height);
+  };
+  EXPECT_FALSE(completing({}));
+  EXPECT_FALSE(completing(places("---")));
+  const auto ends = completing(places("-+-++-++--"));
+  ASSERT_TRUE(ends);
+  EXPECT_EQ(ends->first, 1U);
+  EXPECT_EQ(ends->last, 7U);
+  EXPECT_EQ(gaps_of("-+++-"), "");
+  EXPECT_EQ(gaps_of("-+-"), "");
+  EXPECT_EQ(gaps_of("-+-x+---+-"), "10 mm (out-of-reach), 15 mm (in-the-way), 25 to 35 mm (out-of-reach)");
+}
+
+double number_of(const std::vector<Entry>& entries, std::string_view id, std::string_view what) {
+  const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& each) { return each.caption->id == id; });
+  const auto number = std::ranges::find_if(entry.numbers, [&](const Number& n) { return n.what.starts_with(what); });
+  EXPECT_NE(number, entry.numbers.end()) << id << ": " << what;
+  return number == entry.numbers.end() ? NAN : number->ours;
+}
+
+// Figures 5.18, 5.19, 5.22, 6.30 and 6.31 against the scans, each other, and the case studies, which complete.
+TEST(Reconfiguration, FiguresHoldBothCaseStudies) {
+  const Study& study = small();
+  const std::vector<Entry> entries = entries_of(study);
+  for (const auto& [what, places] : {std::pair("radii", &study.radii),
+                                     {"heights 1", &study.heights[0]},
+                                     {"heights 2", &study.heights[1]},
+                                     {"area", &study.area}})
+    for (const cell::Tried& place : *places)
+      EXPECT_EQ(place.cause.has_value(), !place.reason.empty()) << what << ' ' << place.radius << ' ' << place.height;
+  for (std::size_t i = 0; i < study.cases.size(); ++i) {
+    const cell::Station& storage = study.cases[i].cell.storage;
+    EXPECT_EQ(study.cases[i].process.failure, "");
+    EXPECT_LE(number_of(entries, "5.18", "least radius that completes"), storage.radius);
+    EXPECT_GE(number_of(entries, "5.19", "greatest radius that completes"), storage.radius);
+    EXPECT_LE(number_of(entries, "5.22", "least angle at which some radius completes"), storage.angle);
+    EXPECT_GE(number_of(entries, "5.22", "largest angle at which some radius completes"), storage.angle);
+    const std::string at = "at case " + std::to_string(i + 1) + "'s";
+    EXPECT_GE(number_of(entries, "6.30", "greatest height that completes, " + at), storage.height);
+    EXPECT_LE(number_of(entries, "6.31", "least height that completes, " + at), storage.height);
+    const auto own = std::ranges::find(study.heights[i], storage.height, &cell::Tried::height);
+    ASSERT_NE(own, study.heights[i].end());
+    EXPECT_FALSE(own->cause) << own->reason;
+  }
+  const auto own = std::ranges::find(study.radii, study.cell.storage.radius, &cell::Tried::radius);
+  ASSERT_NE(own, study.radii.end());
+  EXPECT_FALSE(own->cause) << own->reason;
+}
+
+// What a figure says of a place that does not complete is what the scan says of it.
+TEST(Reconfiguration, FiguresNameAReasonForWhatDoesNotComplete) {
+  const Study& study = small();
+  std::size_t reasons = 0;
+  for (const Entry& entry : entries_of(study)) {
+    EXPECT_EQ(entry.text.find(": ."), std::string::npos) << entry.caption->id << ": " << entry.text;
+    const bool radius = entry.caption->id == "5.18" || entry.caption->id == "5.19";
+    if (!radius && entry.caption->id != "6.30" && entry.caption->id != "6.31") continue;
+    const std::regex said(radius ? R"(It does not complete at ([0-9.]+) mm: )"
+                                 : R"(Case (\d) does not complete at ([0-9.]+) mm: )");
+    for (std::sregex_iterator m(entry.text.begin(), entry.text.end(), said), end; m != end; ++m, ++reasons) {
+      const auto& places = radius ? study.radii : study.heights.at(std::stoul((*m)[1]) - 1);
+      const auto place = std::ranges::find(places, std::stod((*m)[radius ? 1 : 2]),
+                                           radius ? &cell::Tried::radius : &cell::Tried::height);
+      ASSERT_NE(place, places.end()) << entry.text;
+      EXPECT_TRUE(place->cause) << entry.text;
+      EXPECT_FALSE(place->reason.empty()) << entry.text;
+      EXPECT_TRUE(std::string(m->suffix()).starts_with(place->reason + ".")) << entry.text;
+    }
+  }
+  EXPECT_EQ(reasons, 5U);  // too close, too far, both cases too high, case 2 too low: case 1 completes at the lowest
+}
+
+TEST(Reconfiguration, PresetsThatAreTooCloseOrTooFarDoNotComplete) {
+  for (const char* name : {"too close", "too far"}) {
+    const cell::Cell cell = cell::read_cell(begun().cell.file, {}, cell::preset(begun().cell.file, name));
+    EXPECT_TRUE(cell::try_place(cell, begun().parts, begun().covered, {}, cell.storage.angle, cell.storage.radius,
+                                cell.storage.height)
+                    .cause)
+        << name;
+  }
 }
 
 TEST(ThesisCommand, RefusesWhatMakesNoSense) {

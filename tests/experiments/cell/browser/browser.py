@@ -585,7 +585,7 @@ def check_elements(page, address):
     page.wait("a refusal", lambda: "storage.radius: too far" in page.text("failure"))
     expect(page.find("#failure a").is_displayed(), "there is no way back from a cell that cannot be")
     page.driver.get(address + "?change=" + urllib.parse.quote("robot.urdf=/etc/passwd"))
-    page.wait("a refusal", lambda: "the page changes no files" in page.text("failure"))
+    page.wait("a refusal", lambda: "the page does not set \"urdf\"" in page.text("failure"))
 
 
 def check_without_webgl(page, address):

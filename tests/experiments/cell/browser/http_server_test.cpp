@@ -2,11 +2,16 @@
 // The HTTP server refuses what it must, and continues.
 #include "experiments/cell/browser/http_server.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 
+#include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <deque>
 #include <future>
+#include <latch>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -22,6 +27,9 @@ namespace {
 using cell::browser::HttpReply;
 using cell::browser::HttpRequest;
 using cell::browser::HttpServer;
+
+std::atomic<bool> no_descriptors = false;  // for connections: see accept
+std::atomic<int> refused_connections = 0;
 
 HttpReply echo(const HttpRequest& r) {
   if (r.path == "/throws") throw std::runtime_error("no such thing");
@@ -162,6 +170,42 @@ TEST(FullServer, AnswersWhatItWorksOn) {
   EXPECT_EQ(slow.get(), 200U);
 }
 
+// More are posted than there are threads for them.
+TEST(BusyServer, AnswersAtOnceWhoOnlyLooks) {
+  std::promise<void> go_on;
+  const std::shared_future<void> gone_on = go_on.get_future().share();
+  std::latch at_work(4);
+  std::atomic<int> begun = 0;
+  const Serving serving(
+      [&](const HttpRequest& request) {
+        if (request.method == "POST") {
+          if (++begun <= 4) at_work.count_down();
+          gone_on.wait();
+        }
+        return echo(request);
+      },
+      {.patience = std::chrono::minutes(10)});
+  std::vector<std::future<unsigned>> posted;
+  for (int i = 0; i < 8; ++i)
+    posted.push_back(std::async(std::launch::async, [&] { return ask(serving.port(), "POST", "/slow").status; }));
+  at_work.wait();
+  EXPECT_EQ(ask(serving.port(), "GET", "/").status, 200U);
+  go_on.set_value();
+  for (auto& each : posted) EXPECT_EQ(each.get(), 200U);
+}
+
+// It tries again, but only after a pause, and goes on as soon as there are descriptors.
+TEST(ServerWithoutDescriptors, DoesNotTryInALoop) {
+  const auto begin = std::chrono::steady_clock::now();
+  no_descriptors = true;
+  const Serving serving(echo);
+  for (int seen = 0; seen < 3; seen = refused_connections) refused_connections.wait(seen);
+  const int refused = refused_connections;
+  EXPECT_LE(refused, (std::chrono::steady_clock::now() - begin) / HttpServer::kPause + 1);
+  no_descriptors = false;
+  EXPECT_EQ(ask(serving.port(), "GET", "/").status, 200U);
+}
+
 // What a user is told to open must lead to the server, which 0.0.0.0 does not everywhere.
 TEST(Url, LeadsToTheServer) {
   const auto url = [](const char* host) { return HttpServer(host, 0, echo, {}).url(); };
@@ -185,4 +229,17 @@ TEST_F(Server, KnowsWhetherOnlyThisMachineReachesIt) {
 }
 
 }  // namespace
+
+/// Stands for that of the C library, which it calls.
+extern "C" int accept(int socket, sockaddr* address, socklen_t* length) {
+  if (no_descriptors) {
+    ++refused_connections;
+    refused_connections.notify_all();
+    errno = EMFILE;
+    return -1;
+  }
+  static const auto accept_of_the_library = reinterpret_cast<decltype(&accept)>(dlsym(RTLD_NEXT, "accept"));
+  return accept_of_the_library(socket, address, length);
+}
+
 }  // namespace touchstone::cell_browser_tests

@@ -199,7 +199,12 @@ TEST(Variations, AreAskedAboutLikeTheCell) {
   EXPECT_EQ(ran["setting"]["slot"], "C");
   ASSERT_FALSE(ran["triggers"].empty());
   EXPECT_EQ(ran["triggers"][0]["zone"], "z");
-  EXPECT_EQ(post("/api/run", {{"changes", {"storage.hight=1"}}}).status, 422U);
+  EXPECT_EQ(post("/api/run", {{"changes", {"storage.hight=1"}}}).status, 400U);
+  EXPECT_EQ(post("/api/run", {{"changes", {"storage.slots[9].name=x"}}}).status, 422U);
+  EXPECT_EQ(post("/api/run", {{"changes", {"step=0.004"}}}).status, 400U);
+  const char* const profile = R"(obstacles[0]={"name":"profile","box":{"from":[0,0,0],"to":[9,9,9]},"move":[0,900,0]})";
+  const HttpReply named = post("/api/varied", {{"changes", {profile}}});
+  EXPECT_EQ(named.status, 200U) << named.body;
   EXPECT_EQ(post("/api/run", {{"piece", "third"}}).status, 422U);
   EXPECT_EQ(nlohmann::json::parse(post("/api/varied", nlohmann::json::object()).body)["zones"].size(), 0U);
 }

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "experiments/cell/model/cell_entry.h"
 #include "tests/experiments/cell/browser/aristo.h"
@@ -99,25 +102,86 @@ TEST(Setting, RefusesWhatTheArmCannotReach) {
       << reason(480.2, 20);
 }
 
-TEST(Variation, NamesChangesAndThePieceButNoFiles) {
-  const auto refused = [](const std::string& text) -> std::string {
-    try {
-      (void)read_variation(text);
-    } catch (const BadSetting& error) {
-      return error.what();
-    }
-    return "";
-  };
+std::string refused(const std::string& text) {
+  try {
+    (void)read_variation(text);
+  } catch (const BadSetting& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// Of a request with this one change.
+std::string refused_change(const std::string& change) { return refused(nlohmann::json{{"changes", {change}}}.dump()); }
+
+TEST(Variation, NamesChangesAndThePiece) {
   EXPECT_EQ(read_variation("{}"), Variation{});
   const Variation variation =
       read_variation(R"({"changes": ["zones[0]={}", "storages[0]=@storage"], "piece": "second"})");
   EXPECT_EQ(variation.piece, "second");
   EXPECT_EQ(variation.changes, (std::vector<std::string>{"zones[0]={}", "storages[0]=@storage"}));
-  for (const char* file : {"robot.urdf=x", "obstacles[0].mesh.file=x", "meshes=/", "robot.packages=[]"})
-    EXPECT_NE(refused(nlohmann::json{{"changes", {file}}}.dump()).find("the page changes no files"), std::string::npos);
   EXPECT_EQ(refused(R"({"changes": [1]})"), "request: changes[0]: must be a text that is not empty");
   EXPECT_EQ(refused(nlohmann::json{{"changes", std::vector<std::string>(201, "step=1")}}.dump()),
             "request: changes: are more than 200");
+  EXPECT_EQ(refused_change("step"), "request: changes[0]: step: has no \"=\"");
+  EXPECT_EQ(refused_change("zones[0]=@"), "request: changes[0]: : is not a path of keys");
+}
+
+// Files are for who starts the program: in a path, in a value at any depth, however JSON spells them, or copied.
+TEST(Variation, SetsNothingThatNamesAFile) {
+  for (const auto& [change, key] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"robot.urdf=x", "urdf"},
+           {"meshes=/", "meshes"},
+           {"meshes=null", "meshes"},
+           {"robot.packages=[]", "packages"},
+           {"obstacles[0].mesh.file=x", "file"},
+           {R"(obstacles[0]={"name":"o","mesh":{"file":"/any/path.obj","unit":"mm"}})", "file"},
+           {R"(obstacles[0]={"name":"o","m\u0065sh":3})", "mesh"},
+           {R"(obstacles[0]={"name":"o","m\u0065sh":{"f\u0069le":"/any/path.obj"}})", "file"},
+           {R"(robot={"\u0075\u0072\u0064\u0066":"/etc/passwd"})", "urdf"},
+           {R"(obstacles[0].parts=[[{"box":[{"u\u0072df":"x"}]}]])", "urdf"},
+           {R"(material.solid={"union":[{"mesh":{}},{}]})", "mesh"},
+           {"robot.name=@robot.urdf", "urdf"},
+           {"labels.step=T", "labels"},
+           {"presets={}", "presets"},
+           {"robot.links={}", "links"}})
+    EXPECT_EQ(
+        refused_change(change).rfind(
+            std::string("request: changes[0]: the page does not set \"") + key + "\"; it sets about, aim, angle, ", 0),
+        0U)
+        << change << ": " << refused_change(change);
+}
+
+// What is only the text of a value, or a part of it, is no key.
+TEST(Variation, SetsNamesThatLookLikeFiles) {
+  for (const char* change : {R"(obstacles[0]={"name":"profile","box":{"from":[0,0,0],"to":[1,1,1]},"move":[400,0,0]})",
+                             R"(zones[0]={"name":"mesh-urdf-file","sphere":{"at":[0,0,0],"radius":1}})",
+                             "materials[0].name=packages", R"(storages[0].slots[0].name="\u0066ile")",
+                             "obstacles[2]=null", "zones[0].stops=true", "robots[0].gripper=@gripper"})
+    EXPECT_EQ(refused_change(change), "accepted") << change;
+}
+
+// A change of the cell, or its file, may have set what the request leaves out.
+TEST(Setting, IsWithinItsBoundsWhereverItsNumbersComeFrom) {
+  const auto refusal_of = [](const auto& change) {
+    cell::Cell cell = aristo();
+    change(cell);
+    try {
+      (void)read_setting("{}", cell);
+    } catch (const BadSetting& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal_of([](cell::Cell& cell) { cell.step = 0.004; }),
+            "request: step: must be from 0.05 to 90, is 0.004");
+  EXPECT_EQ(refusal_of([](cell::Cell& cell) { cell.step = kLeastStep; }), "accepted");
+  EXPECT_EQ(refusal_of([](cell::Cell& cell) { cell.storage.angle = 400; }),
+            "request: storage.angle: must be from -360 to 360, is 400");
+  EXPECT_EQ(refusal_of([](cell::Cell& cell) { cell.storage.radius = 2701; }),
+            "request: storage.radius: must be from 0 to 2700, is 2701");
+  EXPECT_EQ(refusal_of([](cell::Cell& cell) { cell.storage.height = -1; }),
+            "request: storage.height: must be from 0 to 2700, is -1");
 }
 
 }  // namespace

@@ -195,6 +195,53 @@ TEST(FirstContact, IsTheSameAtEveryScale) {
   }
 }
 
+// The axis is a direction: a factor that is a power of two changes no bit, up to the largest and the smallest doubles.
+TEST(FirstContact, IsTheSameForAnAxisOfAnyLength) {
+  std::size_t contacts = 0;
+  for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES; ++index) {
+    BallOnArc move = draw_move(index);
+    move.arc.axis = (8 * move.arc.axis).array().ceil();  // of whole numbers up to 8
+    if (move.arc.axis.isZero(0)) continue;
+    const auto expected = first_contact(move.arc, move.radius, move.faces);
+    const auto stepped = stepped_contact(move.arc, move.radius, 1, move.faces);
+    contacts += expected.has_value() ? 1 : 0;
+    for (const int exponent : {-1074, -1070, -1030, -600, 600, 1020}) {
+      const std::string replay = move.replay + ", axis times 2^" + std::to_string(exponent);
+      Arc arc = move.arc;
+      for (double& x : arc.axis) x = std::ldexp(x, exponent);
+      EXPECT_EQ(kinematics::point_at(arc, 37), kinematics::point_at(move.arc, 37)) << replay;
+      const auto contact = first_contact(arc, move.radius, move.faces);
+      ASSERT_EQ(contact.has_value(), expected.has_value()) << replay;
+      EXPECT_EQ(stepped_contact(arc, move.radius, 1, move.faces).has_value(), stepped.has_value()) << replay;
+      if (!contact) continue;
+      EXPECT_EQ(contact->low, expected->low) << replay;
+      EXPECT_EQ(contact->high, expected->high) << replay;
+      EXPECT_EQ(contact->feature, expected->feature) << replay;
+    }
+  }
+  EXPECT_GT(contacts, TOUCHSTONE_SAMPLES / 4U);
+}
+
+// The longest and the shortest axis along a diagonal of space: a third of a turn leads from x to y.
+TEST(FirstContact, FindsContactAboutTheLongestAndTheShortestAxis) {
+  const Faces faces{{{{0, 1, 0}, {0.01, 1, 0}, {0, 1.01, 0}}}, {}};
+  for (const double length : {1.5e308, std::numeric_limits<double>::max(), 5e-324, 3e-320, 1.0}) {
+    const auto contact = first_contact({{1, 0, 0}, {0, 0, 0}, {length, length, length}, 240}, 0x1p-6, faces);
+    ASSERT_TRUE(contact.has_value()) << length;
+    EXPECT_LT(contact->high, 120) << length;
+    EXPECT_GT(contact->low, 115) << length;
+  }
+}
+
+TEST(DirectionOf, HasLengthOneHoweverUnevenTheVector) {
+  for (const double x : {1e308, 1.0, 1e-300, 5e-324})
+    for (const double y : {0.0, -1.0, 1e-308, 1.7e308}) {
+      const Eigen::Vector3d direction = kinematics::direction_of({x, y, 0});
+      EXPECT_NEAR(direction.norm(), 1, 1e-15) << x << ' ' << y;
+      EXPECT_EQ(std::signbit(direction.y()), std::signbit(y)) << x << ' ' << y;
+    }
+}
+
 TEST(FirstContact, SaysThatTheBallTouchesBeforeItMoves) {
   const auto contact = first_contact(falling(90), 0.5, faces_of(sheet(0.5, 2, -2, 2, -0.5)));
   ASSERT_TRUE(contact.has_value());

@@ -59,6 +59,17 @@ TEST(MissedStudy, DrawsSheetsThatTheSphereGoesThrough) {
   }
 }
 
+// As many as the command draws by default. Some homes leave less room up than a move is long.
+TEST(MissedStudy, DrawsEveryMoveWithinTheLimitsOfTheJoints) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed)
+    for (std::uint64_t n = 0; n < 2000; ++n) {
+      double degrees = 0;
+      ASSERT_NO_THROW(degrees = draw_through_sheet(seed, n).arc.degrees) << seed << ' ' << n;
+      ASSERT_GE(degrees, 30) << seed << ' ' << n;
+      ASSERT_LE(degrees, 45) << seed << ' ' << n;
+    }
+}
+
 TEST(CellCommand, WritesWhatStepsPassOver) {
   const Scratch scratch;
   const run_tests::Ran ran =

@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "experiments/cell/model/cell_entry.h"
@@ -53,6 +54,16 @@ TEST(ChangeCell, WhatIsSetIsChosen) {
   EXPECT_EQ(cell.storage.angle, -33);
   EXPECT_EQ(cell.label("storage.angle"), Label::Chosen);
   EXPECT_EQ(cell.label("machine.angle"), Label::Derived);
+}
+
+TEST(ChangeCell, NamesItsKeysAsTheyReadOnceParsed) {
+  using Keys = std::set<std::string>;
+  EXPECT_EQ(cell::keys_of_change("a.list[2].b=slot.c"), (Keys{"a", "b", "list"}));
+  EXPECT_EQ(cell::keys_of_change("a[0]=@b.c[1]"), (Keys{"a", "b", "c"}));
+  EXPECT_EQ(cell::keys_of_change(R"(a=[{"\u0062":[[{"c":"d"}]],"e":{"f":null}}])"), (Keys{"a", "b", "c", "e", "f"}));
+  EXPECT_EQ(cell::keys_of_change("a={\"b\":"), (Keys{"a"}));  // not JSON: text
+  EXPECT_THROW((void)cell::keys_of_change("a=@"), cell::BadCell);
+  EXPECT_THROW((void)cell::keys_of_change(R"(a={"b":1,"b":2})"), cell::BadCell);
 }
 
 TEST(ChangeCell, NamesThePathThatLeadsNowhere) {

@@ -11,6 +11,7 @@
 
 #include "experiments/cell/model/bounds.h"
 #include "experiments/cell/model/solid_faces.h"
+#include "experiments/cell/simulation/arm.h"
 #include "experiments/harness/write_file.h"
 #include "tests/experiments/support/scratch.h"
 
@@ -182,6 +183,26 @@ TEST_F(BadCells, RobotsAreNamed) {
             "robot.coupling[0].follows: the robot has no joint \"knee\" that turns");
   EXPECT_EQ(fault("/robot/coupling/0/follows", "elbow"), "robot.coupling[0].follows: a joint does not follow itself");
   EXPECT_EQ(fault("/robot/links/Axis9", json::array()), "robot.links.Axis9: the robot has no link of this name");
+}
+
+// Only its direction counts; what is no direction is refused where it stands.
+TEST_F(BadCells, AnAxisMayHaveAnyLength) {
+  const std::string urdf = run_tests::text_of(kCells / "aristo.urdf");
+  for (const char* length : {"1e154", "1e200", "1.7e308", "3", "1e-200", "5e-324"}) {
+    std::string text = urdf;
+    for (std::size_t at = 0; (at = text.find("<axis xyz=", at)) != std::string::npos; ++at)
+      text.replace(text.find('1', at), 1, length);
+    ASSERT_NE(text, urdf);
+    harness::write_file(scratch.path / "aristo.urdf", text);
+    EXPECT_EQ(fault(whole.dump()), "") << length;
+    const cell::Cell cell = cell::read_cell(scratch.path / "cell.json");
+    for (const cell::Joint& joint : cell.robot.joints) EXPECT_EQ(joint.axis.norm(), 1) << length << ' ' << joint.name;
+    EXPECT_NO_THROW((void)cell::arm_of(cell)) << length;
+  }
+  harness::write_file(scratch.path / "aristo.urdf", urdf);
+  for (const double length : {1e200, 1e-200})
+    EXPECT_EQ(fault("/gripper/hold/along", json::array({0, length, 0})), "") << length;
+  EXPECT_EQ(fault("/gripper/hold/along", json::array({0, 0, 0})), "gripper.hold.along: has no direction");
 }
 
 TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
