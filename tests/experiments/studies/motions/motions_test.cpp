@@ -207,7 +207,7 @@ TEST(MovingMethods, AreThoseThatAnswer) {
     return std::ranges::any_of(all, [name](const cases::Method* method) { return method->name() == name; });
   };
   EXPECT_TRUE(has("exact") && has("filtered") && has("fast") && has("cgal-epeck-distance"));
-  EXPECT_FALSE(has("thesis") || has("boost-geometry") || has("ode") || has("embree"));
+  EXPECT_FALSE(has("thesis") || has("boost-geometry") || has("ode") || has("embree-fast"));
   EXPECT_THROW((void)find_moving_methods({{"thesis"}}), std::invalid_argument);
   EXPECT_EQ(find_moving_methods({{"fast", "exact"}}).size(), 2U);
 }
