@@ -173,10 +173,11 @@ TEST(MotionErrors, TellMissedContactsFromInventedOnes) {
   EXPECT_EQ(missed.furthest.share, 0x1p-4);
 }
 
-TEST(MotionErrors, UndecidedAnswersAreNotWrong) {
+TEST(MotionErrors, UndecidedAnswersAreNeitherWrongNorCounted) {
   const MethodErrors errors = measured([](PartialAnswer& answer, const Motion&) { answer.contact.reset(); });
   EXPECT_EQ(errors.all().unsure, errors.all().trials);
   EXPECT_EQ(errors.failed, 0U);
+  EXPECT_EQ(errors.samples, 0U);
 }
 
 TEST(MotionErrors, OfTimesAreUnitsAndWays) {
