@@ -11,18 +11,22 @@ def power(exponent):
     return f"2^-{exponent}"
 
 
-OVERALL = ["engine", "", "wrong answers", "largest relative offset of one", "families with one"]
+OVERALL = ["engine", "", "wrong answers", "largest relative offset of one", "families with one", "wrong answers, asked in floats",
+           "largest relative offset of one"]
 
 
 def overall(rows, polygons):
     """The cells of a line for each engine, under the heads OVERALL. `polygons`: of all families; balls share them, so where
     no answer is wrong the limit is of polygons about which one is."""
-    families, lines = families_of(rows), []
+    def share(outcomes):
+        return unless_whole(outcomes.wrong / outcomes.cases, f"{100 * outcomes.wrong / outcomes.cases:.2g}") + " %"
+
+    families, in_floats, lines = families_of(rows), rows_by_engine(rows, "floats"), []
     for engine, own in rows_by_engine(rows).items():
-        s = Outcomes.of(own)
-        share = (unless_whole(s.wrong / s.cases, f"{100 * s.wrong / s.cases:.2g}") + " %" if s.wrong else
-                 f"0 of {s.cases:,} (< {100 * (1 - 0.05 ** (1 / polygons)):.2g} % of polygons)")
-        lines.append([engine, ENGINES[engine], share, s.first_offset(power), f"{s.failed_families} of {len(families)}"])
+        s, floats = Outcomes.of(own), Outcomes.of(in_floats[engine])
+        wrong = share(s) if s.wrong else f"0 of {s.cases:,} (< {100 * (1 - 0.05 ** (1 / polygons)):.2g} % of polygons)"
+        lines.append([engine, ENGINES[engine], wrong, s.first_offset(power), f"{s.failed_families} of {len(families)}",
+                      share(floats) if floats.wrong else "none", floats.first_offset(power)])
     return lines
 
 
@@ -48,7 +52,7 @@ def moving(data):
 
 
 def by_family(rows):
-    """The heads, and a line for each engine: in each family wrong answers, and the largest offset of one."""
+    """The heads, and a line for each engine: in each family wrong answers in doubles, and the largest offset of one."""
     families, lines = families_of(rows), []
     for engine, own in rows_by_engine(rows).items():
         here = {row["family"]: Outcomes.of([row]) for row in own}

@@ -54,9 +54,10 @@ LOOKS = {
     "fcl": Look("engines", GREY, "--", "s"),
     "libccd": Look("engines", GREY, ":", "^"),
     "bullet": Look("engines", GREY, "-.", "v"),
+    "bullet-defaults": Look("engines", GREY, "--", "v"),
     "bullet-float": Look("engines", GREY, "-", "D"),
     "ode": Look("engines", GREY, "--", "P"),
-    "embree": Look("engines", GREY, ":", "X"),
+    "embree-fast": Look("engines", GREY, ":", "X"),
 }
 # Libraries and structures that `touchstone bench-scenes` times.
 LIBRARIES = {
@@ -68,7 +69,7 @@ LIBRARIES = {
     "18-DOP tree": Look("structures", ORANGE, "--", "*"),
     "CGAL AABB_tree": Look("CGAL", PURPLE, "-", "P"),
     "Boost R-tree": LOOKS["boost-geometry"],
-    "Embree 3": LOOKS["embree"],
+    "Embree 3": LOOKS["embree-fast"],
     "FCL BVHModel": LOOKS["fcl"],
     "Bullet": LOOKS["bullet"],
 }

@@ -64,6 +64,7 @@ BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just t
 ENGINES = {
     "filtered": "ours, certified",
     "fast": "ours, plain doubles",
+    "fast-float": "ours, plain floats",
     "cgal-epeck-distance": "CGAL's exact kernel, squared distance",
     "cgal-epeck-intersect": "CGAL's exact kernel, do_intersect",
     "cgal-epick-distance": "CGAL's inexact constructions, squared distance",
@@ -73,8 +74,9 @@ ENGINES = {
     "fcl": "FCL, doubles",
     "libccd": "libccd's GJK, doubles",
     "bullet": "Bullet, doubles",
+    "bullet-defaults": "Bullet, doubles, within its own contact threshold",
     "bullet-float": "Bullet, its default build in floats",
-    "ode": "ODE, doubles",
-    "embree": "Embree's closest point, floats",
+    "ode": "ODE, doubles, each triangle both ways round",
+    "embree-fast": "Embree's culling in floats, then our doubles",
     "thesis": "the thesis of 2008",
 }

@@ -27,7 +27,7 @@ from shares import unless_whole
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 SAMPLES = 60
 MOTION_SAMPLES = 6
-NO_SWEEP = ["thesis", "ode", "embree", "cgal-epeck-intersect", "cgal-epick-intersect", "cgal-double-intersect"]
+NO_SWEEP = ["thesis", "ode", "embree-fast", "bullet-defaults", "cgal-epeck-intersect", "cgal-epick-intersect", "cgal-double-intersect"]
 ROWS = {  # threshold: what is asked about there, in words; the test of rates.csv
     "face": ("radius at the distance of a face", "contact"),
     "edge": ("radius at the distance of an edge", "contact"),

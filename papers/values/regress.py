@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Others' engines on the cases of `touchstone regress`."""
 from names import ENGINES
-from readings.regress import Outcomes, polygons_of, rows_by_engine, rows_of
+from readings.regress import OWN, Outcomes, polygons_of, rows_by_engine, rows_of
 from values.latex import count, escaped, never, percent, table
 
-OWN = ("filtered", "fast", "thesis")
 
-
-def outcomes_by_engine(study):
-    return {engine: Outcomes.of(rows) for engine, rows in rows_by_engine(rows_of(study)).items()}
+def outcomes_by_engine(study, numbers="doubles"):
+    return {engine: Outcomes.of(rows) for engine, rows in rows_by_engine(rows_of(study), numbers).items()}
 
 
 def values(study):
@@ -28,6 +26,12 @@ def values(study):
 
 
 def tables(study):
-    rows = [[rf"\method{{{engine}}}", escaped(ENGINES[engine]), percent(s.wrong / s.cases) if s.wrong else "none",
-             s.first_offset(lambda exponent: f"$2^{{-{exponent}}}$")] for engine, s in outcomes_by_engine(study).items()]
-    yield "engines", table("llrr", ["engine", "", "wrong", "coarsest offset"], rows)
+    in_floats = outcomes_by_engine(study, "floats")
+
+    def cells(outcomes):
+        return [percent(outcomes.wrong / outcomes.cases) if outcomes.wrong else "none",
+                outcomes.first_offset(lambda exponent: f"$2^{{-{exponent}}}$")]
+
+    rows = [[rf"\method{{{engine}}}", escaped(ENGINES[engine]), *cells(s), *cells(in_floats[engine])]
+            for engine, s in outcomes_by_engine(study).items()]
+    yield "engines", table("llrrrr", ["engine", "", "wrong", "coarsest offset", "in floats", "coarsest offset"], rows)

@@ -65,9 +65,9 @@ FILES = {
                             0.1, 0.3, 0.2, 0, 8, "on"),
                            ("not-right", "all", "rotated", "filtered", 300, 290, 310, 0, 0, 0.3, 0, 0, 8, "on"))},
     "regress": {
-        "outcomes.csv": table("method family wrong unsure cases first_offset_exponent", (["exact", "filtered"], ["star", "u"], 0, 0, 8, ""),
-                              ("fast", ["star", "u"], 1, 0, 8, 28), ("cgal-epeck-distance", ["star", "u"], 0, 0, 8, ""),
-                              ("fcl", ["star", "u"], 2, 0, 8, 8))},
+        "outcomes.csv": table("method numbers family wrong unsure cases first_offset_exponent", *(
+            (method, numbers, ["star", "u"], wrong, 0, 8, first) for method, wrong, first in
+            (("exact", 0, ""), ("filtered", 0, ""), ("fast", 1, 28), ("cgal-epeck-distance", 0, ""), ("fcl", 2, 8)) for numbers in ("doubles", "floats")))},
     "soak": {"soak.csv": table("family way cases double permanent double-double fixed-integer unlimited differences",
                                (["general", "all"], ["triangle", "answer"], 4, 3, 2, 1, 1, 1, 0))},
     "soak-moving": {"soak.csv": table("family way cases double permanent double-double fixed-integer unlimited differences",

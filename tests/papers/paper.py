@@ -82,7 +82,7 @@ def data_make_the_numbers(root, results, output, scratch):
     again = scratch / "again"
     build(root, results, again, "--no-latex")
     expect(files_below(output) == files_below(again), "the same data make other bytes")
-    edit(results / "regress/outcomes.csv", "cgal-epeck-distance,u,0,0,8,", "cgal-epeck-distance,u,1,0,8,52")
+    edit(results / "regress/outcomes.csv", "cgal-epeck-distance,doubles,u,0,0,8,", "cgal-epeck-distance,doubles,u,1,0,8,52")
     build(root, results, again, "--no-latex")
     expect(r"\defineval{engines/never-wrong-count}{0}" in (again / "values.tex").read_text(), "a wrong answer changes nothing")
 

@@ -20,7 +20,7 @@ BELOW = {"geometry": ("geometry",), "robust": ("geometry", "robust"), "touchston
 PAGE = "docs/architecture.md"
 BEGIN, END = "<!-- rooms -->\n", "<!-- /rooms -->"
 # Compiled only where the engine is installed.
-ENGINES = ("experiments/methods/engines/", "experiments/studies/bench_scenes/")
+ENGINES = ("experiments/methods/engines/",)
 
 
 class Room:

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;  // raised whenever the case of a seed changes
+constexpr int kVersion = 2;  // raised whenever the cases of a seed change
 
 /// Returns the digits of the cases with that outcome.
 std::string digits_of(const Outcomes& outcomes, Outcome outcome) {
@@ -55,19 +55,19 @@ void check_keys(const Json& object, const std::string& where, const std::vector<
       throw std::runtime_error(fmt::format("{}has the unknown key \"{}\"", where, io::legible(key)));
 }
 
-std::vector<std::string> family_names() {
+std::vector<std::string> group_names() {
   std::vector<std::string> names;
-  for (const auto family : workloads::all_families()) names.emplace_back(to_string(family));
+  for (const Group& group : all_groups()) names.push_back(group.name());
   return names;
 }
 
-/// Adds methods, by name, each with the digits of every family, to the table.
+/// Adds methods, by name, each with the digits of every group, to the table.
 void read_methods(const Json& methods, Outcome outcome, std::size_t cases, OutcomeTable& table) {
   for (const auto& [method, families] : methods.items()) {
     const std::string shown = io::legible(method);
     if (!families.is_object()) throw std::runtime_error(shown + " is not an object");
-    check_keys(families, shown + " ", family_names());
-    for (const std::string& name : family_names()) {
+    check_keys(families, shown + " ", group_names());
+    for (const std::string& name : group_names()) {
       if (!families.contains(name)) throw std::runtime_error(fmt::format("{} has no key \"{}\"", shown, name));
       if (!families[name].is_string()) throw std::runtime_error(fmt::format("{} of {}: is not a string", name, shown));
       Outcomes& outcomes = table[method][name];
@@ -123,19 +123,19 @@ Baseline baseline_of(const std::string& text) {
   return baseline;
 }
 
-bool is_unsure(const std::map<std::string, Outcomes>& families) {
-  return std::ranges::any_of(families, [](const auto& each) { return summary_of(each.second).unsure > 0; });
+bool is_unsure(const std::map<std::string, Outcomes>& groups) {
+  return std::ranges::any_of(
+      groups, [](const auto& each) { return std::ranges::find(each.second, Outcome::Unsure) != each.second.end(); });
 }
 
 }  // namespace
 
 std::string baseline_text(const Baseline& baseline) {
   Json json{{"version", kVersion}, {"seed", baseline.settings.seed}, {"samples", baseline.settings.samples}};
-  for (const auto& [method, families] : baseline.table)
-    for (const auto& family : workloads::all_families()) {
-      const auto name = std::string(to_string(family));
-      json["methods"][method][name] = digits_of(families.at(name), Outcome::Wrong);
-      if (is_unsure(families)) json["unsure"][method][name] = digits_of(families.at(name), Outcome::Unsure);
+  for (const auto& [method, groups] : baseline.table)
+    for (const std::string& name : group_names()) {
+      json["methods"][method][name] = digits_of(groups.at(name), Outcome::Wrong);
+      if (is_unsure(groups)) json["unsure"][method][name] = digits_of(groups.at(name), Outcome::Unsure);
     }
   return json.dump(1) + "\n";
 }
@@ -157,13 +157,12 @@ Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
 
 std::vector<Change> changes(const OutcomeTable& baseline, const OutcomeTable& now) {
   std::vector<Change> changes;
-  for (const auto& [method, families] : now) {
+  for (const auto& [method, groups] : now) {
     const auto before = baseline.find(method);
     if (before == baseline.end()) continue;
-    for (const auto& each : workloads::all_families()) {
-      const auto family = std::string(to_string(each));
-      const Outcomes &was = before->second.at(family), &is = families.at(family);
-      Change change{method, family, {}, {}};
+    for (const Group& group : all_groups()) {
+      const Outcomes &was = before->second.at(group.name()), &is = groups.at(group.name());
+      Change change{method, group, {}, {}};
       for (std::size_t n = 0; n < is.size(); ++n)
         if (was[n] != is[n]) (was[n] < is[n] ? change.worse : change.better).push_back(n);
       if (!change.better.empty() || !change.worse.empty()) changes.push_back(std::move(change));

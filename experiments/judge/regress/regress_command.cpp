@@ -47,18 +47,18 @@ std::string cell(const Summary& summary) {
                      summary.first ? fmt::format(" 2^-{}", *summary.first) : "");
 }
 
-std::string table_of(const OutcomeTable& table, const Settings& settings) {
+std::string table_of(const OutcomeTable& table, const Settings& settings, Numbers numbers) {
   std::string text = fmt::format(
-      "Wrong answers in % of {} cases a family, and the largest relative offset of the radius at which one was found\n"
-      "(-: none, at 95 % confidence at most {:.2g} % of such cases)\n{:<24}",
-      settings.cases(), 300.0 / static_cast<double>(settings.cases()), "method");
+      "Wrong answers in % of {} cases a family, of {}, and the largest relative offset of the radius at which one was "
+      "found\n(-: none, at 95 % confidence at most {:.2g} % of such cases)\n{:<24}",
+      settings.cases(), to_string(numbers), 300.0 / static_cast<double>(settings.cases()), "method");
   for (const auto family : workloads::all_families()) text += fmt::format("{:>14}", to_string(family));
   text += "\n";
-  for (const auto& [method, families] : table) {
+  for (const auto& [method, groups] : table) {
     text += fmt::format("{:<24}", method);
     std::size_t unsure = 0;
     for (const auto family : workloads::all_families()) {
-      const Summary summary = summary_of(families.at(std::string(to_string(family))));
+      const Summary summary = summary_of(groups.at(Group{family, numbers}.name()), numbers);
       text += fmt::format("{:>14}", cell(summary));
       unsure += summary.unsure;
     }
@@ -69,16 +69,17 @@ std::string table_of(const OutcomeTable& table, const Settings& settings) {
 
 struct OutcomeRow {
   std::string_view method;
-  workloads::Family family;
+  Group group;
   Summary summary;
 };
 
 const harness::Table<OutcomeRow>& outcomes_csv() {
   using harness::path;
   static const harness::Table<OutcomeRow> table(
-      "outcomes.csv", "a method and a family",
+      "outcomes.csv", "a method, numbers and a family",
       {{"method", "the method", &OutcomeRow::method},
-       {"family", "the family of polygons", &OutcomeRow::family},
+       {"numbers", "what the coordinates and radii are: doubles or floats", path(&OutcomeRow::group, &Group::numbers)},
+       {"family", "the family of polygons", path(&OutcomeRow::group, &Group::family)},
        {"wrong", "cases with a wrong answer", path(&OutcomeRow::summary, &Summary::wrong)},
        {"unsure", "cases that the method does not decide", path(&OutcomeRow::summary, &Summary::unsure)},
        {"cases", "cases", path(&OutcomeRow::summary, &Summary::cases)},
@@ -89,22 +90,22 @@ const harness::Table<OutcomeRow>& outcomes_csv() {
 
 std::vector<OutcomeRow> rows_of(const OutcomeTable& table) {
   std::vector<OutcomeRow> rows;
-  for (const auto& [method, families] : table)
-    for (const auto family : workloads::all_families())
-      rows.push_back({method, family, summary_of(families.at(std::string(to_string(family))))});
+  for (const auto& [method, groups] : table)
+    for (const Group& group : all_groups())
+      rows.push_back({method, group, summary_of(groups.at(group.name()), group.numbers)});
   return rows;
 }
 
 /// Returns the cases for which methods have become worse, each once, in the form that the judge reads.
 std::string worse_text(const Settings& settings, const std::vector<Change>& changes) {
   std::string text;
-  for (const auto family : workloads::all_families()) {
+  for (const Group& group : all_groups()) {
     std::map<std::size_t, std::vector<std::string>> cases;
     for (const Change& change : changes)
-      if (change.family == to_string(family))
+      if (change.group.name() == group.name())
         for (const std::size_t n : change.worse) cases[n].push_back("fails:" + change.method);
     for (const auto& [n, tags] : cases) {
-      const auto sample = draw_case(settings, family, n);
+      const auto sample = draw_case(settings, group, n);
       const auto answer = cases::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
       text += cases::case_line(sample.id, sample.ball, sample.polygon, tags, answer);
     }
@@ -114,9 +115,9 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
 
 /// Prints which methods only one of both has.
 void tell_missing(const Baseline& baseline, const OutcomeTable& table) {
-  for (const auto& [method, families] : baseline.table)
+  for (const auto& [method, groups] : baseline.table)
     if (table.count(method) == 0) fmt::print("{}: in the baseline, not in this run\n", io::legible(method));
-  for (const auto& [method, families] : table)
+  for (const auto& [method, groups] : table)
     if (baseline.table.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
 }
 
@@ -124,7 +125,7 @@ void tell_missing(const Baseline& baseline, const OutcomeTable& table) {
 void tell_changes(const std::vector<Change>& changes) {
   std::size_t better = 0, worse = 0;
   for (const Change& change : changes) {
-    fmt::print("{} on {}: {} better, {} worse", change.method, change.family, change.better.size(),
+    fmt::print("{} on {}: {} better, {} worse", change.method, change.group.name(), change.better.size(),
                change.worse.size());
     constexpr std::size_t kMost = 5;
     for (std::size_t i = 0; i < std::min(kMost, change.worse.size()); ++i)
@@ -186,8 +187,9 @@ int run(const Options& options) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
     return harness::kInterrupted;
   }
-  options.print(table_of(*table, settings) + "\n",
-                [&](const std::filesystem::path& folder) { outcomes_csv().write(folder, rows_of(*table)); });
+  options.print(
+      table_of(*table, settings, Numbers::Doubles) + "\n" + table_of(*table, settings, Numbers::Floats) + "\n",
+      [&](const std::filesystem::path& folder) { outcomes_csv().write(folder, rows_of(*table)); });
 
   std::vector<Change> changed;
   if (baseline) {
@@ -220,10 +222,11 @@ harness::Command regress_command() {
   command.keep_line(options->line);
   command.footer(
       "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative "
-      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that the change of a "
-      "single answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead "
-      "of right or unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that "
-      "--methods or --engine names, or if --write names an existing file without --force.");
+      "offsets of 2^-8 to 2^-52 from the exact distance; then with as many cases whose coordinates and radii are floats, "
+      "at offsets of 2^-8 to 2^-23. Cases are a function of the seed, so that the change of a single answer is noticed. "
+      "Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right or unsure, or unsure "
+      "instead of right; 2 if the baseline cannot be read or lacks a method that --methods or --engine names, or if "
+      "--write names an existing file without --force.");
   command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used")
       .takes("FILE");
   command

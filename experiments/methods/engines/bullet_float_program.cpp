@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An engine of Bullet's float build, for `touchstone judge --engine`: it decides contact, of moving balls too. Its
 // symbols have the names of the double build, so one program cannot link both.
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "experiments/methods/engines/bullet_sweep.h"
+#include "experiments/methods/engines/bullet_mesh.h"
+#include "experiments/methods/engines/mesh.h"
 #include "experiments/methods/triangulate.h"
 
 static_assert(sizeof(btScalar) == sizeof(float), "this is about Bullet's float build");
@@ -20,9 +19,11 @@ namespace {
 
 using nlohmann::json;
 
+Eigen::Vector3d point_in(const json& p) { return {p[0].get<double>(), p[1].get<double>(), p[2].get<double>()}; }
+
 Loop loop_in(const json& points) {
   Loop loop;
-  for (const json& p : points) loop.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+  for (const json& p : points) loop.push_back(point_in(p));
   return loop;
 }
 
@@ -32,34 +33,38 @@ Polygon polygon_in(const json& polygon) {
   return Polygon(loop_in(polygon["outer"]), holes);
 }
 
-std::array<double, 4> numbers_of(const json& ball) {
-  const json& center = ball["center"];
-  return {center[0].get<double>(), center[1].get<double>(), center[2].get<double>(), ball["radius"].get<double>()};
-}
+Ball ball_in(const json& ball) { return {point_in(ball["center"]), ball["radius"].get<double>()}; }
 
-std::array<double, 9> numbers_of(const Triangle& t) {
-  return {t.a.x(), t.a.y(), t.a.z(), t.b.x(), t.b.y(), t.b.z(), t.c.x(), t.c.y(), t.c.z()};
-}
+/// The triangles of a polygon as Bullet holds them: in floats.
+class FloatMesh {
+ public:
+  explicit FloatMesh(const Polygon& polygon) : triangles_(methods::triangles_of(polygon)), mesh_(triangles_) {
+    for (const Eigen::Vector3d& vertex : mesh_.vertices)
+      for (const double x : vertex) numbers_.push_back(static_cast<float>(x));
+    bullet_.emplace(numbers_.data(), mesh_.vertices.size(), mesh_.corners.data(), mesh_.corners.size());
+  }
 
-bool touches(const json& ball, const std::vector<Triangle>& triangles) {
-  return std::ranges::any_of(triangles, [&](const Triangle& t) {
-    return methods::bullet_contact(numbers_of(ball).data(), numbers_of(t).data());
-  });
-}
+  [[nodiscard]] bool touches(const Ball& ball) const {
+    bool found = false;
+    bullet_->each_touched(ball, [&](std::uint32_t) { found = true; });
+    return found;
+  }
 
-/// Returns infinity without contact.
-double first_time(const json& ball, const json& motion, const std::vector<Triangle>& triangles) {
-  const auto to = motion["to"].get<std::array<double, 3>>();
-  double first = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : triangles)
-    first = std::min(first, methods::bullet_sweep(numbers_of(ball).data(), to.data(), numbers_of(t).data()));
-  return first;
-}
+  /// Returns infinity without contact.
+  [[nodiscard]] double first_time(const Motion& motion) { return touches(motion.ball) ? 0 : bullet_->sweep(motion); }
+
+ private:
+  std::vector<Triangle> triangles_;
+  methods::Mesh mesh_;
+  std::vector<float> numbers_;
+  std::optional<methods::BulletMesh> bullet_;
+};
 
 /// Returns the verdict about a case, without its id.
-json verdict(const json& given, const std::vector<Triangle>& triangles) {
-  if (!given.contains("motion")) return {{"contact", touches(given["ball"], triangles)}};
-  const double time = first_time(given["ball"], given["motion"], triangles);
+json verdict(const json& given, FloatMesh& mesh) {
+  const Ball ball = ball_in(given["ball"]);
+  if (!given.contains("motion")) return {{"contact", mesh.touches(ball)}};
+  const double time = mesh.first_time({ball, point_in(given["motion"]["to"])});
   const bool contact = std::isfinite(time);
   return {{"contact", contact}, {"time", contact ? json(time) : json()}};
 }
@@ -69,14 +74,14 @@ json verdict(const json& given, const std::vector<Triangle>& triangles) {
 
 int main() {
   nlohmann::json polygon;  // of the case before: usually that of the next
-  std::vector<touchstone::Triangle> triangles;
+  std::optional<touchstone::FloatMesh> mesh;
   for (std::string line; std::getline(std::cin, line);) {
     nlohmann::json given = nlohmann::json::parse(line);
     if (given["polygon"] != polygon) {
       polygon = std::move(given["polygon"]);
-      triangles = touchstone::methods::triangles_of(touchstone::polygon_in(polygon));
+      mesh.emplace(touchstone::polygon_in(polygon));
     }
-    nlohmann::json answer = touchstone::verdict(given, triangles);
+    nlohmann::json answer = touchstone::verdict(given, *mesh);
     answer["id"] = given["id"];
     std::cout << answer << std::endl;
   }

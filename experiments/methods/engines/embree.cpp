@@ -1,106 +1,146 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <embree3/rtcore.h>
 
-#include <memory>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "experiments/methods/engines/engines.h"
 #include "experiments/methods/engines/triangle_method.h"
+#include "experiments/methods/ericson.h"
+#include "geometry/contact/fast_triangle.h"
 
 namespace touchstone::methods {
 namespace {
 
-using Point = Eigen::Vector3f;
-
-RTCDevice device() {
-  static const RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
-  if (device == nullptr) throw std::runtime_error("Embree: no device");
-  return device;
-}
-
-/// Returns the closest point of a triangle, in floats, region by region [ericson2005, 5.1.5].
-Point closest_point(const Point& p, const Point& a, const Point& b, const Point& c) {
-  const Point ab = b - a, ac = c - a, ap = p - a;
-  const float d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const Point bp = p - b;
-  const float d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const float vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  const Point cp = p - c;
-  const float d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const float vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  const float va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
-  const float scale = 1 / (va + vb + vc);
-  return a + vb * scale * ab + vc * scale * ac;
-}
-
-/// Embree finds the triangles whose boxes intersect a float sphere; the closest point, which Embree leaves to its
-/// users, decides.
-class EmbreeMesh : public TriangleSet {
+/// Embree finds the triangles whose boxes meet a sphere; it has no closest point of a triangle, and leaves the decision
+/// to its users. It knows floats only: triangles and centres are rounded, so that its spheres must reach farther by
+/// what that moves them. A triangle that a ball may touch is asked in doubles.
+class EmbreeScene : public BuiltScene {
  public:
-  explicit EmbreeMesh(const std::vector<Triangle>& triangles)
-      : scene_(rtcNewScene(device()), rtcReleaseScene),
-        geometry_(rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE)) {
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry_, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * triangles.size()));
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-        geometry_, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), triangles.size()));
-    unsigned next = 0;
-    for (const Triangle& t : triangles)
-      for (const Eigen::Vector3d& v : {t.a, t.b, t.c}) {
-        points_.emplace_back(v.cast<float>());
-        for (const float x : points_.back()) *vertices++ = x;
-        *indices++ = next++;
-      }
-    rtcCommitGeometry(geometry_);
-    rtcAttachGeometry(scene_.get(), geometry_);
-    rtcReleaseGeometry(geometry_);
-    rtcCommitScene(scene_.get());
+  explicit EmbreeScene(const Mesh& mesh) : triangles_(mesh.triangles) {
+    if (device_ == nullptr) throw std::runtime_error("Embree: no device");
+    rtcSetDeviceMemoryMonitorFunction(device_, &EmbreeScene::count_memory, this);
+    scene_ = rtcNewScene(device_);
+    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    fill(geometry, mesh);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_);
+    if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) throw std::runtime_error("Embree: no scene of these triangles");
+  }
+  ~EmbreeScene() override {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
   }
 
-  [[nodiscard]] std::optional<bool> contact(const Ball& ball) const override {
-    const Point center = ball.center.cast<float>();
-    Asked asked{this, center, static_cast<float>(ball.radius), false};
-    RTCPointQuery query{center.x(), center.y(), center.z(), 0, asked.radius};
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(scene_.get(), &query, &context, &EmbreeMesh::look, &asked);
-    return asked.hit;
+  [[nodiscard]] bool any(const Ball& ball) const override {
+    Search search{*this, ball, nullptr, false, 0, 0};
+    run(search, &EmbreeScene::meet_for_any, reach(ball.radius, ball.center));
+    return search.found;
   }
+
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const override {
+    triangles.clear();
+    Search search{*this, ball, &triangles, false, 0, 0};
+    run(search, &EmbreeScene::meet_for_all, reach(ball.radius, ball.center));
+  }
+
+  [[nodiscard]] std::uint32_t nearest(const Eigen::Vector3d& center) const override {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Search search{*this, {center, 0}, nullptr, false, 0, kInfinity};
+    run(search, &EmbreeScene::meet_for_nearest, std::numeric_limits<float>::infinity());
+    return search.nearest;
+  }
+
+  /// It has nodes that it did not get from malloc.
+  [[nodiscard]] std::optional<std::size_t> bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
 
  private:
-  struct Asked {
-    const EmbreeMesh* mesh;
-    Point center;
-    float radius;
-    bool hit;
+  struct Search {
+    const EmbreeScene& scene;
+    Ball ball;
+    std::vector<std::uint32_t>* triangles;
+    bool found;
+    std::uint32_t nearest;
+    double squared_distance;
   };
 
-  static bool look(RTCPointQueryFunctionArguments* arguments) {
-    auto& asked = *static_cast<Asked*>(arguments->userPtr);
-    const Point* corner = &asked.mesh->points_[3 * arguments->primID];
-    const Point closest = closest_point(asked.center, corner[0], corner[1], corner[2]);
-    if ((closest - asked.center).squaredNorm() <= asked.radius * asked.radius) asked.hit = true;
+  static bool count_memory(void* self, ssize_t bytes, bool) {
+    static_cast<EmbreeScene*>(self)->bytes_ += bytes;
+    return true;
+  }
+
+  /// The numbers of vertices are the mesh's own; only the vertices are copied, as floats.
+  void fill(RTCGeometry geometry, const Mesh& mesh) {
+    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), mesh.vertices.size()));
+    for (const Eigen::Vector3d& point : mesh.vertices) {
+      for (const double x : point) *vertex++ = static_cast<float>(x);
+      largest_ = std::max(largest_, point.lpNorm<Eigen::Infinity>());
+    }
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.corners.data(), 0,
+                               sizeof mesh.corners.front(), mesh.corners.size());
+  }
+
+  /// At least: the radius, what rounding moves, and what computing in floats may lose.
+  [[nodiscard]] float reach(double radius, const Eigen::Vector3d& center) const {
+    const double moved = 0x1p-22 * std::max(largest_, center.lpNorm<Eigen::Infinity>());
+    return static_cast<float>((radius + moved) * (1 + 0x1p-20));
+  }
+
+  void run(Search& search, RTCPointQueryFunction meet, float radius) const {
+    const Eigen::Vector3f center = search.ball.center.cast<float>();
+    RTCPointQuery query{center.x(), center.y(), center.z(), 0, radius};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_, &query, &context, meet, &search);
+  }
+
+  static bool meet_for_any(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<Search*>(arguments->userPtr);
+    if (search.found || !fast::contact(search.ball, search.scene.triangles_[arguments->primID])) return false;
+    search.found = true;
+    arguments->query->radius = 0;
+    return true;
+  }
+
+  static bool meet_for_all(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<Search*>(arguments->userPtr);
+    if (fast::contact(search.ball, search.scene.triangles_[arguments->primID]))
+      search.triangles->push_back(arguments->primID);
     return false;
   }
 
-  std::unique_ptr<RTCSceneTy, void (*)(RTCScene)> scene_;
-  RTCGeometry geometry_;
-  std::vector<Point> points_;
+  static bool meet_for_nearest(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<Search*>(arguments->userPtr);
+    const double squared = ericson_squared_distance(search.ball.center, search.scene.triangles_[arguments->primID]);
+    if (!(squared < search.squared_distance)) return false;
+    search.squared_distance = squared;
+    search.nearest = arguments->primID;
+    arguments->query->radius = search.scene.reach(std::sqrt(squared), search.ball.center);
+    return true;
+  }
+
+  std::span<const Triangle> triangles_;
+  std::atomic<std::ptrdiff_t> bytes_{0};
+  double largest_ = 0;
+  RTCDevice device_ = rtcNewDevice("threads=1");
+  RTCScene scene_ = nullptr;
 };
 
 }  // namespace
 
+Library embree_library() {
+  return {.name = kEmbree, .build = [](const Mesh& mesh) { return std::make_unique<EmbreeScene>(mesh); }};
+}
+
 void add_embree(MethodList& list) {
-  list.push_back(triangle_set_method("embree", "Embree's point query, and the closest point of a triangle in floats",
-                                     [](std::vector<Triangle> triangles) {
-                                       return std::unique_ptr<TriangleSet>(std::make_unique<EmbreeMesh>(triangles));
-                                     }));
+  list.push_back(mesh_method(
+      "embree-fast", "Embree's point query in floats, then fast about the triangles that it finds", embree_library()));
 }
 
 }  // namespace touchstone::methods

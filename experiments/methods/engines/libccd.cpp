@@ -50,8 +50,8 @@ std::optional<bool> contact(const Ball& ball, const Triangle& triangle) {
 }
 
 /// libccd has no time.
-std::optional<Sweep> sweep(const Motion& motion, const Triangle& triangle) {
-  return Sweep{intersects(&motion, furthest_of_motion, triangle)};
+std::optional<bool> sweep(const Motion& motion, const Triangle& triangle) {
+  return intersects(&motion, furthest_of_motion, triangle);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <ode/ode.h>
 
-#include <array>
 #include <mutex>
 
 #include "experiments/methods/engines/engines.h"
@@ -23,30 +22,28 @@ void begin() {
   (void)here;
 }
 
-class OdeMesh : public TriangleSet {
+/// ODE sees a triangle from the front alone, so it gets each one both ways round, as a user gives a surface that has
+/// two sides.
+class OdeScene : public BuiltScene {
  public:
-  explicit OdeMesh(std::vector<Triangle> triangles) {
+  explicit OdeScene(const Mesh& mesh) {
     const std::lock_guard lock(turn());
     begin();
-    for (const Triangle& t : triangles)
-      for (const Eigen::Vector3d& v : {t.a, t.b, t.c}) {
-        indices_.push_back(static_cast<dTriIndex>(vertices_.size() / 3));
-        vertices_.insert(vertices_.end(), {v.x(), v.y(), v.z()});
-      }
+    for (const Eigen::Vector3d& v : mesh.vertices) vertices_.insert(vertices_.end(), {v.x(), v.y(), v.z()});
+    for (const auto& [a, b, c] : mesh.corners)
+      for (const std::int32_t corner : {a, b, c, a, c, b}) indices_.push_back(static_cast<dTriIndex>(corner));
     data_ = dGeomTriMeshDataCreate();
     dGeomTriMeshDataBuildDouble(data_, vertices_.data(), 3 * sizeof(double), static_cast<int>(vertices_.size() / 3),
                                 indices_.data(), static_cast<int>(indices_.size()), 3 * sizeof(dTriIndex));
     mesh_ = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
   }
-  OdeMesh(const OdeMesh&) = delete;
-  OdeMesh& operator=(const OdeMesh&) = delete;
-  ~OdeMesh() override {
+  ~OdeScene() override {
     const std::lock_guard lock(turn());
     dGeomDestroy(mesh_);
     dGeomTriMeshDataDestroy(data_);
   }
 
-  [[nodiscard]] std::optional<bool> contact(const Ball& ball) const override {
+  [[nodiscard]] bool any(const Ball& ball) const override {
     if (ball.radius == 0) return false;  // ODE has no sphere of radius 0
     const std::lock_guard lock(turn());
     begin();
@@ -68,10 +65,9 @@ class OdeMesh : public TriangleSet {
 }  // namespace
 
 void add_ode(MethodList& list) {
-  list.push_back(triangle_set_method(
-      "ode", "ODE's sphere against a mesh, which it sees from the front alone", [](std::vector<Triangle> triangles) {
-        return std::unique_ptr<TriangleSet>(std::make_unique<OdeMesh>(std::move(triangles)));
-      }));
+  list.push_back(
+      mesh_method("ode", "ODE's sphere against a mesh, each triangle given both ways round",
+                  {.name = "ODE", .build = [](const Mesh& mesh) { return std::make_unique<OdeScene>(mesh); }}));
 }
 
 }  // namespace touchstone::methods

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/engines/triangle_method.h"
 
-#include <algorithm>
+#include <functional>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "experiments/methods/triangulate.h"
@@ -10,113 +11,127 @@
 namespace touchstone::methods {
 namespace {
 
-class Prepared : public PreparedMethod {
+/// Tests each triangle separately.
+class EachTriangle : public PreparedMethod {
  public:
-  Prepared(std::string_view stage, std::unique_ptr<TriangleSet> set) : stage_(stage), set_(std::move(set)) {}
+  EachTriangle(std::string_view stage, std::vector<Triangle> triangles, TriangleContact touches, TriangleSweep sweeps,
+               TrianglesFilter answers)
+      : stage_(stage),
+        triangles_(std::move(triangles)),
+        touches_(touches),
+        sweeps_(sweeps),
+        answers_(answers == nullptr || answers(triangles_)) {}
 
-  [[nodiscard]] PartialAnswer ask(const Ball& ball, QueryKind) const override {
-    PartialAnswer answer;
-    answer.contact = set_->contact(ball);
-    answer.unsure = !answer.contact;
-    answer.stage = stage_;
-    return answer;
-  }
+  [[nodiscard]] PartialAnswer ask(const Ball& ball, QueryKind) const override { return any(ball, touches_); }
 
   [[nodiscard]] std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
-    if (!set_->sweeps()) return std::nullopt;
-    const auto sweep = set_->sweep(motion);
+    if (sweeps_ == nullptr) return std::nullopt;
+    return any(motion, sweeps_);
+  }
+
+ private:
+  template <class Asked, class Test>
+  [[nodiscard]] PartialAnswer any(const Asked& asked, Test test) const {
     PartialAnswer answer;
-    if (sweep) {
-      answer.contact = sweep->touches;
-      answer.time = sweep->time;
+    answer.stage = stage_;
+    answer.unsure = !answers_;
+    if (!answers_) return answer;
+    for (const Triangle& triangle : triangles_) {
+      const std::optional<bool> touched = test(asked, triangle);
+      if (!touched) answer.unsure = true;
+      if (touched != true) continue;
+      answer.contact = true;
+      answer.unsure = false;
+      return answer;
     }
-    answer.unsure = !sweep;
+    if (!answer.unsure) answer.contact = false;
+    return answer;
+  }
+
+  std::string_view stage_;
+  std::vector<Triangle> triangles_;
+  TriangleContact touches_;
+  TriangleSweep sweeps_;
+  bool answers_;
+};
+
+class AskedScene : public PreparedMethod {
+ public:
+  AskedScene(std::string_view stage, const Library& library, std::vector<Triangle> triangles)
+      : stage_(stage),
+        knows_motions_(library.knows_motions),
+        triangles_(std::move(triangles)),
+        mesh_(triangles_),
+        scene_(library.build(mesh_)) {}
+
+  [[nodiscard]] PartialAnswer ask(const Ball& ball, QueryKind) const override { return answer(scene_->any(ball)); }
+
+  [[nodiscard]] std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
+    if (!knows_motions_) return std::nullopt;
+    const auto time = scene_->any(motion.ball) ? std::optional(0.0) : scene_->first_contact(motion);
+    PartialAnswer found = answer(time.has_value());
+    found.time = time.value_or(std::numeric_limits<double>::infinity());
+    return found;
+  }
+
+ private:
+  [[nodiscard]] PartialAnswer answer(bool contact) const {
+    PartialAnswer answer;
+    answer.contact = contact;
     answer.stage = stage_;
     return answer;
   }
 
- private:
   std::string_view stage_;
-  std::unique_ptr<TriangleSet> set_;
-};
-
-/// Tests each triangle separately.
-class EachTriangle : public TriangleSet {
- public:
-  EachTriangle(std::vector<Triangle> triangles, TriangleContact touches, TriangleSweep sweeps_one)
-      : triangles_(std::move(triangles)), touches_(touches), sweep_(sweeps_one) {}
-
-  [[nodiscard]] std::optional<bool> contact(const Ball& ball) const override {
-    bool unsure = false;
-    for (const Triangle& triangle : triangles_) {
-      const auto touched = touches_(ball, triangle);
-      if (touched == true) return true;
-      if (!touched) unsure = true;
-    }
-    if (unsure) return std::nullopt;
-    return false;
-  }
-
-  [[nodiscard]] bool sweeps() const override { return sweep_ != nullptr; }
-  [[nodiscard]] std::optional<Sweep> sweep(const Motion& motion) const override {
-    Sweep first{false, std::numeric_limits<double>::infinity()};
-    bool unsure = false;
-    for (const Triangle& triangle : triangles_) {
-      const auto swept = sweep_(motion, triangle);
-      if (!swept) {
-        unsure = true;
-      } else if (swept->touches) {
-        if (!swept->time) return swept;
-        first = {true, std::min(*first.time, *swept->time)};
-      } else if (!swept->time) {
-        first.time.reset();
-      }
-    }
-    if (unsure && !first.touches) return std::nullopt;
-    return first;
-  }
-
- private:
+  bool knows_motions_;
   std::vector<Triangle> triangles_;
-  TriangleContact touches_;
-  TriangleSweep sweep_;
+  Mesh mesh_;
+  std::unique_ptr<BuiltScene> scene_;
 };
 
-template <class Build>
 class Engine : public Method {
  public:
-  Engine(std::string_view name, std::string_view summary, Build build)
-      : name_(name), summary_(summary), build_(std::move(build)) {}
+  using Prepare = std::function<std::unique_ptr<PreparedMethod>(std::vector<Triangle>)>;
+
+  Engine(std::string_view name, std::string_view summary, Prepare prepare)
+      : name_(name), summary_(summary), prepare_(std::move(prepare)) {}
 
   [[nodiscard]] std::string_view name() const override { return name_; }
   [[nodiscard]] std::string_view summary() const override { return summary_; }
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(name_, build_(triangles_of(polygon)));
+    return prepare_(triangles_of(polygon));
   }
 
  private:
   std::string_view name_, summary_;
-  Build build_;
+  Prepare prepare_;
 };
-
-template <class Build>
-std::unique_ptr<Method> engine(std::string_view name, std::string_view summary, Build build) {
-  return std::make_unique<Engine<Build>>(name, summary, std::move(build));
-}
 
 }  // namespace
 
-std::optional<Sweep> TriangleSet::sweep(const Motion&) const { return std::nullopt; }
+void BuiltScene::all(const Ball&, std::vector<std::uint32_t>&) const {
+  throw std::logic_error("a library without `all`");
+}
+
+std::uint32_t BuiltScene::nearest(const Eigen::Vector3d&) const {
+  throw std::logic_error("a library without `nearest`");
+}
+
+std::optional<double> BuiltScene::first_contact(const Motion&) const {
+  throw std::logic_error("a library without `first_contact`");
+}
 
 std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary, TriangleContact contact,
-                                        TriangleSweep sweep) {
-  return engine(name, summary, [contact, sweep](std::vector<Triangle> triangles) -> std::unique_ptr<TriangleSet> {
-    return std::make_unique<EachTriangle>(std::move(triangles), contact, sweep);
+                                        TriangleSweep sweep, TrianglesFilter answers) {
+  return std::make_unique<Engine>(name, summary, [=](std::vector<Triangle> triangles) {
+    return std::make_unique<EachTriangle>(name, std::move(triangles), contact, sweep, answers);
   });
 }
 
-std::unique_ptr<Method> triangle_set_method(std::string_view name, std::string_view summary, BuildTriangleSet build) {
-  return engine(name, summary, build);
+std::unique_ptr<Method> mesh_method(std::string_view name, std::string_view summary, Library library) {
+  return std::make_unique<Engine>(name, summary, [name, library = std::move(library)](std::vector<Triangle> triangles) {
+    return std::make_unique<AskedScene>(name, library, std::move(triangles));
+  });
 }
 
 }  // namespace touchstone::methods

@@ -3,50 +3,32 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include "experiments/methods/add_methods.h"
+#include "experiments/methods/engines/library.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
-#include "geometry/shapes/polygon.h"
 #include "geometry/shapes/triangle.h"
 
 namespace touchstone::methods {
 
 /// An engine that decides whether a ball touches one triangle; nothing if the engine cannot handle the input.
 using TriangleContact = std::optional<bool> (*)(const Ball& ball, const Triangle& triangle);
+/// An engine that decides whether a moving ball touches one triangle, without a time; nothing likewise.
+using TriangleSweep = std::optional<bool> (*)(const Motion& motion, const Triangle& triangle);
+/// Whether the engine answers about the polygon that these triangles cover.
+using TrianglesFilter = bool (*)(const std::vector<Triangle>& triangles);
 
-/// The answer of an engine about a moving ball.
-struct Sweep {
-  bool touches;
-  std::optional<double> time{};  ///< the first, if the engine tells; infinite without contact
-};
-/// An engine that decides whether a moving ball touches one triangle; nothing if the engine cannot handle the input.
-using TriangleSweep = std::optional<Sweep> (*)(const Motion& motion, const Triangle& triangle);
-
-/// Returns a method that uses such engines: a ball touches a polygon if it touches one of its triangles, at the least
-/// of their times. `summary` is one line. Without `sweep` it cannot answer about moving balls.
+/// Returns a method that uses such engines: a ball touches a polygon if it touches one of its triangles. `summary` is
+/// one line. Without `sweep` it cannot answer about moving balls. It is unsure about polygons that `answers` refuses.
 [[nodiscard]] std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary,
-                                                      TriangleContact contact, TriangleSweep sweep = nullptr);
+                                                      TriangleContact contact, TriangleSweep sweep = nullptr,
+                                                      TrianglesFilter answers = nullptr);
 
-/// An engine that processes all triangles of a polygon at once.
-class TriangleSet {
- public:
-  virtual ~TriangleSet() = default;
-  /// Returns whether the ball touches a triangle; nothing if the engine cannot handle the input. Several threads may
-  /// call it.
-  [[nodiscard]] virtual std::optional<bool> contact(const Ball& ball) const = 0;
-
-  /// Returns whether `sweep` may be called.
-  [[nodiscard]] virtual bool sweeps() const { return false; }
-  /// Returns the same as `contact` about a moving ball.
-  [[nodiscard]] virtual std::optional<Sweep> sweep(const Motion& motion) const;
-};
-using BuildTriangleSet = std::unique_ptr<TriangleSet> (*)(std::vector<Triangle> triangles);
-
-[[nodiscard]] std::unique_ptr<Method> triangle_set_method(std::string_view name, std::string_view summary,
-                                                          BuildTriangleSet build);
+/// Returns a method that asks the library about the triangles of a polygon as a mesh. A moving ball that touches at its
+/// start touches at time 0, which not every sweep says of a ball that rests or moves away.
+[[nodiscard]] std::unique_ptr<Method> mesh_method(std::string_view name, std::string_view summary, Library library);
 
 }  // namespace touchstone::methods

@@ -5,7 +5,7 @@ import re
 from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
 from page import code, count, counted, escaped, folded, percent, power, table, words
-from readings.regress import Outcomes, asked, cases_of, polygons_of, rows_by_engine, rows_of
+from readings.regress import OWN, Outcomes, asked, cases_of, polygons_of, rows_by_engine, rows_of
 
 TITLE = "Other engines on the same questions"
 
@@ -18,10 +18,10 @@ def shown(text):
 def finding(study):
     rows = rows_of(study)
     lines = overall(rows, polygons_of(study, rows))
-    others = [line for line in lines if line[0] not in ("filtered", "fast", "thesis")]
+    others = [line for line in lines if line[0] not in OWN]
     outcomes = {engine: Outcomes.of(rows) for engine, rows in rows_by_engine(rows).items()}
-    wrong = sorted((outcomes[name].wrong / outcomes[name].cases, name) for name, _, share, _, _ in others if not share.startswith("0 of"))
-    never = [code(name) for name, _, share, _, _ in others if share.startswith("0 of")]
+    wrong = sorted((outcomes[name].wrong / outcomes[name].cases, name) for name, _, share, *_ in others if not share.startswith("0 of"))
+    never = [code(name) for name, _, share, *_ in others if share.startswith("0 of")]
     cases = cases_of(rows)
     text = f"{count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and 0: "
     span = words([f"{percent(share)} ({code(name)})" for share, name in dict.fromkeys((wrong[0], wrong[-1]))], "to") if wrong else ""
@@ -37,12 +37,13 @@ def chapter(study):
     text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {counted(len(head) - 1, 'families', 'family')}?
 The radii are at relative offsets of 2⁻⁸ to 2⁻⁵² from contact, or 0: the double
 nearest to the distance. Most engines take triangles, and
-receive polygons triangulated. The cases are the same as those of the baseline in <code>tests/experiments/judge/regress</code>, which every
+receive polygons triangulated. An engine that computes in floats rounds such questions before it answers, so that near contact its answer is
+that to another question. As many questions are therefore asked whose coordinates and radii are floats, at offsets of 2⁻⁸ to 2⁻²³ or 0. The cases are the same as those of the baseline in <code>tests/experiments/judge/regress</code>, which every
 <code>./check</code> compares with.</p>"""
     text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still "
                   "errs.",
                   OVERALL[:1] + ["what it is"] + OVERALL[2:],
-                  [[code(name), escaped(what), *map(shown, cells)] for name, what, *cells in overall(rows, polygons_of(study, rows))], (2, 3, 4))
+                  [[code(name), escaped(what), *map(shown, cells)] for name, what, *cells in overall(rows, polygons_of(study, rows))], range(2, len(OVERALL)))
     if {"cgal-epick-distance", "cgal-double-distance"} <= set(rows_by_engine(rows)):
         text += (f"<p>{code('squared_distance')} is a construction: over {code('cgal-epick-distance')} it is computed in doubles, as over "
                  f"{code('cgal-double-distance')}, so the two agree. {code('do_intersect')} is a predicate, which that kernel decides exactly once "

@@ -26,23 +26,27 @@ class Outcomes:
         return "none" if not self.wrong else "at offset 0 alone" if self.first is None else power(self.first)
 
 
+# Of the engines of the tables.
+OWN = ("filtered", "fast", "fast-float", "thesis")
+
+
 def families_of(rows):
     return list(dict.fromkeys(row["family"] for row in rows))
 
 
-def rows_by_engine(rows):
-    """Of those among the engines of the tables, in their order."""
-    return {engine: own for engine in ENGINES if (own := [row for row in rows if row["method"] == engine])}
+def rows_by_engine(rows, numbers="doubles"):
+    """Of those among the engines of the tables, in their order: about questions in doubles, or those in floats."""
+    return {engine: own for engine in ENGINES if (own := [row for row in rows if (row["method"], row["numbers"]) == (engine, numbers)])}
 
 
 def rows_of(study):
-    return study.rows("outcomes.csv", method=str, family=str, wrong=natural, unsure=natural, cases=natural,
+    return study.rows("outcomes.csv", method=str, numbers=str, family=str, wrong=natural, unsure=natural, cases=natural,
                       first_offset_exponent=maybe(natural))
 
 
 def cases_of(rows):
-    """Of each method, in all families."""
-    return sum(row["cases"] for row in rows if row["method"] == rows[0]["method"])
+    """Of each method, in all families: in doubles, and as many in floats."""
+    return sum(row["cases"] for row in rows if (row["method"], row["numbers"]) == (rows[0]["method"], "doubles"))
 
 
 def polygons_of(study, rows):
@@ -50,9 +54,9 @@ def polygons_of(study, rows):
 
 
 def asked(study):
-    """The balls of a family share polygons. `filtered` is what the study compares with, and `exact` is asked where another
+    """Of the questions in doubles. The balls of a family share polygons. `filtered` is what the study compares with, and `exact` is asked where another
     differs: so it was tested only if the method exact was asked too."""
-    rows = rows_of(study)
+    rows = [row for row in rows_of(study) if row["numbers"] == "doubles"]
     polygons = polygons_of(study, rows)
     methods = dict.fromkeys(row["method"] for row in rows)
 

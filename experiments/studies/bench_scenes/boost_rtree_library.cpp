@@ -43,12 +43,12 @@ class RTreeScene : public BuiltScene {
  public:
   explicit RTreeScene(std::span<const Triangle> triangles) : triangles_(triangles), tree_(entries(triangles)) {}
 
-  bool any(const Ball& ball) override {
+  [[nodiscard]] bool any(const Ball& ball) const override {
     const auto touches = [&](const Entry& entry) { return fast::contact(ball, triangles_[entry.second]); };
     return tree_.qbegin(bg::index::intersects(box_around(ball)) && bg::index::satisfies(touches)) != tree_.qend();
   }
 
-  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const override {
     triangles.clear();
     const auto meet = [&](const Entry& entry) {
       if (fast::contact(ball, triangles_[entry.second])) triangles.push_back(entry.second);
@@ -57,7 +57,7 @@ class RTreeScene : public BuiltScene {
   }
 
   /// The triangle of the nearest box says how far others may be.
-  std::uint32_t nearest(const Eigen::Vector3d& center) override {
+  [[nodiscard]] std::uint32_t nearest(const Eigen::Vector3d& center) const override {
     const auto squared = [&](std::uint32_t triangle) {
       return methods::ericson_squared_distance(center, triangles_[triangle]);
     };
@@ -82,7 +82,7 @@ class RTreeScene : public BuiltScene {
 }  // namespace
 
 Library boost_rtree_library() {
-  return {"Boost R-tree", [](std::span<const Triangle> triangles) { return std::make_unique<RTreeScene>(triangles); }};
+  return {"Boost R-tree", [](const Mesh& mesh) { return std::make_unique<RTreeScene>(mesh.triangles); }};
 }
 
 }  // namespace touchstone::bench_scenes

@@ -42,15 +42,15 @@ class AabbTreeScene : public BuiltScene {
     tree_.accelerate_distance_queries();
   }
 
-  bool any(const Ball& ball) override { return tree_.do_intersect(sphere(ball)); }
+  [[nodiscard]] bool any(const Ball& ball) const override { return tree_.do_intersect(sphere(ball)); }
 
-  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const override {
     triangles.clear();
     const auto meet = [&](const Triangle* triangle) { triangles.push_back(number(triangle)); };
     tree_.all_intersected_primitives(sphere(ball), boost::make_function_output_iterator(meet));
   }
 
-  std::uint32_t nearest(const Eigen::Vector3d& center) override {
+  [[nodiscard]] std::uint32_t nearest(const Eigen::Vector3d& center) const override {
     return number(tree_.closest_point_and_primitive(point(center)).second);
   }
 
@@ -67,8 +67,7 @@ class AabbTreeScene : public BuiltScene {
 }  // namespace
 
 Library cgal_aabb_tree_library() {
-  return {"CGAL AABB_tree",
-          [](std::span<const Triangle> triangles) { return std::make_unique<AabbTreeScene>(triangles); }};
+  return {"CGAL AABB_tree", [](const Mesh& mesh) { return std::make_unique<AabbTreeScene>(mesh.triangles); }};
 }
 
 }  // namespace touchstone::bench_scenes

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/studies/bench_scenes/library.h"
 
-#include <stdexcept>
-
 namespace touchstone::bench_scenes {
-
-std::uint32_t BuiltScene::nearest(const Eigen::Vector3d&) { throw std::logic_error("a library without `nearest`"); }
-
-std::optional<double> BuiltScene::first_contact(const Motion&) {
-  throw std::logic_error("a library without `first_contact`");
-}
 
 std::vector<Library> all_libraries() {
   std::vector<Library> libraries{touchstone_library()};
 #ifdef TOUCHSTONE_EMBREE
-  libraries.push_back(embree_library());
+  libraries.push_back(methods::embree_library());
 #endif
   libraries.push_back(boost_rtree_library());
   libraries.push_back(cgal_aabb_tree_library());
@@ -22,10 +14,10 @@ std::vector<Library> all_libraries() {
        {grid_library, octree_library, kd_tree_library, sphere_tree_library, kdop_tree_library})
     libraries.push_back(broad_phase());
 #ifdef TOUCHSTONE_FCL
-  libraries.push_back(fcl_library());
+  libraries.push_back(methods::fcl_library());
 #endif
 #ifdef TOUCHSTONE_BULLET
-  libraries.push_back(bullet_library());
+  libraries.push_back(methods::bullet_library());
 #endif
   return libraries;
 }

@@ -259,12 +259,13 @@ times in the same repetition.
 Balls: near, within two radii along each axis of a random point of a random triangle; anywhere in the scene's box;
 touching, as near, but with the double that is nearest to the exact distance as the radius.
 Embree and the R-tree find boxes; fast, careful plain doubles, then tests the triangles, and Ericson's closest point
-decides which is nearest. CGAL, FCL and Bullet use their own tests; CGAL (EPICK) takes the ball as its surface, Bullet
-does not support nearest.
+decides which is nearest. Embree is asked by rtcPointQuery, about each ball alone; it can be asked about 4, 8 or 16 at
+once. CGAL, FCL and Bullet use their own tests; CGAL (EPICK) takes the ball as its surface, Bullet does not support
+nearest.
 Wrong: answers that differ from those of Scene; for Scene, from exact, asked triangle by triangle. A nearest triangle is
 right if its distance, correctly rounded, is the least. These checks are not timed.
-Memory: as allocated by malloc or, for Embree, as it reports itself, with its copy of the triangles in floats; the given
-triangles are not counted.
+Memory: as allocated by malloc or, for Embree, as it reports itself, with its copy of the vertices in floats; the given
+mesh, of triangles and of shared vertices and their numbers, is not counted.
 Motions: of balls near the surface that do not touch at their start, in random directions; short ones are as long as a
 radius, long ones as thirty. FCL asks at 100 places of the way, Bullet casts a convex shape. Wrong: contact found or
 missed, or a time that differs by more than a millionth of the way.

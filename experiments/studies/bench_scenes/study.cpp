@@ -32,7 +32,7 @@ struct Built {
 };
 
 /// Small scenes are built some times: the first time pays for what a library does once.
-Built build(const Library& library, const std::vector<Triangle>& triangles, Build& record) {
+Built build(const Library& library, const Mesh& mesh, Build& record) {
   constexpr double kEnough = 0.2;
   constexpr std::size_t kMostTimes = 5;
   Built built{&library, nullptr};
@@ -41,12 +41,12 @@ Built build(const Library& library, const std::vector<Triangle>& triangles, Buil
     built.scene.reset();
     const double before = allocated_bytes();
     const auto begin = std::chrono::steady_clock::now();
-    built.scene = library.build(triangles);
+    built.scene = library.build(mesh);
     record.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     spent += record.seconds.back();
     const auto known = built.scene->bytes();
     const double bytes = known ? static_cast<double>(*known) : allocated_bytes() - before;
-    record.bytes = bytes / static_cast<double>(triangles.size());
+    record.bytes = bytes / static_cast<double>(mesh.triangles.size());
   } while (spent < kEnough && record.seconds.size() < kMostTimes);
   return built;
 }
@@ -160,7 +160,7 @@ timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>
   const auto asking = std::make_shared<Asking>(scene.triangles, question, balls);
   asking->find_truth(*exact.scene, benchmark.checked);
   benchmark.note = asking->note(benchmark.checked);
-  const bool embree = std::ranges::any_of(built, [](const Built& b) { return b.library->name == kEmbree; });
+  const bool embree = std::ranges::any_of(built, [](const Built& b) { return b.library->name == methods::kEmbree; });
   for (const Built& b : built) {
     if (question == SceneQuestion::Nearest && !b.library->knows_nearest) continue;
     timing::Candidate candidate;
@@ -169,7 +169,7 @@ timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>
     candidate.ask = [asking, one = b.scene](std::size_t count) { return asking->sum(*one, count); };
     if (b.library->exact) {
       candidate.most_checked = brute_force_count(scene.triangles.size(), benchmark.checked);
-      if (embree) candidate.comparison = {kEmbree, kQueryGoal};
+      if (embree) candidate.comparison = {methods::kEmbree, kQueryGoal};
       candidate.count_wrong = [&scene, &disputes, seed, asking, one = b.scene,
                                name = benchmark.name](std::size_t count) {
         std::size_t wrong = 0;
@@ -229,13 +229,14 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
                           const std::function<void(const SceneBenchmark&)>& keep) {
   SceneResult result{scene.kind, scene.triangles.size(), {}, {}, {}};
   const std::string title = fmt::format("{}, {} triangles", scene.kind, scene.triangles.size());
+  const Mesh mesh(scene.triangles);
   std::vector<Built> all;
   {
     harness::ProgressLine line("bench: building " + title, libraries.size());
     for (const Library& library : libraries) {
       if (stop) break;
       result.builds.push_back({library.name, {}, 0});
-      all.push_back(build(library, scene.triangles, result.builds.back()));
+      all.push_back(build(library, mesh, result.builds.back()));
       line(all.size());
     }
   }

@@ -30,7 +30,7 @@ struct NamedScene {
 struct Build {
   std::string library;
   std::vector<double> seconds;  ///< for each build
-  double bytes = 0;             ///< of memory per triangle, besides the given triangles
+  double bytes = 0;             ///< of memory per triangle, besides the given mesh
 };
 
 /// The length of a motion: one radius of its ball, or thirty.

@@ -11,16 +11,18 @@ class ExactScene : public BuiltScene {
     scene_.add("scene", {.triangles = {triangles.begin(), triangles.end()}, .polygons = {}});
   }
 
-  bool any(const Ball& ball) override { return scene_.touches(ball); }
+  [[nodiscard]] bool any(const Ball& ball) const override { return scene_.touches(ball); }
 
-  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const override {
     triangles.clear();
     for (const scene::FaceId& id : scene_.touched(ball)) triangles.push_back(id.face);
   }
 
-  std::uint32_t nearest(const Eigen::Vector3d& center) override { return scene_.nearest({center, 0})->face.face; }
+  [[nodiscard]] std::uint32_t nearest(const Eigen::Vector3d& center) const override {
+    return scene_.nearest({center, 0})->face.face;
+  }
 
-  std::optional<double> first_contact(const Motion& motion) override {
+  [[nodiscard]] std::optional<double> first_contact(const Motion& motion) const override {
     const auto first = scene_.first_contact(motion);
     return first ? std::optional(first->contact.time) : std::nullopt;
   }
@@ -33,7 +35,7 @@ class ExactScene : public BuiltScene {
 
 Library touchstone_library() {
   return {.name = "Scene",
-          .build = [](std::span<const Triangle> triangles) { return std::make_unique<ExactScene>(triangles); },
+          .build = [](const Mesh& mesh) { return std::make_unique<ExactScene>(mesh.triangles); },
           .exact = true,
           .knows_motions = true};
 }

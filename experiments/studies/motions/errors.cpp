@@ -59,12 +59,13 @@ class Sample {
 
   void ask(const cases::Method& method, MethodErrors& errors) const {
     const auto prepared = method.prepare(at_.polygon);
-    bool failed = false;
+    bool failed = false, decided = false;
     for (std::size_t i = 0; i < motions_.size(); ++i) {
       if (!motions_[i]) continue;
       const auto answer = prepared->ask_moving(*motions_[i]).value();
       Tally& tally = errors.offsets[i];
       ++tally.trials;
+      decided |= answer.contact.has_value();
       if (!answer.contact) {
         ++tally.unsure;
       } else if (*answer.contact != truths_[i].contact()) {
@@ -75,7 +76,7 @@ class Sample {
         add_time(answer, *motions_[i], truths_[i], errors.times);
       }
     }
-    ++errors.samples;
+    errors.samples += decided ? 1 : 0;
     errors.failed += failed ? 1 : 0;
   }
 

@@ -68,7 +68,7 @@ struct Furthest {
 /// The results of one method in one kind of samples.
 struct MethodErrors {
   std::array<Tally, 27> offsets;          ///< by all_offsets
-  std::uint64_t samples = 0, failed = 0;  ///< samples; those with a wrong answer at any offset
+  std::uint64_t samples = 0, failed = 0;  ///< with an answer at any offset; with a wrong one
   TimeErrors times;
   Furthest furthest;
 

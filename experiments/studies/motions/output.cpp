@@ -37,7 +37,8 @@ const harness::Table<WayRow>& ways_table() {
       harness::all_columns<WayRow>(
           {{{"way", "the way of the ball, as `touchstone cases --way` has it, or `all`", &WayRow::way},
             {"method", "the method", &WayRow::method},
-            {"samples", "motions, which are independent", path(&WayRow::errors, &MethodErrors::samples)},
+            {"samples", "motions about which the method decides, which are independent",
+             path(&WayRow::errors, &MethodErrors::samples)},
             {"failed", "motions about which an answer is wrong for any radius",
              path(&WayRow::errors, &MethodErrors::failed)}},
            harness::rate_columns<WayRow>("failed motions", &WayRow::rate),

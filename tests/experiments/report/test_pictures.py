@@ -54,8 +54,9 @@ class Looks(unittest.TestCase):
                 seen[look.colour, look.line, look.marker] = name
 
     def test_every_library_of_scenes_has_one(self):
-        text = "".join(path.read_text() for path in sorted((SOURCE / "experiments/studies/bench_scenes").rglob("*.[ch]*")))
-        names = re.findall(r'(?:\.name = |return \{|broad_phase<[^;]*>\(|kEmbree = )"([^"]+)"', text)
+        folders = ("experiments/studies/bench_scenes", "experiments/methods/engines")
+        text = "".join(path.read_text() for folder in folders for path in sorted((SOURCE / folder).rglob("*.[ch]*")))
+        names = re.findall(r'(?:return \{(?:\.name = )?|broad_phase<[^;]*>\(|kEmbree = )"([^"]+)"', text)
         self.assertGreaterEqual(len(names), 10)
         self.assertEqual(set(names) - set(LIBRARIES), set())
 

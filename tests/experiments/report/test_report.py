@@ -424,7 +424,7 @@ class Report(unittest.TestCase):
             self.assertEqual(CHAPTERS[study].asked(study_in(self.results / study))["filtered"].trials, max(outlines.values()))
 
     def test_what_is_compared_with_itself_is_not_counted(self):
-        cases = sum(int(row["cases"]) for row in rows_of(self.results / "regress/outcomes.csv") if row["method"] == "filtered")
+        cases = sum(int(row["cases"]) for row in rows_of(self.results / "regress/outcomes.csv") if (row["method"], row["numbers"]) == ("filtered", "doubles"))
         row = f"Other engines on the same questions{cases:,}10 polygons0"
         self.assertIn(row, self.page.text)
         edited(self.results / "regress/outcomes.csv", lambda row: row.update(method="thesis-1") if row["method"] == "exact" else None)
@@ -459,6 +459,12 @@ class Report(unittest.TestCase):
 
     def test_engines_that_were_not_built_in_are_named(self):
         self.assertRegex(self.page.text, r"Not in this build[^.]*\bbullet\b")
+
+    def test_engines_are_asked_in_floats_too(self):
+        edited(self.results / "regress/outcomes.csv", lambda row: row.update(wrong="3", first_offset_exponent="8")
+               if (row["method"], row["numbers"]) == ("cgal-epick-intersect", "floats") else None)
+        share = 100 * 3 / int(next(row for row in rows_of(self.results / "regress/outcomes.csv"))["cases"])
+        self.assertRegex(self.changed().text, rf"cgal-epick-intersect.{{0,200}}{share:.2g}\s%2⁻⁸")
 
 
 class Numbers(unittest.TestCase):

@@ -35,9 +35,11 @@ class Shares(unittest.TestCase):
                          [r"0\,\%", r"12\,\%", r"99.9\,\%", r"$>$\,99.9\,\%", r"100\,\%"])
 
     def test_in_tables_of_engines(self):
-        rows = [{"method": "fast", "family": "u", "wrong": wrong, "cases": 100_000, "first_offset_exponent": None}
-                for wrong in (99_999,)]
-        self.assertEqual(overall(rows, 10)[0][2], "> 99.9 %")
+        rows = [{"method": "fast", "numbers": numbers, "family": "u", "wrong": wrong, "cases": 100_000, "first_offset_exponent": None}
+                for numbers, wrong in (("doubles", 99_999), ("floats", 1))]
+        cells = overall(rows, 10)[0]
+        self.assertEqual(cells[2], "> 99.9 %")
+        self.assertEqual(cells[5], "0.001 %")
 
 
 if __name__ == "__main__":

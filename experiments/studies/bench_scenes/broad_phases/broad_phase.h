@@ -48,35 +48,32 @@ class BroadPhaseScene : public BuiltScene {
  public:
   explicit BroadPhaseScene(std::span<const Triangle> triangles) : triangles_(triangles), structure_(triangles) {}
 
-  bool any(const Ball& ball) override {
+  [[nodiscard]] bool any(const Ball& ball) const override {
     bool found = false;
     structure_.find(ball, [&](std::uint32_t i) { return found = fast::contact(ball, triangles_[i]); });
     return found;
   }
-  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
-    candidates_.clear();
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const override {
+    triangles.clear();
     structure_.find(ball, [&](std::uint32_t i) {
-      candidates_.push_back(i);
+      triangles.push_back(i);
       return false;
     });
-    std::ranges::sort(candidates_);
-    candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
-    triangles.clear();
-    for (const std::uint32_t i : candidates_)
-      if (fast::contact(ball, triangles_[i])) triangles.push_back(i);
+    std::ranges::sort(triangles);
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    std::erase_if(triangles, [&](std::uint32_t i) { return !fast::contact(ball, triangles_[i]); });
   }
 
  private:
   std::span<const Triangle> triangles_;
   Structure structure_;
-  std::vector<std::uint32_t> candidates_;
 };
 
 template <class Structure>
 [[nodiscard]] Library broad_phase(std::string name) {
   return {.name = std::move(name),
-          .build = [](std::span<const Triangle> triangles) -> std::unique_ptr<BuiltScene> {
-            return std::make_unique<BroadPhaseScene<Structure>>(triangles);
+          .build = [](const Mesh& mesh) -> std::unique_ptr<BuiltScene> {
+            return std::make_unique<BroadPhaseScene<Structure>>(mesh.triangles);
           },
           .knows_nearest = false};
 }

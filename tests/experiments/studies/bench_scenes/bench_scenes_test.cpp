@@ -44,20 +44,20 @@ SceneResult measure_small(const std::vector<Library>& libraries, std::size_t tri
 /// nearest.
 class Planted : public BuiltScene {
  public:
-  explicit Planted(std::span<const Triangle> triangles) : exact_(touchstone_library().build(triangles)) {}
-  bool any(const Ball&) override { return true; }
-  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+  explicit Planted(const Mesh& mesh) : exact_(touchstone_library().build(mesh)) {}
+  [[nodiscard]] bool any(const Ball&) const override { return true; }
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const override {
     exact_->all(ball, triangles);
     if (!triangles.empty()) triangles.pop_back();
   }
-  std::uint32_t nearest(const Eigen::Vector3d&) override { return 0; }
+  [[nodiscard]] std::uint32_t nearest(const Eigen::Vector3d&) const override { return 0; }
 
  private:
   std::unique_ptr<BuiltScene> exact_;
 };
 
 Library planted(bool exact) {
-  return {"planted", [](std::span<const Triangle> triangles) { return std::make_unique<Planted>(triangles); }, exact};
+  return {"planted", [](const Mesh& mesh) { return std::make_unique<Planted>(mesh); }, exact};
 }
 
 const timing::Measured& find(const SceneBenchmark& benchmark, const std::string& library) {
@@ -157,13 +157,14 @@ TEST(SceneBench, BroadPhasesFindWhatBruteForceFinds) {
   for (Triangle& t : far)
     for (Eigen::Vector3d* vertex : {&t.a, &t.b, &t.c}) *vertex = 1e-3 * *vertex + Eigen::Vector3d(1000, -7, 1e6);
   for (const std::vector<Triangle>& triangles : {torus(300), far, std::vector<Triangle>(20, torus(300).front())}) {
+    const Mesh mesh(triangles);
     Box whole;
     for (const Triangle& t : triangles) whole = whole.joined(box(t));
     const Eigen::Vector3d size = whole.high - whole.low;
     for (const auto& broad_phase :
          {grid_library, octree_library, kd_tree_library, sphere_tree_library, kdop_tree_library}) {
       const Library library = broad_phase();
-      const auto built = library.build(triangles);
+      const auto built = library.build(mesh);
       for (int trial = 0; trial < 400; ++trial) {
         Ball ball{whole.low, size.maxCoeff() * std::pow(10, -4 * random.unit())};
         for (int i = 0; i < 3; ++i) ball.center[i] += (1.5 * random.unit() - 0.25) * size[i];
@@ -256,7 +257,8 @@ TEST(SceneBench, PosesAreMeasuredForEveryScene) {
 
 TEST(SceneBench, MovingBallsAreAFunctionOfTheSeedAndDoNotTouchAtTheirStart) {
   const auto triangles = torus(400);
-  const auto exact = touchstone_library().build(triangles);
+  const Mesh mesh(triangles);
+  const auto exact = touchstone_library().build(mesh);
   for (const MotionLength length : {MotionLength::Short, MotionLength::Long}) {
     const auto motions = draw_motions(length, triangles, *exact, 100, 5);
     const auto again = draw_motions(length, triangles, *exact, 50, 5);
@@ -291,18 +293,19 @@ TEST(SceneBench, FirstContactsAreThoseOfBruteForceAndOthersAreCounted) {
 class Blind : public Planted {
  public:
   using Planted::Planted;
-  std::optional<double> first_contact(const Motion&) override { return std::nullopt; }
+  [[nodiscard]] std::optional<double> first_contact(const Motion&) const override { return std::nullopt; }
 };
 
 TEST(SceneBench, APlantedErrorOfMotionsIsCountedAndThatOfTheTruthDisputed) {
   const auto blind = [](bool exact) {
     return Library{.name = "blind",
-                   .build = [](std::span<const Triangle> triangles) { return std::make_unique<Blind>(triangles); },
+                   .build = [](const Mesh& mesh) { return std::make_unique<Blind>(mesh); },
                    .exact = exact,
                    .knows_motions = true};
   };
   const auto triangles = torus(400);
-  const std::shared_ptr<BuiltScene> exact = touchstone_library().build(triangles), other = blind(true).build(triangles);
+  const Mesh mesh(triangles);
+  const std::shared_ptr<BuiltScene> exact = touchstone_library().build(mesh), other = blind(true).build(mesh);
   const auto motions = draw_motions(MotionLength::Long, triangles, *exact, 60, 5);
   const Library scene = touchstone_library(), wrong = blind(false), wrong_truth = blind(true);
   std::vector<std::string> disputes;

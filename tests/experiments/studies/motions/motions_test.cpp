@@ -173,10 +173,11 @@ TEST(MotionErrors, TellMissedContactsFromInventedOnes) {
   EXPECT_EQ(missed.furthest.share, 0x1p-4);
 }
 
-TEST(MotionErrors, UndecidedAnswersAreNotWrong) {
+TEST(MotionErrors, UndecidedAnswersAreNeitherWrongNorCounted) {
   const MethodErrors errors = measured([](PartialAnswer& answer, const Motion&) { answer.contact.reset(); });
   EXPECT_EQ(errors.all().unsure, errors.all().trials);
   EXPECT_EQ(errors.failed, 0U);
+  EXPECT_EQ(errors.samples, 0U);
 }
 
 TEST(MotionErrors, OfTimesAreUnitsAndWays) {
@@ -207,7 +208,7 @@ TEST(MovingMethods, AreThoseThatAnswer) {
     return std::ranges::any_of(all, [name](const cases::Method* method) { return method->name() == name; });
   };
   EXPECT_TRUE(has("exact") && has("filtered") && has("fast") && has("cgal-epeck-distance"));
-  EXPECT_FALSE(has("thesis") || has("boost-geometry") || has("ode") || has("embree"));
+  EXPECT_FALSE(has("thesis") || has("boost-geometry") || has("ode") || has("embree-fast"));
   EXPECT_THROW((void)find_moving_methods({{"thesis"}}), std::invalid_argument);
   EXPECT_EQ(find_moving_methods({{"fast", "exact"}}).size(), 2U);
 }
