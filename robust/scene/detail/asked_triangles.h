@@ -52,7 +52,6 @@ class StandingTriangles {
         ball_(ball),
         finder_(ball) {}
 
-  [[nodiscard]] const Ball& asked() const { return ball_; }
   /// Returns a ball that touches the boxes of all triangles that the ball touches.
   [[nodiscard]] const Ball& culling() const { return ball_; }
   void set_radius(double radius) {
@@ -123,7 +122,6 @@ class TrianglesInOwnFrame {
         seen_(frame_.seen(ball)),
         finder_(seen_.inner_ball()) {}
 
-  [[nodiscard]] const Ball& asked() const { return ball_; }
   [[nodiscard]] const Ball& culling() const { return seen_.outer; }
   void set_radius(double radius) {
     ball_.radius = radius;

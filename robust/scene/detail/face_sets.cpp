@@ -166,15 +166,10 @@ std::size_t TriangleSet::memory() const {
 }
 
 PolygonSet::PolygonSet(std::vector<Polygon> by_number)
-    : polygons(std::move(by_number)), prepared(polygons), tree(boxes_of(polygons, prepared)), edges(0) {
-  for (const Polygon& polygon : polygons) edges += polygon.vertex_count();
-}
+    : polygons(std::move(by_number)), prepared(polygons), tree(boxes_of(polygons, prepared)) {}
 
 PolygonSet::PolygonSet(const PolygonSet& other, const Pose& pose)
-    : polygons(posed(other.model ? *other.model : other.polygons, pose)),
-      prepared(polygons),
-      tree(other.tree),
-      edges(other.edges) {
+    : polygons(posed(other.model ? *other.model : other.polygons, pose)), prepared(polygons), tree(other.tree) {
   if (!(pose == Pose()))
     model = other.model ? other.model : std::make_shared<const std::vector<Polygon>>(other.polygons);
   const std::vector<Box> boxes = boxes_of(polygons, prepared);

@@ -39,7 +39,6 @@ struct TriangleSet {
 
   [[nodiscard]] std::size_t memory() const;
   [[nodiscard]] std::size_t size() const { return model->tree.size(); }
-  [[nodiscard]] std::size_t edge_count() const { return 3 * size(); }
   /// Returns a length such that no vertex of `placed` is farther from the origin; infinite if all triangles were posed.
   [[nodiscard]] double reach_of_placed() const {
     return placed == model ? reach : std::numeric_limits<double>::infinity();
@@ -62,13 +61,10 @@ struct PolygonSet {
   /// lowest polygon that becomes invalid.
   PolygonSet(const PolygonSet& other, const Pose& pose);
 
-  [[nodiscard]] std::size_t edge_count() const { return edges; }
-
   std::vector<Polygon> polygons;
   std::shared_ptr<const std::vector<Polygon>> model;  ///< the polygons before posing; null if the pose is the identity
   LazyPreparedPolygons prepared;
   BoxTree tree;
-  std::size_t edges;  ///< of all polygons
 };
 
 /// Thrown for a face that is invalid under a pose.

@@ -41,7 +41,6 @@ class StandingTrianglesOnWay {
   StandingTrianglesOnWay(const TriangleSet& set, const Motion& motion)
       : triangles_(set.placed->triangles), motion_(motion), swept_(motion), at_start_(set, motion.ball) {}
 
-  [[nodiscard]] const Motion& asked() const { return motion_; }
   void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
   /// Returns whether the ball touches a triangle of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
@@ -95,7 +94,6 @@ class TrianglesInOwnFrameOnWay {
         swept_(seen_.outer),
         at_start_(set, motion.ball) {}
 
-  [[nodiscard]] const Motion& asked() const { return motion_; }
   void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
   /// Returns whether the ball touches a triangle of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {

@@ -6,7 +6,7 @@
 
 namespace touchstone::scene {
 
-const Walks<NoTally>& avx2_walks() { return kWalks<NoTally>; }
+const Walks& avx2_walks() { return kWalks; }
 
 }  // namespace touchstone::scene
 #endif

@@ -3,6 +3,6 @@
 
 namespace touchstone::scene {
 
-const Walks<NoTally>& baseline_walks() { return kWalks<NoTally>; }
+const Walks& baseline_walks() { return kWalks; }
 
 }  // namespace touchstone::scene
