@@ -2,7 +2,7 @@
 #pragma once
 
 #include "robust/filtered/detail/frame_query.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 
 /// The first stage of contact for four balls and one polygon: a lane of each Pack belongs to a ball.
 namespace touchstone::filtered {

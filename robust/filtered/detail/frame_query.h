@@ -8,7 +8,7 @@
 
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/edge_frame.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/filtered/detail/prepared.h"
 
 /// The first stage for prepared polygons: computes in the isometric frame, in doubles, with absolute error bounds.

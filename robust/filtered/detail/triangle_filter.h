@@ -3,7 +3,7 @@
 
 #include "robust/filtered/detail/ball_triangle_view.h"
 #include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/filtered/detail/signs.h"
 
 /// The first stage for a ball and a triangle: all signs in doubles, one edge per lane, without branches.

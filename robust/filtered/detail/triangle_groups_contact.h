@@ -11,7 +11,7 @@
 
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/numbers/float_pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/filtered/detail/triangle_contact.h"
 #include "robust/filtered/detail/triangle_groups.h"
 #include "robust/filtered/detail/triangle_lanes.h"

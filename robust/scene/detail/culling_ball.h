@@ -7,8 +7,7 @@
 
 #include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/ball.h"
-#include "robust/filtered/detail/numbers/float_pack.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 
 /// Finds the boxes of a tree that a ball may touch.
 namespace touchstone::scene {

@@ -6,7 +6,7 @@
 
 #include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/motion.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/scene/detail/culling_ball.h"
 #include "robust/scene/detail/way.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/shapes/ball.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/scene/detail/shared_vertices.h"
 
 /// The quickest proof that a ball touches a triangle: it holds a vertex.

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "geometry/shapes/motion.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/scene/detail/shared_vertices.h"
 #include "robust/scene/detail/way.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "geometry/bvh/box_tree.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 
 /// The walk through a tree to the faces that something may touch.
 namespace touchstone::scene {

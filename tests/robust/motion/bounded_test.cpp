@@ -24,7 +24,7 @@ using filtered::Vector3;
 
 mpq_class value_of(const Bounded<Pack>& number) {
   double lanes[filtered::kLanes];
-  filtered::store(lanes, number.value);
+  store(lanes, number.value);
   return lanes[0];
 }
 mpq_class value_of(const Bounded<DoubleDouble>& number) {
@@ -32,7 +32,7 @@ mpq_class value_of(const Bounded<DoubleDouble>& number) {
 }
 mpq_class error_of(const Bounded<Pack>& number) {
   double lanes[filtered::kLanes];
-  filtered::store(lanes, number.error);
+  store(lanes, number.error);
   return lanes[0];
 }
 mpq_class error_of(const Bounded<DoubleDouble>& number) { return number.error; }

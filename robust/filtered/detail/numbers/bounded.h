@@ -6,7 +6,7 @@
 
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 
 /// Numbers that carry a bound of their error through any expression: doubles in lanes and double-doubles.
 ///

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 
 /// Packs of doubles as the words of double_double.h.
 namespace touchstone::filtered {
