@@ -10,7 +10,6 @@
 #include "robust/detail/sound_arithmetic.h"
 #include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
-#include "robust/exact/detail/touched.h"
 
 namespace touchstone::exact {
 namespace {

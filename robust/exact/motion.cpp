@@ -10,7 +10,6 @@
 #include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/detail/smaller_root.h"
-#include "robust/exact/detail/touched.h"
 
 namespace touchstone::exact {
 namespace {

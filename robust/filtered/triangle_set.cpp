@@ -8,7 +8,7 @@
 #include "geometry/detail/required.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/triangle_groups.h"
-#include "robust/filtered/detail/valid_triangle.h"
+#include "robust/filtered/detail/bigint_triangle.h"
 
 namespace touchstone::filtered {
 namespace {

@@ -9,8 +9,8 @@
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/valid_triangle.h"
-#include "robust/scene/detail/posed_vertices.h"
+#include "robust/filtered/detail/bigint_triangle.h"
+#include "robust/scene/detail/own_frame.h"
 #include "robust/scene/detail/rounded_sum.h"
 
 namespace touchstone::scene {

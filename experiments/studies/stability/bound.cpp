@@ -12,7 +12,7 @@
 #include "geometry/contact/fast.h"
 #include "robust/filtered/detail/exact_edges.h"
 #include "robust/filtered/detail/frame_query.h"
-#include "robust/filtered/detail/sign_kind.h"
+#include "robust/filtered/detail/signs.h"
 #include "robust/filtered/detail/sign_ladder.h"
 
 namespace touchstone::stability {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "geometry/contact/answer.h"
+#include "geometry/shapes/ball.h"
 #include "robust/exact/detail/number.h"
 #include "robust/exact/exact.h"
 
@@ -56,5 +60,14 @@ PointLocation locate(const Lifted& polygon, const Signs& signs) {
   }
   return inside ? PointLocation::Inside : PointLocation::Outside;
 }
+
+/// The feature nearest to a ball's centre, and the point on it, rounded as in Answer.
+struct Touched {
+  Feature nearest;
+  Eigen::Vector3d point;
+};
+
+/// Returns what the ball touches; nothing if it is separate. Requires the floating-point state of FloatingPointState.
+[[nodiscard]] std::optional<Touched> touched(const Ball& ball, const PreparedPolygon& polygon);
 
 }  // namespace touchstone::exact

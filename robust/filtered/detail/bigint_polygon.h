@@ -9,7 +9,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/sign_kind.h"
+#include "robust/filtered/detail/signs.h"
 
 namespace touchstone::filtered {
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "robust/filtered/detail/given_plane.h"
-#include "robust/filtered/detail/sheared_edge.h"
 
 namespace touchstone::filtered {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "geometry/detail/floating_point_state.h"
 #include "robust/detail/sound_arithmetic.h"
+#include "robust/filtered/detail/kernels_definition.h"
 
 namespace touchstone::filtered {
 
@@ -18,5 +19,7 @@ const Kernels& find_fastest_kernels() {
   found_kernels.store(fastest, std::memory_order_relaxed);
   return *fastest;
 }
+
+const Kernels& baseline_kernels() { return kKernels; }
 
 }  // namespace touchstone::filtered

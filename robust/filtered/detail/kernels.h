@@ -7,9 +7,8 @@
 
 #include "geometry/contact/first_contact.h"
 #include "robust/filtered/detail/ball_triangle_view.h"
-#include "robust/filtered/detail/motion/motion_view.h"
 #include "robust/filtered/detail/newell_sums.h"
-#include "robust/filtered/detail/parts_of.h"
+#include "robust/filtered/detail/prepared.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/triangle_set.h"
 

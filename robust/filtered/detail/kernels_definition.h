@@ -5,10 +5,9 @@
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/motion/polygon_motion.h"
 #include "robust/filtered/detail/motion/triangle_motion.h"
-#include "robust/filtered/detail/polygon_stages.h"
+#include "robust/filtered/detail/polygon_query.h"
 #include "robust/filtered/detail/triangle_closest.h"
 #include "robust/filtered/detail/triangle_groups_contact.h"
-#include "robust/filtered/detail/walk_together.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {

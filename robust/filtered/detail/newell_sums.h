@@ -2,11 +2,26 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
-#include "robust/filtered/detail/numbers/pack_pair.h"
-#include "robust/filtered/detail/scaled_vertices.h"
+#include "geometry/shapes/polygon.h"
+#include "robust/filtered/detail/length_unit.h"
+#include "robust/filtered/detail/numbers/lane_vector.h"
 
 namespace touchstone::filtered {
+
+/// A vertex in a frame's unit of length: x, y, z, and 0.
+struct ScaledVertex {
+  double coordinates[4];
+};
+
+/// Returns a frame's unit of length: no vertex is farther than 1/4 from vertex 0 in any coordinate.
+[[nodiscard]] LengthUnit frame_unit(const Polygon& polygon);
+
+/// Returns the vertices in this unit; nothing if that loses a bit. Requires round to nearest, and subnormal
+/// numbers.
+[[nodiscard]] std::optional<std::vector<ScaledVertex>> scaled_vertices(const Polygon& polygon, const LengthUnit& unit);
 
 /// Sums over the vertices p_i of a loop, from vertex 0, in double-doubles.
 struct NewellSums {
@@ -70,4 +85,5 @@ inline NewellSums newell_sums(const ScaledVertex* vertices, std::size_t count) {
 }
 
 }  // namespace TOUCHSTONE_TARGET
+
 }  // namespace touchstone::filtered

@@ -10,11 +10,9 @@
 
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/bigint_polygon.h"
-#include "robust/filtered/detail/edge_index.h"
+#include "robust/filtered/detail/edge_tree.h"
 #include "robust/filtered/detail/frame.h"
-#include "robust/filtered/detail/given_plane.h"
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/parts_of.h"
 #include "robust/filtered/detail/vector3.h"
 #include "robust/filtered/filtered.h"
 
@@ -74,5 +72,8 @@ struct PreparedPolygon::Parts {
   mutable std::atomic<const ExactForm*> made_form_{nullptr};
   mutable std::optional<exact::PreparedPolygon> exact_;
 };
+
+/// Returns what was prepared; its type is complete in prepared.h. Requires a polygon that was not moved from.
+[[nodiscard]] inline const PreparedPolygon::Parts& parts_of(const PreparedPolygon& polygon) { return *polygon.parts_; }
 
 }  // namespace touchstone::filtered

@@ -9,8 +9,8 @@
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/integer.h"
 #include "robust/filtered/detail/numbers/permanent.h"
-#include "robust/filtered/detail/numbers/power_of_two.h"
-#include "robust/filtered/detail/sign_kind.h"
+#include "robust/filtered/detail/length_unit.h"
+#include "robust/filtered/detail/signs.h"
 #include "robust/filtered/stage.h"
 
 /// One sign, decided by one stage after another: permanent, short integers, double-double, long integers, integers of

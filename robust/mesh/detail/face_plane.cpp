@@ -9,7 +9,7 @@
 #include "robust/detail/exact_kernel.h"
 #include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/detail/nearest_double.h"
-#include "robust/exact/detail/orientation.h"
+#include "robust/exact/detail/edge_sweep.h"
 
 namespace touchstone::mesh {
 namespace {

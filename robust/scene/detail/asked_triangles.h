@@ -10,7 +10,6 @@
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/held_vertex.h"
 #include "robust/scene/detail/own_frame.h"
-#include "robust/scene/detail/posed_vertices.h"
 #include "robust/scene/detail/tree_walk.h"
 #include "robust/scene/detail/triangle_leaves.h"
 

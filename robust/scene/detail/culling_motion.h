@@ -7,12 +7,18 @@
 #include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/motion.h"
 #include "robust/filtered/detail/numbers/lanes.h"
+#include "robust/filtered/detail/target.h"
 #include "robust/scene/detail/culling_ball.h"
-#include "robust/scene/detail/way.h"
 
 /// Finds the boxes of a tree that a moving ball may touch.
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
+
+/// Returns a moving centre, or one of its coordinates, after some time; over any number type, as in culling_ball.h.
+template <class T, class Time>
+TOUCHSTONE_INLINE T place_at(const T& first, const Time& time, const T& change) {
+  return first + time * change;
+}
 
 namespace culling {
 
@@ -138,4 +144,5 @@ class CullingMotion {
 };
 
 }  // namespace TOUCHSTONE_TARGET
+
 }  // namespace touchstone::scene

@@ -8,14 +8,26 @@
 #include <mutex>
 #include <optional>
 
-#include "geometry/detail/each_in_parallel.h"
-#include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/parts_in_parallel.h"
+#include "geometry/detail/floating_point_state.h"
 #include "robust/scene/detail/lifted_box.h"
-#include "robust/scene/detail/posed_vertices.h"
+#include "robust/scene/detail/own_frame.h"
 #include "robust/scene/posing.h"
 
 namespace touchstone::scene {
+
+LazyPreparedPolygons::~LazyPreparedPolygons() {
+  for (std::size_t i = 0; i < polygons_.size(); ++i) delete prepared_[i].load(std::memory_order_relaxed);
+}
+
+// Several threads may prepare the polygon at the same time; the first result is kept.
+const filtered::PreparedPolygon& LazyPreparedPolygons::prepare(std::size_t number) const {
+  auto made = std::make_unique<const filtered::PreparedPolygon>(polygons_[number]);
+  const filtered::PreparedPolygon* known = nullptr;
+  if (prepared_[number].compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) return *made.release();
+  return *known;
+}
+
 namespace {
 
 /// A tree whose boxes have grown by more than this since it was built is rebuilt. Measured for terrains, spheres, boxes

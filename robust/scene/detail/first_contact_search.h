@@ -9,7 +9,7 @@
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
 #include "robust/filtered/filtered.h"
-#include "robust/scene/detail/met_face.h"
+#include "robust/scene/detail/nearest_search.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::scene {

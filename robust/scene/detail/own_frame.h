@@ -13,6 +13,10 @@
 /// does not decide.
 namespace touchstone::scene {
 
+/// Returns the triangle with its vertices posed, as scene::posed does, without looking at the result. Requires finite
+/// numbers, and round to nearest without flush-to-zero.
+[[nodiscard]] Triangle posed_vertices(const Pose& pose, const Triangle& triangle);
+
 /// The constants of OwnFrame; u = 2^-53 is the error of one operation. Proved in
 /// tests/robust/proofs/own_frame_test.cpp.
 namespace own_frame {

@@ -8,7 +8,7 @@
 #include "geometry/shapes/motion.h"
 #include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/scene/detail/shared_vertices.h"
-#include "robust/scene/detail/way.h"
+#include "robust/scene/detail/culling_motion.h"
 
 /// The space that a moving ball sweeps. Requires round to nearest, without flush-to-zero.
 namespace touchstone::scene {

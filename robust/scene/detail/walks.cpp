@@ -2,8 +2,10 @@
 #include "robust/scene/detail/walks.h"
 
 #include "robust/detail/sound_arithmetic.h"
+#include "robust/scene/detail/walks_definition.h"
 
 namespace touchstone::scene {
+
 namespace {
 
 bool has_avx2() {
@@ -25,5 +27,7 @@ const Walks& avx2_walks() { return baseline_walks(); }
 #endif
 
 const Walks& fastest_walks() { return has_avx2() ? avx2_walks() : baseline_walks(); }
+
+const Walks& baseline_walks() { return kWalks; }
 
 }  // namespace touchstone::scene

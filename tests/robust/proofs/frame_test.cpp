@@ -12,7 +12,6 @@
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/edge_frame.h"
 #include "robust/filtered/detail/newell_plane.h"
-#include "robust/filtered/detail/sheared_edge.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 

@@ -4,10 +4,9 @@
 #include <limits>
 #include <optional>
 
-#include "robust/filtered/detail/motion/exact_triangle.h"
+#include "robust/filtered/detail/bigint_triangle.h"
 #include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/triangle_doubles.h"
-#include "robust/filtered/detail/motion/triangle_events.h"
 #include "robust/filtered/detail/motion/unsure_capsule.h"
 #include "robust/filtered/detail/scaled_triangle.h"
 #include "robust/filtered/detail/triangle_closest.h"
