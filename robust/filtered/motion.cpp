@@ -5,7 +5,7 @@
 #include "geometry/detail/required.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
 namespace touchstone::filtered {
 namespace {

@@ -7,8 +7,8 @@
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_groups.h"
-#include "robust/filtered/detail/bigint_triangle.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
+#include "robust/filtered/detail/triangle/exact_triangle.h"
 
 namespace touchstone::filtered {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 #include "robust/proofs/calculus_steps.h"
 
 /// The error calculus in rationals: a number type whose operations propagate bounds by the model of bounds.h. Coq

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/edge_frame.h"
-#include "robust/filtered/detail/signs.h"
-#include "robust/filtered/detail/triangle_lanes.h"
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/edge_frame.h"
+#include "robust/filtered/detail/signs/signs.h"
+#include "robust/filtered/detail/triangle/triangle_lanes.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 /// The list of all claims that are proved: every expression of signs.h, edge_frame.h and triangle_lanes.h with its
 /// inputs, its constant and the maxima by which the constant is multiplied, and the operations of double_double.h.

@@ -9,7 +9,7 @@
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/bigint_triangle.h"
+#include "robust/filtered/detail/triangle/exact_triangle.h"
 #include "robust/scene/detail/own_frame.h"
 #include "robust/scene/detail/rounded_sum.h"
 

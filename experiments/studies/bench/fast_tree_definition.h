@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "robust/filtered/detail/frame_query.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
 namespace touchstone::bench {
 inline namespace TOUCHSTONE_TARGET {

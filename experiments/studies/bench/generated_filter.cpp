@@ -6,7 +6,7 @@
 #include <array>
 
 #include "experiments/studies/bench/variants.h"
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/signs.h"
 
 namespace touchstone::bench {
 namespace {

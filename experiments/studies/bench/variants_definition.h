@@ -9,8 +9,8 @@
 #include "experiments/studies/bench/expansion.h"
 #include "experiments/studies/bench/variants.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_contact.h"
-#include "robust/filtered/detail/triangle_groups_contact.h"
+#include "robust/filtered/detail/triangle/triangle_contact.h"
+#include "robust/filtered/detail/sets/triangle_groups_contact.h"
 
 namespace touchstone::bench {
 inline namespace TOUCHSTONE_TARGET {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_groups.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/motion.h"
 #include "robust/filtered/triangle_set.h"

@@ -10,10 +10,10 @@
 
 #include "experiments/studies/stability/measure.h"
 #include "geometry/contact/fast.h"
-#include "robust/filtered/detail/exact_edges.h"
-#include "robust/filtered/detail/frame_query.h"
-#include "robust/filtered/detail/signs.h"
-#include "robust/filtered/detail/sign_ladder.h"
+#include "robust/filtered/detail/polygon/exact_edges.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
+#include "robust/filtered/detail/signs/signs.h"
+#include "robust/filtered/detail/signs/sign_ladder.h"
 
 namespace touchstone::stability {
 namespace {

@@ -7,7 +7,7 @@
 #include "experiments/workloads/lattice/lattice_tangents.h"
 #include "experiments/workloads/random.h"
 #include "experiments/workloads/ulp.h"
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/signs.h"
 
 namespace touchstone::stability {
 namespace {

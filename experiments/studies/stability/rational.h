@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 namespace touchstone::stability {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "geometry/contact/first_contact.h"
-#include "robust/filtered/detail/ball_triangle_view.h"
-#include "robust/filtered/detail/newell_sums.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/triangle/ball_triangle_view.h"
+#include "robust/filtered/detail/polygon/newell_sums.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/triangle_set.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/detail/ball_lanes.h"
+#include "robust/filtered/detail/sets/four_balls.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/motion/polygon_motion.h"
 #include "robust/filtered/detail/motion/triangle_motion.h"
-#include "robust/filtered/detail/polygon_query.h"
-#include "robust/filtered/detail/triangle_closest.h"
-#include "robust/filtered/detail/triangle_groups_contact.h"
+#include "robust/filtered/detail/polygon/polygon_query.h"
+#include "robust/filtered/detail/triangle/triangle_closest.h"
+#include "robust/filtered/detail/sets/triangle_groups_contact.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_contact.h"
+#include "robust/filtered/detail/triangle/triangle_contact.h"
 #include "robust/scene/detail/distance_bound.h"
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/held_vertex.h"

@@ -7,7 +7,7 @@
 #include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/motion.h"
 #include "robust/filtered/detail/numbers/lanes.h"
-#include "robust/filtered/detail/target.h"
+#include "robust/filtered/detail/numbers/target.h"
 #include "robust/scene/detail/culling_ball.h"
 
 /// Finds the boxes of a tree that a moving ball may touch.

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "geometry/shapes/triangle.h"
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 /// Upper bounds of distances from triangles, in doubles.
 namespace touchstone::scene {

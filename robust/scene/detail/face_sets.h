@@ -12,7 +12,7 @@
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
-#include "robust/filtered/detail/triangle_groups.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
 #include "robust/filtered/filtered.h"
 #include "robust/scene/detail/own_frame.h"
 #include "robust/scene/detail/shared_vertices.h"

@@ -5,7 +5,7 @@
 
 #include "geometry/bvh/box.h"
 #include "geometry/shapes/polygon.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
 namespace touchstone::scene {
 

@@ -9,7 +9,7 @@
 
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
 namespace touchstone::scene {
 

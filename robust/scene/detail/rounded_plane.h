@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 /// The plane of a polygon's outer loop in rounded arithmetic, and the heights of vertices above it; over any number
 /// type, for the error calculus of robust/proofs.

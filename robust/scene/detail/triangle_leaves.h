@@ -6,7 +6,7 @@
 #include <span>
 
 #include "geometry/shapes/ball.h"
-#include "robust/filtered/detail/triangle_groups_contact.h"
+#include "robust/filtered/detail/sets/triangle_groups_contact.h"
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/tree_walk.h"
 

@@ -7,7 +7,7 @@
 
 #include "experiments/workloads/random.h"
 #include "experiments/workloads/ulp.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {

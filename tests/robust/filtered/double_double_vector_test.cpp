@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "experiments/workloads/random.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/numbers/lane_vector.h"
 #include "tests/robust/filtered/exact_number.h"
 

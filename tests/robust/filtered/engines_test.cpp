@@ -9,7 +9,7 @@
 
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The signs that decide, stage by stage, against rationals on the cases of the soak: what a stage is sure of is right,
 // and every number lies within the bound that bounds.h gives for it.
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/signs.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 #include "experiments/workloads/adversarial/case.h"
 #include "experiments/workloads/random.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/numbers/permanent.h"
 #include "tests/robust/filtered/exact_number.h"
 #include "tests/robust/support/hard_cases.h"

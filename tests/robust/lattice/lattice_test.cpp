@@ -13,7 +13,7 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "tests/robust/lattice/lattice_case.h"
 #include "tests/robust/support/environment.h"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "tests/robust/lattice/lattice_case.h"
 
 namespace touchstone::lattice_tests {

@@ -12,7 +12,7 @@
 
 #include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/motion.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/hard_cases.h"

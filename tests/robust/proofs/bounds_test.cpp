@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The constants of bounds.h in exact rationals: a second proof beside Gappa's, rounding of the bound, underflow.
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/closest_point.h"
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/closest_point.h"
+#include "robust/filtered/detail/signs/signs.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 

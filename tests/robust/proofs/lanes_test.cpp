@@ -6,9 +6,9 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/triangle_groups.h"
-#include "robust/filtered/detail/triangle_lanes.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
+#include "robust/filtered/detail/triangle/triangle_lanes.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/signs.h"
 #include "robust/proofs/error_bound.h"
 #include "robust/proofs/expressions.h"
 #include "tests/robust/proofs/rationals.h"

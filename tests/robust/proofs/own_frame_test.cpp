@@ -5,7 +5,7 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::filtered::proofs::own_frame {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/signs/closest_point.h"
 #include "tests/robust/proofs/toy.h"
 
 namespace touchstone::filtered::proofs {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/detail/frame_query.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
 
 /// The first stage for a moving ball and a prepared polygon: computes in the polygon's frame, in doubles.

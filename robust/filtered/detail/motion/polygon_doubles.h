@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "robust/filtered/detail/closest_point.h"
-#include "robust/filtered/detail/exact_edges.h"
+#include "robust/filtered/detail/signs/closest_point.h"
+#include "robust/filtered/detail/polygon/exact_edges.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
 
 namespace touchstone::filtered {

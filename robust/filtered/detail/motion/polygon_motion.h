@@ -9,7 +9,7 @@
 #include "robust/filtered/detail/motion/frame_motion.h"
 #include "robust/filtered/detail/motion/polygon_doubles.h"
 #include "robust/filtered/detail/motion/touched_point.h"
-#include "robust/filtered/detail/polygon_query.h"
+#include "robust/filtered/detail/polygon/polygon_query.h"
 
 /// All stages for a moving ball and a prepared polygon.
 namespace touchstone::filtered {

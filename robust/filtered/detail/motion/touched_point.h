@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "geometry/contact/first_contact.h"
-#include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/signs/closest_point.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
 
 /// The time and the point of an event, correctly rounded, in double-doubles with a rounding test.

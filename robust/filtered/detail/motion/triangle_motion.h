@@ -4,12 +4,12 @@
 #include <limits>
 #include <optional>
 
-#include "robust/filtered/detail/bigint_triangle.h"
+#include "robust/filtered/detail/triangle/exact_triangle.h"
 #include "robust/filtered/detail/motion/first_candidate.h"
-#include "robust/filtered/detail/motion/triangle_doubles.h"
-#include "robust/filtered/detail/motion/unsure_capsule.h"
-#include "robust/filtered/detail/scaled_triangle.h"
-#include "robust/filtered/detail/triangle_closest.h"
+#include "robust/filtered/detail/motion/triangle_events.h"
+#include "robust/filtered/detail/motion/capsule.h"
+#include "robust/filtered/detail/triangle/scaled_triangle.h"
+#include "robust/filtered/detail/triangle/triangle_closest.h"
 
 /// All stages for a moving ball and a triangle.
 namespace touchstone::filtered {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/lanes.h"
 

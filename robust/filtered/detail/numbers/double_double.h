@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geometry/floating_point.h"
-#include "robust/filtered/detail/target.h"
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/target.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 #include "robust/filtered/stage.h"  // before DoubleDouble: g++ 12 warns that Stage::DoubleDouble shadows it
 
 #if defined(__clang__)
@@ -38,7 +38,7 @@ using DoubleDouble = DoubleWord<double>;
 inline namespace TOUCHSTONE_TARGET {
 
 /// @{
-/// What the functions below need of words. Packs of doubles (pack_pair.h) have the same.
+/// What the functions below need of words. Packs of doubles (lane_vector.h) have the same.
 __attribute__((always_inline)) inline double multiplied(double factor, double a) { return factor * a; }
 #if defined(__FMA__)
 __attribute__((always_inline)) inline double fused_multiply_subtract(double a, double b, double c) {

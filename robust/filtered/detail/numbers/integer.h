@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "robust/filtered/detail/target.h"
+#include "robust/filtered/detail/numbers/target.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {

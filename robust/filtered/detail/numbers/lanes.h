@@ -9,8 +9,8 @@
 #endif
 
 #include "geometry/floating_point.h"
-#include "robust/filtered/detail/target.h"
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/target.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 /// Four doubles or eight floats that are processed together, in the vector registers of the target: one of AVX2, two of
 /// SSE2, or plain numbers.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "geometry/floating_point.h"
-#include "robust/filtered/detail/target.h"
+#include "robust/filtered/detail/numbers/target.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {

@@ -16,7 +16,7 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/motion.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/robust/support/environment.h"
