@@ -12,6 +12,9 @@
 #include "robust/exact/detail/smaller_root.h"
 
 namespace touchstone::exact {
+
+using namespace detail;
+
 namespace {
 
 /// A motion in the scaled space of a polygon, which does not touch at t = 0. A time keeps its value under the scaling.

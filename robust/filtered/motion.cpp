@@ -8,6 +8,9 @@
 #include "robust/filtered/detail/polygon/prepared.h"
 
 namespace touchstone::filtered {
+
+using namespace detail;
+
 namespace {
 
 NoCounts uncounted;

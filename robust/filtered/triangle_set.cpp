@@ -11,12 +11,15 @@
 #include "robust/filtered/detail/triangle/exact_triangle.h"
 
 namespace touchstone::filtered {
+
+using namespace detail;
+
 namespace {
 
 /// Throws Rejected, naming the triangle, if `exact::validate` rejects it as a polygon.
 void expect_valid(const Triangle& triangle, std::size_t number) {
   try {
-    filtered::expect_valid(triangle);
+    detail::expect_valid(triangle);
   } catch (const Rejected& rejected) {
     const auto& [code, message] = rejected.rejection();
     throw Rejected({code, "triangle " + std::to_string(number) + ": " + message});

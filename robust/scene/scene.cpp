@@ -11,6 +11,9 @@
 #include "robust/scene/posing.h"
 
 namespace touchstone::scene {
+
+using namespace detail;
+
 namespace {
 
 /// Returns make(). If that throws FaceRejected, throws Rejected for the face of the object; its set starts at face

@@ -11,7 +11,7 @@
 
 #include "robust/detail/exact_kernel.h"
 
-namespace touchstone::exact {
+namespace touchstone::exact::detail {
 
 #if defined(TOUCHSTONE_BOOST_NUMBERS)
 using Kernel = kernel::Simple_cartesian<kernel::Mpzf>;
@@ -161,4 +161,4 @@ bool is_inside(const PlanarLoops& loops, std::size_t vertex, std::size_t begin, 
   return inside;
 }
 
-}  // namespace touchstone::exact
+}  // namespace touchstone::exact::detail

@@ -18,11 +18,11 @@ namespace touchstone::exact {
 /// The lift divides by n N_k (n vertices in the outer loop, k the dropped axis). To avoid divisions, all lengths are
 /// multiplied by |n N_k|; if all loops lie on the plane, the factor is 1.
 struct PreparedPolygon::Lifted {
-  Vector normal;
-  Number normal_squared;
+  detail::Vector normal;
+  detail::Number normal_squared;
   int dropped_axis;
-  Number scale;                  ///< > 0: what all lengths below are multiplied by
-  std::vector<Vector> vertices;  ///< lifted
+  detail::Number scale;                  ///< > 0: what all lengths below are multiplied by
+  std::vector<detail::Vector> vertices;  ///< lifted
   std::vector<std::size_t> next;
   double off_plane;
 
@@ -30,10 +30,12 @@ struct PreparedPolygon::Lifted {
   explicit Lifted(const Polygon& polygon);
 };
 
-using Lifted = PreparedPolygon::Lifted;
-
 /// Returns what the polygon holds.
-const Lifted& lifted(const PreparedPolygon& polygon);
+const PreparedPolygon::Lifted& lifted(const PreparedPolygon& polygon);
+
+namespace detail {
+
+using Lifted = PreparedPolygon::Lifted;
 
 /// Locates a point of the supporting plane by counting the edges that a ray from it crosses, in the projection without
 /// the dropped coordinate. `signs` reports, for each edge and its start:
@@ -70,4 +72,5 @@ struct Touched {
 /// Returns what the ball touches; nothing if it is separate. Requires the floating-point state of FloatingPointState.
 [[nodiscard]] std::optional<Touched> touched(const Ball& ball, const PreparedPolygon& polygon);
 
+}  // namespace detail
 }  // namespace touchstone::exact

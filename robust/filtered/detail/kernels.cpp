@@ -5,7 +5,7 @@
 #include "robust/detail/sound_arithmetic.h"
 #include "robust/filtered/detail/kernels_definition.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 constinit std::atomic<const Kernels*> found_kernels = nullptr;
 
@@ -22,4 +22,4 @@ const Kernels& find_fastest_kernels() {
 
 const Kernels& baseline_kernels() { return kKernels; }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

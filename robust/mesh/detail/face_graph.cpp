@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 
 FaceGraph::FaceGraph(const Mesh& welded, const std::vector<bool>& in_use) {
   begin_.push_back(0);
@@ -41,4 +41,4 @@ FaceGraph::FaceGraph(const Mesh& welded, const std::vector<bool>& in_use) {
   first_.push_back(static_cast<std::uint32_t>(by_edge_.size()));
 }
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail

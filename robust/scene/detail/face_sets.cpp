@@ -8,13 +8,13 @@
 #include <mutex>
 #include <optional>
 
-#include "geometry/detail/parts_in_parallel.h"
 #include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
 #include "robust/scene/detail/lifted_box.h"
 #include "robust/scene/detail/own_frame.h"
 #include "robust/scene/posing.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 LazyPreparedPolygons::~LazyPreparedPolygons() {
   for (std::size_t i = 0; i < polygons_.size(); ++i) delete prepared_[i].load(std::memory_order_relaxed);
@@ -143,7 +143,7 @@ PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_
       if (tree.order()[place] == BoxTree::kNone) break;
       leaf[count] = triangles[place].copy();
     }
-    groups[i] = filtered::group_of(std::span(leaf).first(count));
+    groups[i] = filtered::detail::group_of(std::span(leaf).first(count));
   });
 }
 
@@ -172,7 +172,7 @@ Triangle TriangleSet::triangle(std::uint32_t place) const {
 std::size_t TriangleSet::memory() const {
   const auto memory = [](const PlacedTriangles& p) {
     return p.tree.nodes().capacity() * sizeof(BoxTree::Node) + p.tree.order().capacity() * sizeof(std::uint32_t) +
-           p.triangles.memory() + p.groups.capacity() * sizeof(filtered::TriangleGroup);
+           p.triangles.memory() + p.groups.capacity() * sizeof(filtered::detail::TriangleGroup);
   };
   return memory(*model) + (placed == model ? 0 : memory(*placed));
 }
@@ -190,4 +190,4 @@ PolygonSet::PolygonSet(const PolygonSet& other, const Pose& pose)
   if (tree.growth() > kMostGrowth) tree = BoxTree(boxes);
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -17,7 +17,7 @@
 #include "robust/scene/detail/own_frame.h"
 #include "robust/scene/detail/shared_vertices.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 /// Polygons by number, each of which is prepared when it is first accessed. Several threads may access them at once.
 class LazyPreparedPolygons {
@@ -48,8 +48,8 @@ struct PlacedTriangles {
   PlacedTriangles(BoxTree tree, const std::vector<Triangle>& by_number);
 
   BoxTree tree;
-  TrianglesOfSharedVertices triangles;          ///< by place in tree.order()
-  std::vector<filtered::TriangleGroup> groups;  ///< by leaf of the tree
+  TrianglesOfSharedVertices triangles;                  ///< by place in tree.order()
+  std::vector<filtered::detail::TriangleGroup> groups;  ///< by leaf of the tree
 };
 
 /// Triangles under a pose. They stay in their own frame, so that a new pose costs the same for any number of them, or
@@ -97,4 +97,4 @@ struct FaceRejected {
   Rejection rejection;
 };
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

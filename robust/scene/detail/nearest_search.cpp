@@ -11,7 +11,7 @@
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/prepared.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> MetFace::place(const Feature& feature) const {
   if (feature.kind == Feature::Kind::Face) return std::nullopt;
@@ -43,12 +43,13 @@ filtered::NoCounts uncounted;
 
 Feature nearest_feature(const Vector3d& center, const Triangle& triangle) {
   const Ball point{center, 0};
-  return filtered::kernels().plain.triangle_nearest(filtered::view_of(point, triangle), uncounted);
+  return filtered::detail::kernels().plain.triangle_nearest(filtered::detail::view_of(point, triangle), uncounted);
 }
 
 double feature_distance(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
   const Ball point{center, 0};
-  return filtered::kernels().plain.triangle_distance(filtered::view_of(point, triangle), feature, uncounted);
+  return filtered::detail::kernels().plain.triangle_distance(filtered::detail::view_of(point, triangle), feature,
+                                                             uncounted);
 }
 
 }  // namespace
@@ -129,9 +130,10 @@ std::optional<NearestFace> NearestSearch::nearest() {
   }
   if (best == nullptr) return std::nullopt;
   const filtered::ClosestPoint closest =
-      best->closest ? *best->closest
-                    : filtered::closest(filtered::kernels().plain, ball_.center, *best->face.triangle, uncounted);
+      best->closest
+          ? *best->closest
+          : filtered::detail::closest(filtered::detail::kernels().plain, ball_.center, *best->face.triangle, uncounted);
   return NearestFace{best->face.id, closest.feature, closest.point, closest.distance};
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

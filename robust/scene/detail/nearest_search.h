@@ -15,7 +15,7 @@
 #include "robust/filtered/filtered.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 /// A face that a search has found: a copy of a triangle, or a pointer to a polygon.
 struct MetFace {
@@ -84,4 +84,4 @@ class NearestSearch {
   std::vector<Met> met_;
 };
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

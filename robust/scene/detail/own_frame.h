@@ -11,7 +11,7 @@
 
 /// Triangles under a pose that stay in their own frame: a ball comes to them, and a triangle is posed only when that
 /// does not decide.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 /// Returns the triangle with its vertices posed, as scene::posed does, without looking at the result. Requires finite
 /// numbers, and round to nearest without flush-to-zero.
@@ -108,4 +108,4 @@ class OwnFrame {
 /// Returns a lower bound of the triangle's altitudes, 0 if doubles know none. Requires finite vertices.
 [[nodiscard]] double least_altitude(const Triangle& triangle);
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

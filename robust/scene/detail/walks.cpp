@@ -4,7 +4,7 @@
 #include "robust/detail/sound_arithmetic.h"
 #include "robust/scene/detail/walks_definition.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 namespace {
 
@@ -30,4 +30,4 @@ const Walks& fastest_walks() { return has_avx2() ? avx2_walks() : baseline_walks
 
 const Walks& baseline_walks() { return kWalks; }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

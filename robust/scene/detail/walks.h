@@ -11,7 +11,7 @@
 #include "robust/scene/detail/nearest_search.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 /// The walks through an object for contact with a ball or a motion.
 template <class Query>
@@ -45,4 +45,4 @@ struct Walks {
 /// Returns the fastest walks that this machine can run.
 [[nodiscard]] const Walks& fastest_walks();
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

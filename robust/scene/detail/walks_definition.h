@@ -15,7 +15,7 @@
 #include "robust/scene/detail/triangles_on_way.h"
 #include "robust/scene/detail/walks.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The classes with which a ball or a motion asks.
@@ -231,4 +231,4 @@ inline constexpr Walks kWalks{kContactWalks<Ball>, kContactWalks<Motion>, neares
                               nearest_polygon,     first_triangle,        first_polygon};
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -13,7 +13,7 @@
 #include "robust/proofs/expressions.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 const mpq_class kUnits[] = {bounds::kUnit, bounds::kDoubleDoubleUnit, bounds::kFloatUnit};
@@ -154,4 +154,4 @@ TEST_F(Underflow, HasNoCounterpartAbove) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

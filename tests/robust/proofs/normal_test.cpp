@@ -14,7 +14,7 @@
 #include "robust/filtered/filtered.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs::normal_of_polygon {
+namespace touchstone::proofs::normal_of_polygon {
 namespace {
 
 using workloads::Random;
@@ -93,4 +93,4 @@ TEST(NormalOfPolygon, IsKnownToTheSmallestDoubleWhereItUnderflows) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::normal_of_polygon
+}  // namespace touchstone::proofs::normal_of_polygon

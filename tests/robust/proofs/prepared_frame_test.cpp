@@ -17,7 +17,7 @@
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/prepared.h"
 
-namespace touchstone::filtered::proofs::prepared_frame {
+namespace touchstone::proofs::prepared_frame {
 namespace {
 
 using workloads::Random;
@@ -233,4 +233,4 @@ TEST(PreparedFrame, LeavesAreasThatVanishToIntegers) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::prepared_frame
+}  // namespace touchstone::proofs::prepared_frame

@@ -9,7 +9,7 @@
 
 /// The second stage for the contact of a moving ball with a triangle: the signs that doubles leave open, in
 /// double-doubles.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 // The first stage for the contact of a moving ball with a triangle, that is, of a capsule: signs alone, without roots
@@ -196,4 +196,4 @@ FilterResult unsure_capsule(const MotionTriangleView& view, const CapsuleSigns& 
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -4,7 +4,7 @@
 #include "robust/filtered/detail/numbers/bounded.h"
 
 /// The events of a moving ball at edges and their starts, over lanes of doubles and over double-doubles alike.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 // The time at which a moving centre comes within distance r of a plane, a line or a point, from the certain signs of
@@ -117,4 +117,4 @@ TOUCHSTONE_INLINE Entry<Number> interior_event(const MovingEdge<Number>& moving)
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <optional>
 
-#include "robust/filtered/detail/triangle/ball_triangle_view.h"
-#include "robust/filtered/detail/signs/closest_point.h"
-#include "robust/filtered/detail/numbers/length_unit.h"
 #include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
 #include "robust/filtered/detail/motion/touched_point.h"
+#include "robust/filtered/detail/numbers/length_unit.h"
+#include "robust/filtered/detail/signs/closest_point.h"
+#include "robust/filtered/detail/triangle/ball_triangle_view.h"
 #include "robust/filtered/detail/triangle/triangle_filter.h"
 
 /// The second stage for a moving ball and a triangle: its events, and the time and point of one, in double-doubles.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 // The first stage for a moving ball and a triangle: all events in doubles, one edge a lane.
@@ -165,4 +165,4 @@ class TriangleMotionDoubles {
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -17,7 +17,7 @@
 ///
 /// Requires round to nearest and neither overflow nor underflow of any intermediate result; compiled without
 /// contraction. Source: [dekker1971], [joldes2017].
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// The number high + low, with |low| <= ulp(high) / 2. Words are doubles; robust/proofs runs the templates below over
 /// words that record the operations.
@@ -157,4 +157,4 @@ inline DoubleWord<Word> sqrt(const DoubleWord<Word>& a) {
 inline int sign(const DoubleDouble& value) { return (value.high > 0) - (value.high < 0); }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

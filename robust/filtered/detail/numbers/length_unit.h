@@ -6,7 +6,7 @@
 
 #include "robust/filtered/detail/numbers/target.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 inline namespace TOUCHSTONE_TARGET {
 
@@ -40,4 +40,4 @@ struct LengthUnit {
   }
 };
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -3,7 +3,7 @@
 
 #include "robust/filtered/detail/numbers/target.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// Three numbers of any type that has + - *. The result type is that of the operations.
 template <class Number>
@@ -40,4 +40,4 @@ constexpr auto cross(const Vector3<A>& a, const Vector3<B>& b) {
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

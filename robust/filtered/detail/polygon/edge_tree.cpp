@@ -14,7 +14,7 @@
 #include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/signs/edge_frame.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 namespace {
 
@@ -261,4 +261,4 @@ const EdgeTree& EdgeIndex::build() const {
   return *tree_;
 }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -11,7 +11,7 @@
 
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// A hierarchy of boxes over the edges of loops in the plane, for distances and for inside or outside alike.
 ///
@@ -123,4 +123,4 @@ class EdgeIndex {
   mutable std::atomic<const EdgeTree*> built_{nullptr};
 };
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

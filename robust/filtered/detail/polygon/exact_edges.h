@@ -8,7 +8,7 @@
 #include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/detail/signs/sign_ladder.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The edges of a prepared polygon relative to a ball, for signs that the frame could not decide.
@@ -142,4 +142,4 @@ class ExactEdges {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

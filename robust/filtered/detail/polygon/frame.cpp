@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 namespace {
 
 /// The frame's axes and the lift in terms of the normal N = (N_k, N_a, N_b), where k is the dropped axis, a = k + 1 and
@@ -123,4 +122,4 @@ std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<Sc
                        std::move(*edges)};
 }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -12,15 +12,15 @@
 #include "geometry/contact/answer.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
-#include "robust/filtered/detail/signs/bounds.h"
-#include "robust/filtered/detail/polygon/edge_tree.h"
 #include "robust/filtered/detail/numbers/length_unit.h"
-#include "robust/filtered/detail/polygon/newell_plane.h"
-#include "robust/filtered/detail/polygon/newell_sums.h"
 #include "robust/filtered/detail/numbers/target.h"
 #include "robust/filtered/detail/numbers/vector3.h"
+#include "robust/filtered/detail/polygon/edge_tree.h"
+#include "robust/filtered/detail/polygon/newell_plane.h"
+#include "robust/filtered/detail/polygon/newell_sums.h"
+#include "robust/filtered/detail/signs/bounds.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 // Lifted edges in the frame of a prepared polygon, computed from two coordinates.
 
@@ -161,4 +161,4 @@ class GivenHeight {
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

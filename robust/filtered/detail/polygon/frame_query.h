@@ -6,13 +6,13 @@
 #include <cmath>
 #include <span>
 
-#include "robust/filtered/detail/signs/bounds.h"
-#include "robust/filtered/detail/signs/edge_frame.h"
 #include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/filtered/detail/polygon/prepared.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/edge_frame.h"
 
 /// The first stage for prepared polygons: computes in the isometric frame, in doubles, with absolute error bounds.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
@@ -302,4 +302,4 @@ class SeenLeaves {
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "robust/filtered/detail/polygon/edge_tree.h"
-#include "robust/filtered/detail/polygon/newell_sums.h"
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/integer.h"
 #include "robust/filtered/detail/numbers/vector3.h"
+#include "robust/filtered/detail/polygon/edge_tree.h"
+#include "robust/filtered/detail/polygon/newell_sums.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 LengthUnit frame_unit(const Polygon& polygon) {
   double extent = 0;
@@ -122,4 +122,4 @@ void NewellPlane::take_exact(const Vector3<DoubleDouble>& rounded_normal, int ex
   certain = std::abs(normal[dropped_axis].high) > kSmallest;
 }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

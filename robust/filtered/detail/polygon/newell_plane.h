@@ -4,10 +4,10 @@
 #include <optional>
 #include <span>
 
-#include "robust/filtered/detail/polygon/newell_sums.h"
 #include "robust/filtered/detail/numbers/vector3.h"
+#include "robust/filtered/detail/polygon/newell_sums.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// The supporting plane of a polygon in double-doubles, without integers of any size.
 struct NewellPlane {
@@ -37,4 +37,4 @@ struct NewellPlane {
 /// Cost: linear; 10 ns per vertex if all coordinates from vertex 0 are multiples of 2^-63, else 0.2 us.
 [[nodiscard]] std::optional<int> exact_dropped_axis(std::span<const ScaledVertex> loop);
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "geometry/shapes/polygon.h"
-#include "robust/filtered/detail/numbers/length_unit.h"
 #include "robust/filtered/detail/numbers/lane_vector.h"
+#include "robust/filtered/detail/numbers/length_unit.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// A vertex in a frame's unit of length: x, y, z, and 0.
 struct ScaledVertex {
@@ -86,4 +86,4 @@ inline NewellSums newell_sums(const ScaledVertex* vertices, std::size_t count) {
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -9,11 +9,11 @@
 
 #include "geometry/detail/floating_point_state.h"
 #include "robust/exact/exact.h"
-#include "robust/filtered/detail/signs/closest_point.h"
 #include "robust/filtered/detail/polygon/exact_edges.h"
 #include "robust/filtered/detail/polygon/frame_query.h"
+#include "robust/filtered/detail/signs/closest_point.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// A type of this target, so that instantiations of std::optional with it belong to this target, too.
@@ -410,4 +410,4 @@ Relation relation(const Ball& ball, const PreparedPolygon::Parts& parts, Counts&
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

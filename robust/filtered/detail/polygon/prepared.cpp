@@ -11,6 +11,9 @@
 #include "robust/filtered/detail/kernels.h"
 
 namespace touchstone::filtered {
+
+using namespace detail;
+
 namespace {
 
 /// Returns the lifts that bring N.(p - p_0) to the height of the plane.

@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/detail/signs/bigint_polygon.h"
-#include "robust/filtered/detail/polygon/edge_tree.h"
-#include "robust/filtered/detail/polygon/frame.h"
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/vector3.h"
+#include "robust/filtered/detail/polygon/edge_tree.h"
+#include "robust/filtered/detail/polygon/frame.h"
+#include "robust/filtered/detail/signs/bigint_polygon.h"
 #include "robust/filtered/filtered.h"
 
 namespace touchstone::filtered {
+namespace detail {
 
 /// The lifted polygon in double-doubles, in the frame's unit of length but along the axes of the input.
 struct LiftedPolygon {
@@ -28,27 +29,29 @@ struct LiftedPolygon {
   std::vector<DoubleDouble> lifts;  ///< along the dropped axis, to bounds::kLift; empty if nothing is lifted
 };
 
+}  // namespace detail
+
 /// A prepared polygon: what every query needs at once, and what few queries need, made for the first of them. Several
 /// threads may query at once.
 struct PreparedPolygon::Parts {
   /// Copies a polygon that will be queried often; keeps a reference to one that is queried once.
-  explicit Parts(const Polygon& polygon, EdgeIndex::Use use = EdgeIndex::Use::Often);
+  explicit Parts(const Polygon& polygon, detail::EdgeIndex::Use use = detail::EdgeIndex::Use::Often);
 
  private:
   std::optional<Polygon> owned_;
 
  public:
   const Polygon& polygon;
-  std::optional<Frame> frame;      ///< empty if scaling would lose bits, or beyond kMostEdges; then `exact` answers
-  GivenPlane plane;                ///< that of the frame, if it may be used
-  std::optional<EdgeIndex> edges;  ///< in the frame, if there is one
+  std::optional<detail::Frame> frame;  ///< empty if scaling would lose bits, or beyond kMostEdges; then `exact` answers
+  detail::GivenPlane plane;            ///< that of the frame, if it may be used
+  std::optional<detail::EdgeIndex> edges;  ///< in the frame, if there is one
 
   /// The polygon in integers of any size, and in double-doubles that are rounded from these if there is a frame.
   struct ExactForm {
-    BigIntPolygon bigint;
-    LiftedPolygon lifted;
+    detail::BigIntPolygon bigint;
+    detail::LiftedPolygon lifted;
 
-    ExactForm(BigIntPolygon integers, LiftedPolygon doubles)
+    ExactForm(detail::BigIntPolygon integers, detail::LiftedPolygon doubles)
         : bigint(std::move(integers)), lifted(std::move(doubles)) {}
   };
   [[nodiscard]] __attribute__((always_inline)) const ExactForm& exact_form() const {
@@ -63,9 +66,9 @@ struct PreparedPolygon::Parts {
  private:
   /// Sets `frame` and `edges`, if the frame may be used. Returns the integers if double-doubles left the plane
   /// uncertain.
-  std::optional<BigIntPolygon> find_frame(EdgeIndex::Use use);
+  std::optional<detail::BigIntPolygon> find_frame(detail::EdgeIndex::Use use);
   const ExactForm& make_exact_form() const;
-  void keep_exact_form(BigIntPolygon bigint) const;
+  void keep_exact_form(detail::BigIntPolygon bigint) const;
 
   mutable std::once_flag form_once_, exact_once_;
   mutable std::unique_ptr<ExactForm> form_;

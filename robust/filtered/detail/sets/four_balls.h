@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "robust/filtered/detail/polygon/frame_query.h"
 #include "robust/filtered/detail/numbers/lanes.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
 
 /// The first stage of contact for four balls and one polygon: a lane of each Pack belongs to a ball.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// A bit for each ball; neither for a ball whose contact is not certain.
@@ -196,4 +196,4 @@ class WalkTogether {
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

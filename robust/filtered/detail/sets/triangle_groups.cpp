@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 namespace {
 
 std::int16_t to_steps(double number) { return static_cast<std::int16_t>(std::lrint(number * TriangleGroup::kSteps)); }
@@ -54,4 +54,4 @@ TriangleGroup group_of(std::span<const Triangle> triangles) {
   return group;
 }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -10,6 +10,7 @@
 #include "robust/filtered/triangle_set.h"
 
 namespace touchstone::filtered {
+namespace detail {
 
 /// Eight triangles of a set, one per lane.
 ///
@@ -37,10 +38,12 @@ struct TriangleGroup {
 /// Prepares one to eight triangles with finite vertices. Requires round to nearest, without flush-to-zero.
 [[nodiscard]] TriangleGroup group_of(std::span<const Triangle> triangles);
 
+}  // namespace detail
+
 struct TriangleSet::Parts {
   explicit Parts(std::span<const Triangle> given);
 
-  std::vector<TriangleGroup> groups;
+  std::vector<detail::TriangleGroup> groups;
   std::vector<Triangle> triangles;
 };
 

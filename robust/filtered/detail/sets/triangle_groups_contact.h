@@ -9,16 +9,16 @@
 #include <span>
 #include <vector>
 
-#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/numbers/lanes.h"
-#include "robust/filtered/detail/triangle/triangle_contact.h"
 #include "robust/filtered/detail/sets/triangle_groups.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/triangle/triangle_contact.h"
 #include "robust/filtered/detail/triangle/triangle_lanes.h"
 
 /// The first stage for sets of triangles: computes the distances of eight triangles at once in floats, with an absolute
 /// error bound.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The distances of eight triangles as floats know them, in steps: a point of each triangle is `most` far, and none is
@@ -257,4 +257,4 @@ std::vector<std::size_t> set_triangles_hit(const Ball& ball, const TriangleSet::
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

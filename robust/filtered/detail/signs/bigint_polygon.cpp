@@ -7,7 +7,7 @@
 #include "robust/detail/exact_kernel.h"
 #include "robust/exact/detail/nearest_double.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 namespace {
 
 using Number = kernel::Mpzf;
@@ -18,7 +18,9 @@ Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.
 Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vector operator*(const Number& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
-double nearest(const Rational& value) { return exact::nearest_double(numerator_of(value), denominator_of(value)); }
+double nearest(const Rational& value) {
+  return exact::detail::nearest_double(numerator_of(value), denominator_of(value));
+}
 
 /// Returns the value to within u^2 of itself, u = 2^-53, or to 2^-1075 if that underflows: the double nearest to the
 /// value leaves a rest of at most u of it or 2^-1075, and the double nearest to the rest leaves at most as much of the
@@ -88,7 +90,7 @@ BigIntPolygon::Numbers::Numbers(const Polygon& loops) : polygon(loops), planar(t
   if (kernel::is_zero(farthest)) return;
   planar = false;
   scale = vertices * kernel::abs(normal[dropped_axis]);
-  off_plane = rounded({farthest, scale}, exact::nearest_double);
+  off_plane = rounded({farthest, scale}, exact::detail::nearest_double);
 }
 
 namespace {
@@ -172,24 +174,24 @@ double BigIntPolygon::point(const Ball& ball, const Feature& feature, int axis) 
       return rounded({length_squared * scale * Number(ball.center[axis]) -
                           dot(edge.normal(), edge.to_center()) * edge.normal()[axis],
                       length_squared * scale},
-                     exact::nearest_double);
+                     exact::detail::nearest_double);
     }
     case Feature::Kind::Edge: {
       const Number length_squared = dot(edge.edge(), edge.edge());
       return rounded({length_squared * numbers_->vertex(feature.index)[axis] +
                           dot(edge.to_center(), edge.edge()) * edge.edge()[axis],
                       length_squared * scale},
-                     exact::nearest_double);
+                     exact::detail::nearest_double);
     }
     case Feature::Kind::Vertex: break;
   }
-  return rounded({numbers_->vertex(feature.index)[axis], scale}, exact::nearest_double);
+  return rounded({numbers_->vertex(feature.index)[axis], scale}, exact::detail::nearest_double);
 }
 
 double BigIntPolygon::distance(const Ball& ball, const Feature& feature) const {
   Quotient squared = squared_distance(*numbers_, ball, feature);
   squared.denominator = squared.denominator * numbers_->scale * numbers_->scale;
-  return rounded(squared, exact::nearest_root);
+  return rounded(squared, exact::detail::nearest_root);
 }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

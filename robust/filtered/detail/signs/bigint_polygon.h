@@ -11,7 +11,7 @@
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/signs/signs.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// A lifted polygon in integers of any size: its exact normal and lift. Decides every sign and every rounding.
 ///
@@ -51,4 +51,4 @@ class BigIntPolygon {
   std::unique_ptr<const Numbers> numbers_;
 };
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -18,7 +18,7 @@
 ///   k... unit (product of maxima) + kTiny,
 /// which covers the rounding of the bound itself, in any order of its factors and in any rounding direction, and the
 /// comparison of a double-double's high part with it.
-namespace touchstone::filtered::bounds {
+namespace touchstone::filtered::detail::bounds {
 
 inline constexpr double kUnit = 0x1p-52;
 inline constexpr double kDoubleDoubleUnit = 0x1p-103;
@@ -137,4 +137,4 @@ inline constexpr double kWideError = 1 + 0x1p-36;
 /// The largest coordinate and radius of a motion, in the unit in which it is answered.
 inline constexpr double kLongestMotion = 0x1p30;
 
-}  // namespace touchstone::filtered::bounds
+}  // namespace touchstone::filtered::detail::bounds

@@ -11,7 +11,7 @@
 
 /// The closest point and the distance, correctly rounded: in double-doubles with a rounding test, and in integers of
 /// any size if that is ambiguous.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// A double-double and a bound of its error: 0, or at least 2 u |low|, u = 2^-53. Every nonzero error here includes two
@@ -150,4 +150,4 @@ class ClosestPointOnFeature {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -8,14 +8,14 @@
 
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/integer.h"
-#include "robust/filtered/detail/numbers/permanent.h"
 #include "robust/filtered/detail/numbers/length_unit.h"
+#include "robust/filtered/detail/numbers/permanent.h"
 #include "robust/filtered/detail/signs/signs.h"
 #include "robust/filtered/stage.h"
 
 /// One sign, decided by one stage after another: permanent, short integers, double-double, long integers, integers of
 /// any size.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The operands of the signs of one edge, relative to a ball, in double-doubles.
@@ -208,4 +208,4 @@ int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& b
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/numbers/target.h"
 #include "robust/filtered/detail/numbers/vector3.h"
+#include "robust/filtered/detail/signs/bounds.h"
 
 /// The expressions whose signs decide all queries, without divisions and roots.
 ///
@@ -13,7 +13,7 @@
 /// their operations, and proves every constant of bounds.h from the record.
 ///
 /// For a ball (c, r) and an edge from vertex a to vertex b: to_center = c - a, edge = b - a; normal = N.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 namespace signs {
@@ -177,4 +177,4 @@ constexpr double bound(const Maxima& m) {
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

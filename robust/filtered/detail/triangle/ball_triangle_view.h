@@ -4,7 +4,7 @@
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// A triangle and a ball as pointers to their numbers, which can be passed in registers.
 struct BallTriangleView {
@@ -72,4 +72,4 @@ inline bool at_rest(const MotionTriangleView& view) {
   return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&motion)};
 }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

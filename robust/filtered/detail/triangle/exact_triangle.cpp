@@ -7,11 +7,11 @@
 #include "robust/detail/exact_kernel.h"
 #include "robust/exact/motion.h"
 #include "robust/exact/validate.h"
+#include "robust/filtered/detail/numbers/permanent.h"
 #include "robust/filtered/detail/signs/bigint_polygon.h"
 #include "robust/filtered/detail/signs/bounds.h"
-#include "robust/filtered/detail/numbers/permanent.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 namespace {
 
@@ -114,4 +114,4 @@ void expect_valid(const Triangle& t) {
   if (auto rejection = exact::validate(Polygon({t.a, t.b, t.c}))) throw Rejected(std::move(*rejection));
 }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

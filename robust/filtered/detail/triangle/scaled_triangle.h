@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "robust/filtered/detail/triangle/ball_triangle_view.h"
 #include "robust/filtered/detail/numbers/length_unit.h"
+#include "robust/filtered/detail/triangle/ball_triangle_view.h"
 #include "robust/filtered/detail/triangle/triangle_filter.h"
 
 /// Balls and triangles with very large or very small numbers, and with both.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Returns the largest magnitude of a number of ball and triangle, or of motion and triangle.
@@ -96,4 +96,4 @@ inline FilterResult scaled_filter(const BallTriangleView& view, TriangleSigns& s
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "robust/filtered/detail/triangle/exact_triangle.h"
 #include "robust/filtered/detail/signs/closest_point.h"
+#include "robust/filtered/detail/triangle/exact_triangle.h"
 #include "robust/filtered/detail/triangle/triangle_contact.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// A triangle relative to a centre, scaled by a power of two if its numbers are far from 1. Meets the requirements of
@@ -49,10 +49,10 @@ class ExactTriangle {
     return *kept_;
   }
   [[nodiscard]] double bigint_point(const Feature& feature, int axis) const {
-    return filtered::bigint_point(given_, feature, axis);
+    return detail::bigint_point(given_, feature, axis);
   }
   [[nodiscard]] double bigint_distance(const Feature& feature) const {
-    return filtered::bigint_distance(given_, feature);
+    return detail::bigint_distance(given_, feature);
   }
 
  private:
@@ -91,4 +91,4 @@ double closest_point(BallTriangleView view, Feature& feature, double (&point)[3]
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -8,14 +8,14 @@
 
 #include "geometry/contact/answer.h"
 #include "geometry/detail/floating_point_state.h"
+#include "robust/filtered/detail/numbers/lane_vector.h"
+#include "robust/filtered/detail/signs/sign_ladder.h"
 #include "robust/filtered/detail/triangle/ball_triangle_view.h"
 #include "robust/filtered/detail/triangle/exact_triangle.h"
-#include "robust/filtered/detail/numbers/lane_vector.h"
 #include "robust/filtered/detail/triangle/scaled_triangle.h"
-#include "robust/filtered/detail/signs/sign_ladder.h"
 #include "robust/filtered/detail/triangle/triangle_filter.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 // Contact that depends on one sign of a triangle alone. Double-doubles come first, without a branch on the sign, which
@@ -269,4 +269,4 @@ TOUCHSTONE_INLINE bool contact(BallTriangleView view, Counts& counts) {
 
 }  // namespace TOUCHSTONE_TARGET
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/detail/triangle/ball_triangle_view.h"
-#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/numbers/lanes.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/signs/signs.h"
+#include "robust/filtered/detail/triangle/ball_triangle_view.h"
 
 /// The first stage for a ball and a triangle: all signs in doubles, one edge per lane, without branches.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The certain signs of one expression, as sign bits of the lanes.
@@ -180,4 +180,4 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Sig
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

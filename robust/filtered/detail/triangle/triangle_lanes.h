@@ -13,7 +13,7 @@
 ///
 /// Each operation is written once, over any number type. robust/proofs records the operations on coordinates, and
 /// proves their constants of bounds.h.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 namespace lane {
 
@@ -82,4 +82,4 @@ constexpr Weights<T> nearly_closest(const Corner<T>& corner, const T& zero, cons
 
 }  // namespace lane
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail
