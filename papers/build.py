@@ -146,7 +146,7 @@ def sources():
     """What the paper is made of besides the data: its text, what reads and draws the data, and files that it counts."""
     text = [path for kind in ("*.tex", "*.bib", "*.py") for path in PAPERS.rglob(kind)]
     return [*text, *(ROOT / "experiments/report").rglob("*.py"), *corpus.files(), *proofs.files(), *(PAPERS / "listings").glob("*.txt"),
-            ROOT / "robust/filtered/detail/bounds.h"]
+            ROOT / "robust/filtered/detail/signs/bounds.h"]
 
 
 def run_latex(output, studies):

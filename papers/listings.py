@@ -22,7 +22,7 @@ CONSTANT, ARITHMETIC = "kVertex", "doubles"
 
 def source():
     """The function of the expression, without its comment."""
-    text = (ROOT / "robust/filtered/detail/signs.h").read_text()
+    text = (ROOT / "robust/filtered/detail/signs/signs.h").read_text()
     return re.search(r"^template <class V, class R>\nconstexpr auto vertex\(.*?^}\n", text, re.M | re.S)[0]
 
 

@@ -24,11 +24,11 @@ struct ExactNumbers {
   static mpq_class rational(const Epeck::FT& x) { return mpq_class(x.exact().backend().data()); }
   static double nearest_double(const Epeck::FT& x) {
     const mpq_class value = rational(x);
-    return exact::nearest_double(value.get_num(), value.get_den());
+    return exact::detail::nearest_double(value.get_num(), value.get_den());
   }
   static double nearest_root(const Epeck::FT& x) {
     const mpq_class value = rational(x);
-    return exact::nearest_root(value.get_num(), value.get_den());
+    return exact::detail::nearest_root(value.get_num(), value.get_den());
   }
 };
 

@@ -24,10 +24,10 @@ using Numbers = std::vector<std::uint32_t>;  // of vertices
 /// A polygon's vertices without the dropped axis.
 class Shadow {
  public:
-  explicit Shadow(const Polygon& polygon) : axis_(exact::dropped_axis(polygon).value()) {
+  explicit Shadow(const Polygon& polygon) : axis_(exact::detail::dropped_axis(polygon).value()) {
     const auto u = polygon.coordinates((axis_ + 1) % 3), v = polygon.coordinates((axis_ + 2) % 3);
     for (std::size_t i = 0; i < polygon.vertex_count(); ++i) points_.emplace_back(u[i], v[i]);
-    turned_ = mesh::turn(polygon, 0, axis_) < 0;
+    turned_ = mesh::detail::turn(polygon, 0, axis_) < 0;
   }
   [[nodiscard]] const std::vector<Kernel::Point_2>& points() const { return points_; }
   /// Whether the outer loop runs clockwise.

@@ -16,10 +16,10 @@ struct Rationals {
   static constexpr bool kSlow = true;
 
   static std::optional<double> nearest_double(const Number& x) {
-    return exact::nearest_double(mpz_class(x.numerator().mpz()), mpz_class(x.denominator().mpz()));
+    return exact::detail::nearest_double(mpz_class(x.numerator().mpz()), mpz_class(x.denominator().mpz()));
   }
   static std::optional<double> nearest_root(const Number& x) {
-    return exact::nearest_root(mpz_class(x.numerator().mpz()), mpz_class(x.denominator().mpz()));
+    return exact::detail::nearest_root(mpz_class(x.numerator().mpz()), mpz_class(x.denominator().mpz()));
   }
 };
 

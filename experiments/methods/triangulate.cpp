@@ -56,7 +56,7 @@ void measure_depths(Triangulation& triangulation) {
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
   const FloatingPointState state;
-  const int axis = exact::dropped_axis(polygon).value();
+  const int axis = exact::detail::dropped_axis(polygon).value();
   const auto u = polygon.coordinates((axis + 1) % 3), v = polygon.coordinates((axis + 2) % 3);
   Triangulation triangulation;
   std::vector<Triangulation::Vertex_handle> vertices;
@@ -68,7 +68,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
     triangulation.insert_constraint(vertices[i], vertices[polygon.next(i)]);
   measure_depths(triangulation);
 
-  const bool turned = mesh::turn(polygon, 0, axis) < 0;
+  const bool turned = mesh::detail::turn(polygon, 0, axis) < 0;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face) {
     if (face->info() % 2 == 0) continue;

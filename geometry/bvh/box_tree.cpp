@@ -6,9 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/bvh/detail/float_box.h"
 #include "geometry/bvh/detail/tree_shape.h"
-#include "geometry/detail/each_in_parallel.h"
+#include "geometry/detail/parts_in_parallel.h"
 #include "geometry/detail/floating_point_state.h"
 
 namespace touchstone {

@@ -25,7 +25,7 @@ FRAME = [("height", "height above the plane in the frame", "$S$", "kHeight"),
 
 def constants():
     """Those of bounds.h."""
-    text = (ROOT / "robust/filtered/detail/bounds.h").read_text()
+    text = (ROOT / "robust/filtered/detail/signs/bounds.h").read_text()
     return {name: float(value) for name, value in re.findall(r"constexpr double (k\w+) = ([\d.]+);", text)}
 
 

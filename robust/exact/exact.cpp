@@ -10,9 +10,11 @@
 #include "robust/detail/sound_arithmetic.h"
 #include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
-#include "robust/exact/detail/touched.h"
 
 namespace touchstone::exact {
+
+using namespace detail;
+
 namespace {
 
 /// A squared distance as a quotient; the denominator is positive.
@@ -180,7 +182,7 @@ Relation relation(const Ball& ball, const PreparedPolygon& polygon) {
   return relation(query, nearest_feature(query, foot(query)).second);
 }
 
-std::optional<Touched> touched(const Ball& ball, const PreparedPolygon& polygon) {
+std::optional<Touched> detail::touched(const Ball& ball, const PreparedPolygon& polygon) {
   const Query query(ball, polygon);
   if (plane_side(query) != PlaneSide::Intersects) return std::nullopt;
   const auto [feature, distance] = nearest_feature(query, foot(query));

@@ -10,9 +10,11 @@
 #include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/detail/smaller_root.h"
-#include "robust/exact/detail/touched.h"
 
 namespace touchstone::exact {
+
+using namespace detail;
+
 namespace {
 
 /// A motion in the scaled space of a polygon, which does not touch at t = 0. A time keeps its value under the scaling.

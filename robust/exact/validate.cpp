@@ -8,6 +8,9 @@
 #include "robust/exact/detail/edge_sweep.h"
 
 namespace touchstone::exact {
+
+using namespace detail;
+
 namespace {
 
 std::string edge_name(const Polygon& polygon, std::size_t i) {

@@ -6,11 +6,14 @@
 
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
-#include "robust/filtered/detail/frame_query.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
 namespace touchstone::filtered {
+
+using namespace detail;
+
 namespace {
 
 NoCounts uncounted;

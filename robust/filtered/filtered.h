@@ -28,7 +28,7 @@
 ///  (1) each answer equals that of the function of the same name in `exact`, and so satisfies all its identities;
 ///  (2) a batch returns the answers of single queries, in the same order;
 ///  (3) the answers are the same with and without vector instructions; only stages and times differ.
-/// Bounds: robust/filtered/detail/bounds.h, proved in robust/proofs. Source: [shewchuk1997], [melquiond2007],
+/// Bounds: robust/filtered/detail/signs/bounds.h, proved in robust/proofs. Source: [shewchuk1997], [melquiond2007],
 /// [joldes2017].
 namespace touchstone::filtered {
 

@@ -5,9 +5,12 @@
 #include "geometry/detail/required.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
 namespace touchstone::filtered {
+
+using namespace detail;
+
 namespace {
 
 NoCounts uncounted;

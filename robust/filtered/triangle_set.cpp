@@ -7,16 +7,19 @@
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_groups.h"
-#include "robust/filtered/detail/valid_triangle.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
+#include "robust/filtered/detail/triangle/exact_triangle.h"
 
 namespace touchstone::filtered {
+
+using namespace detail;
+
 namespace {
 
 /// Throws Rejected, naming the triangle, if `exact::validate` rejects it as a polygon.
 void expect_valid(const Triangle& triangle, std::size_t number) {
   try {
-    filtered::expect_valid(triangle);
+    detail::expect_valid(triangle);
   } catch (const Rejected& rejected) {
     const auto& [code, message] = rejected.rejection();
     throw Rejected({code, "triangle " + std::to_string(number) + ": " + message});

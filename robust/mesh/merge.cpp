@@ -26,6 +26,9 @@
 #include "robust/mesh/weld.h"
 
 namespace touchstone::mesh {
+
+using namespace detail;
+
 namespace {
 
 /// Properties of single faces, independent of their neighbours.
@@ -176,7 +179,7 @@ class Merger {
     // If all faces have the same orientation in the projection along the dropped axis, the number of faces over a point
     // is the winding number of the loops about it. If the holes have the opposite orientation, that is 1 in the region,
     // 0 outside.
-    const int axis = exact::dropped_axis(polygon).value(), outer = turn(polygon, 0, axis);
+    const int axis = exact::detail::dropped_axis(polygon).value(), outer = turn(polygon, 0, axis);
     for (std::size_t loop = 1; loop < loops.size(); ++loop)
       if (turn(polygon, loop, axis) != -outer) return between(loops[0][0], loops[loop][0]);
     for (const std::uint32_t face : faces)
@@ -233,8 +236,8 @@ class Merger {
       const std::size_t loop = polygon.loop_of(i);
       return loops[loop][i - polygon.loop_begin(loop)];
     };
-    if (const auto axis = exact::dropped_axis(polygon))
-      if (const auto found = exact::find_meeting({polygon, *axis}, 0, polygon.vertex_count()))
+    if (const auto axis = exact::detail::dropped_axis(polygon))
+      if (const auto found = exact::detail::find_meeting({polygon, *axis}, 0, polygon.vertex_count()))
         return {side(found->first), side(found->second)};
     return {side(0), side(0)};
   }

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 
 /// The steps that the error calculus carries out in this process, each kind of numbers once. At the end they are
 /// written to the file that the environment variable TOUCHSTONE_CALCULUS_STEPS names, for Coq (coq/calculus.v): a line
@@ -48,4 +48,4 @@ class CalculusSteps {
   std::set<std::string> steps_;
 };
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -18,7 +18,7 @@ import prove
 PROOFS = pathlib.Path(__file__).resolve().parent
 ROOT = PROOFS.parents[1]
 PAGE = PROOFS / "CLAIMS.md"
-BOUNDS = "robust/filtered/detail/bounds.h"
+BOUNDS = "robust/filtered/detail/signs/bounds.h"
 # Headers with constants that are proved over the calculus or by counting roundings, and where these may be used.
 OF_SCENES = [f"robust/scene/detail/{name}.h"
              for name in ("rounded_sum", "culling_ball", "culling_motion", "swept", "own_frame", "distance_bound",
@@ -142,7 +142,7 @@ be trusted.
 - [model.v](coq/model.v): the model in which claims are stated.
 - [parity.v](coq/parity.v): a chain of edges crosses a line an odd number of times exactly if one of its ends is above
   the line; of several chains, modulo 2, as often as they have ends above. Used in
-  [frame_query.h](../filtered/detail/frame_query.h), where boxes that are not met count by the ends of their chains.
+  [frame_query.h](../filtered/detail/polygon/frame_query.h), where boxes that are not met count by the ends of their chains.
 - [calculus.v](coq/calculus.v): each rule of [error_bound.h](error_bound.h). A step that Coq finds justified holds for
   all numbers within its bounds and all roundings of the model. All steps that the tests carry out are recorded and
   checked, underflow included.

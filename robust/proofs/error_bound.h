@@ -8,12 +8,14 @@
 #include <optional>
 #include <string_view>
 
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 #include "robust/proofs/calculus_steps.h"
 
 /// The error calculus in rationals: a number type whose operations propagate bounds by the model of bounds.h. Coq
 /// proves its rules (coq/calculus.v) and checks each step that the tests carry out.
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
+
+using namespace filtered::detail;
 
 /// The errors of `dot` and `cross` if they round only once, in units of the product of their vectors' maxima.
 struct SumsOfProducts {
@@ -108,13 +110,13 @@ inline ErrorBound off_by(const mpq_class& units, const ErrorBound& exact, const 
 /// An operation in the model; preferred to that of vector3.h by overload resolution.
 inline ErrorBound dot(const Vector3<ErrorBound>& a, const Vector3<ErrorBound>& b) {
   const auto& apart = a.x.model->sums_of_products;
-  if (!apart) return filtered::dot<ErrorBound, ErrorBound>(a, b);
+  if (!apart) return filtered::detail::dot<ErrorBound, ErrorBound>(a, b);
   return off_by(apart->dot,
                 exact_sum(exact_sum(exact_product(a.x, b.x), exact_product(a.y, b.y)), exact_product(a.z, b.z)), a, b);
 }
 inline Vector3<ErrorBound> cross(const Vector3<ErrorBound>& a, const Vector3<ErrorBound>& b) {
   const auto& apart = a.x.model->sums_of_products;
-  if (!apart) return filtered::cross<ErrorBound, ErrorBound>(a, b);
+  if (!apart) return filtered::detail::cross<ErrorBound, ErrorBound>(a, b);
   const auto component = [&](int i, int j) {
     return off_by(apart->cross, exact_difference(exact_product(a[i], b[j]), exact_product(a[j], b[i])), a, b);
   };
@@ -136,4 +138,4 @@ inline ErrorBound magnitude(const ErrorBound& a) {
   return step("magnitude", {}, a, {a.model, 0, a.magnitude(), a.error});
 }
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -6,16 +6,18 @@
 #include <string_view>
 #include <vector>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/edge_frame.h"
-#include "robust/filtered/detail/signs.h"
-#include "robust/filtered/detail/triangle_lanes.h"
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/edge_frame.h"
+#include "robust/filtered/detail/signs/signs.h"
+#include "robust/filtered/detail/triangle/triangle_lanes.h"
 
 /// The list of all claims that are proved: every expression of signs.h, edge_frame.h and triangle_lanes.h with its
 /// inputs, its constant and the maxima by which the constant is multiplied, and the operations of double_double.h.
 /// Records, error calculus and toy arithmetic all use this list.
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
+
+using namespace filtered::detail;
 
 /// The part of every constant that covers the rounding of the bound computed with it.
 inline constexpr double kRoundingOfBound = 0x1p-5;
@@ -204,4 +206,4 @@ void for_each_claim(Visit visit) {
         [](const auto& in) { return lane::product(in.first_exact, in.lane_vertex); });
 }
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -8,7 +8,7 @@
 #include "robust/proofs/expressions.h"
 #include "robust/proofs/recording.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 /// Prints the nodes from which some results are computed, as a JSON array. print_input(node) prints what is known of an
@@ -138,10 +138,11 @@ void print(const Quotient& claim, const Expression& expression) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs
 
 int main() {
-  using namespace touchstone::filtered;
+  using namespace touchstone;
+  using namespace touchstone::filtered::detail;
   std::cout << std::boolalpha << std::setprecision(17) << R"({"unit": )" << bounds::kUnit
             << R"(, "double_double_unit": )" << bounds::kDoubleDoubleUnit << R"(, "float_unit": )" << bounds::kFloatUnit
             << R"(, "rounding_of_bound": )" << proofs::kRoundingOfBound << "}\n";

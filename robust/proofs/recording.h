@@ -6,7 +6,9 @@
 
 #include "robust/filtered/detail/numbers/double_double.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
+
+using namespace filtered::detail;
 
 /// The operations that an expression carries out, in order, without branches. Nodes are numbered in this order, inputs
 /// included.
@@ -94,4 +96,4 @@ inline DoubleWord<Recorded> operator*(const DoubleWord<Recorded>& a, const Doubl
 }
 /// @}
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -9,15 +9,18 @@
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/valid_triangle.h"
-#include "robust/scene/detail/posed_vertices.h"
+#include "robust/filtered/detail/triangle/exact_triangle.h"
+#include "robust/scene/detail/own_frame.h"
 #include "robust/scene/detail/rounded_sum.h"
 
 namespace touchstone::scene {
+
+using namespace detail;
+
 namespace {
 
 using filtered::Stage;
-using filtered::two_product;
+using filtered::detail::two_product;
 
 /// Returns whether every number is 0 or has a magnitude within [least, largest].
 template <class Numbers>
@@ -44,7 +47,7 @@ double rounded_by_integers(const Pose& pose, const Eigen::Vector3d& p, int axis)
   static const Integer squared_unit = unit * unit;
   Integer sum = in_smallest_units(pose.translation[axis]) * unit;
   for (int k = 0; k < 3; ++k) sum += in_smallest_units(pose.rotation(axis, k)) * in_smallest_units(p[k]);
-  return exact::nearest_double(sum, squared_unit);
+  return exact::detail::nearest_double(sum, squared_unit);
 }
 
 /// Poses finite points. Requires round to nearest, without flush-to-zero, during its lifetime.
@@ -104,7 +107,7 @@ bool is_finite(const Pose& pose) {
 
 void expect_valid(const Triangle& t) {
   const FloatingPointState nearest;
-  filtered::expect_valid(t);
+  filtered::detail::expect_valid(t);
 }
 
 Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point) {
@@ -116,7 +119,7 @@ Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point, filtered::
   return posed_point(pose, point, counts);
 }
 
-Triangle posed_vertices(const Pose& pose, const Triangle& triangle) {
+Triangle detail::posed_vertices(const Pose& pose, const Triangle& triangle) {
   const Posing place(pose);
   return {place(triangle.a), place(triangle.b), place(triangle.c)};
 }

@@ -11,6 +11,9 @@
 #include "robust/scene/posing.h"
 
 namespace touchstone::scene {
+
+using namespace detail;
+
 namespace {
 
 /// Returns make(). If that throws FaceRejected, throws Rejected for the face of the object; its set starts at face
@@ -28,14 +31,8 @@ auto made(const std::string& object, std::size_t first, const Make& make) {
 
 /// @{
 /// Returns the walks of this machine for contact with a ball or a motion.
-template <class T>
-const ContactWalks<Ball, T>& walks_for(const Ball&, const T& tally) {
-  return fastest_walks(tally).ball;
-}
-template <class T>
-const ContactWalks<Motion, T>& walks_for(const Motion&, const T& tally) {
-  return fastest_walks(tally).motion;
-}
+const ContactWalks<Ball>& walks_for(const Ball&) { return fastest_walks().ball; }
+const ContactWalks<Motion>& walks_for(const Motion&) { return fastest_walks().motion; }
 /// @}
 
 }  // namespace
@@ -136,28 +133,24 @@ bool Scene::any_of(const Objects& objects, const F& f) const {
   return false;
 }
 
-template <class Query, class T>
-bool Scene::touches(const Query& query, const Objects& objects, T& tally) const {
+template <class Query>
+bool Scene::touches_any(const Query& query, const Objects& objects) const {
   const FloatingPointState nearest;
-  const auto& walks = walks_for(query, tally);
-  return any_of(objects,
-                [&](std::uint32_t, const Object& object) {
-                  return (object.has_triangles() && walks.touches_triangle(query, object.triangles, tally)) ||
-                         (object.has_polygons() && walks.touches_polygon(query, object.polygons, tally));
-                }) ||
-         tally.answered();
+  const auto& walks = walks_for(query);
+  return any_of(objects, [&](std::uint32_t, const Object& object) {
+    return (object.has_triangles() && walks.touches_triangle(query, object.triangles)) ||
+           (object.has_polygons() && walks.touches_polygon(query, object.polygons));
+  });
 }
 
-template <class Query, class T>
-std::vector<FaceId> Scene::touched(const Query& query, const Objects& objects, T& tally) const {
+template <class Query>
+std::vector<FaceId> Scene::all_touched(const Query& query, const Objects& objects) const {
   const FloatingPointState nearest;
-  const auto& walks = walks_for(query, tally);
+  const auto& walks = walks_for(query);
   std::vector<FaceId> result;
   any_of(objects, [&](std::uint32_t number, const Object& object) {
-    if (object.has_triangles())
-      walks.touched_triangles(query, object.triangles, object.first_triangle(number), result, tally);
-    if (object.has_polygons())
-      walks.touched_polygons(query, object.polygons, object.first_polygon(number), result, tally);
+    if (object.has_triangles()) walks.touched_triangles(query, object.triangles, object.first_triangle(number), result);
+    if (object.has_polygons()) walks.touched_polygons(query, object.polygons, object.first_polygon(number), result);
     return false;
   });
   const auto number = [](const FaceId& id) { return std::uint64_t{id.object} << 32 | id.face; };
@@ -165,15 +158,23 @@ std::vector<FaceId> Scene::touched(const Query& query, const Objects& objects, T
   return result;
 }
 
-template <class T>
-std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects, T& tally) const {
+bool Scene::touches(const Ball& ball, const Objects& objects) const {
+  expect(objects);
+  return touches_any(required(ball), objects);
+}
+std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) const {
+  expect(objects);
+  return all_touched(required(ball), objects);
+}
+std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
+  expect(objects);
   const FloatingPointState nearest;
-  NearestSearch search(ball.center);
+  NearestSearch search(required(ball).center);
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
-    fastest_walks(tally).nearest_triangle(object.triangles, search, tally);
+    fastest_walks().nearest_triangle(object.triangles, search);
     search.enter(object.first_polygon(number));
-    fastest_walks(tally).nearest_polygon(object.polygons, search, tally);
+    fastest_walks().nearest_polygon(object.polygons, search);
     return false;
   });
   if (search.has_shrunk()) return search.nearest();
@@ -190,90 +191,34 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   return search.nearest();
 }
 
-template <class T>
-std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Objects& objects, T& tally) const {
-  const FloatingPointState nearest;
-  FirstContactSearch search(motion);
-  any_of(objects, [&](std::uint32_t number, const Object& object) {
-    if (object.has_triangles()) {
-      search.enter(object.first_triangle(number));
-      fastest_walks(tally).first_triangle(object.triangles, search, tally);
-    }
-    if (object.has_polygons()) {
-      search.enter(object.first_polygon(number));
-      fastest_walks(tally).first_polygon(object.polygons, search, tally);
-    }
-    return false;
-  });
-  return search.first();
-}
-
-bool Scene::touches(const Ball& ball, const Objects& objects) const {
-  NoTally none;
-  expect(objects);
-  return touches(required(ball), objects, none);
-}
-std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) const {
-  NoTally none;
-  expect(objects);
-  return touched(required(ball), objects, none);
-}
-std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
-  NoTally none;
-  expect(objects);
-  return nearest(required(ball), objects, none);
-}
-
 bool Scene::touches(const Motion& motion, const Objects& objects) const {
   const FloatingPointState nearest;  // at_rest compares doubles
   if (required(motion).at_rest()) return touches(motion.ball, objects);
-  NoTally none;
   expect(objects);
-  return touches(motion, objects, none);
+  return touches_any(motion, objects);
 }
 std::vector<FaceId> Scene::touched(const Motion& motion, const Objects& objects) const {
   const FloatingPointState nearest;  // at_rest compares doubles
   if (required(motion).at_rest()) return touched(motion.ball, objects);
-  NoTally none;
   expect(objects);
-  return touched(motion, objects, none);
+  return all_touched(motion, objects);
 }
 std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Objects& objects) const {
-  NoTally none;
   expect(objects);
-  return first_contact(required(motion), objects, none);
-}
-
-bool Scene::touches(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
-  Tally tally(counts);
-  expect(objects);
-  return touches(required(ball), objects, tally);
-}
-std::vector<FaceId> Scene::touched(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
-  Tally tally(counts);
-  expect(objects);
-  return touched(required(ball), objects, tally);
-}
-std::optional<NearestFace> Scene::nearest(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
-  Tally tally(counts);
-  expect(objects);
-  return nearest(required(ball), objects, tally);
-}
-
-bool Scene::touches(const Motion& motion, FaceCounts& counts, const Objects& objects) const {
-  Tally tally(counts);
-  expect(objects);
-  return touches(required(motion), objects, tally);
-}
-std::vector<FaceId> Scene::touched(const Motion& motion, FaceCounts& counts, const Objects& objects) const {
-  Tally tally(counts);
-  expect(objects);
-  return touched(required(motion), objects, tally);
-}
-std::optional<FirstFace> Scene::first_contact(const Motion& motion, FaceCounts& counts, const Objects& objects) const {
-  Tally tally(counts);
-  expect(objects);
-  return first_contact(required(motion), objects, tally);
+  const FloatingPointState nearest;
+  FirstContactSearch search(required(motion));
+  any_of(objects, [&](std::uint32_t number, const Object& object) {
+    if (object.has_triangles()) {
+      search.enter(object.first_triangle(number));
+      fastest_walks().first_triangle(object.triangles, search);
+    }
+    if (object.has_polygons()) {
+      search.enter(object.first_polygon(number));
+      fastest_walks().first_polygon(object.polygons, search);
+    }
+    return false;
+  });
+  return search.first();
 }
 
 template <class Query>

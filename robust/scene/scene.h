@@ -18,7 +18,6 @@
 #include "../../geometry/shapes/polygon.h"
 #include "../../geometry/shapes/pose.h"
 #include "../../geometry/shapes/triangle.h"
-#include "counts.h"
 
 /// Exact contact with many faces under poses. The cost of a query grows with the number of faces near the ball.
 ///
@@ -146,19 +145,6 @@ class Scene {
   [[nodiscard]] std::optional<FirstFace> first_contact(const Motion& motion, const Objects& objects = {}) const;
 
   /// @{
-  /// The same, and adds the outcome of each face to the counts. Cost: at least twice the time.
-  [[nodiscard]] bool touches(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
-  [[nodiscard]] std::vector<FaceId> touched(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
-  [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, FaceCounts& counts,
-                                                   const Objects& objects = {}) const;
-  [[nodiscard]] bool touches(const Motion& motion, FaceCounts& counts, const Objects& objects = {}) const;
-  [[nodiscard]] std::vector<FaceId> touched(const Motion& motion, FaceCounts& counts,
-                                            const Objects& objects = {}) const;
-  [[nodiscard]] std::optional<FirstFace> first_contact(const Motion& motion, FaceCounts& counts,
-                                                       const Objects& objects = {}) const;
-  /// @}
-
-  /// @{
   /// The same for many balls or motions, on all cores of the machine: answer i is that of number i. Throws
   /// std::invalid_argument if the spans differ in length.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
@@ -187,15 +173,11 @@ class Scene {
   template <class F>
   bool any_of(const Objects& objects, const F& f) const;
 
-  // The queries, for one way of counting.
-  template <class Query, class T>
-  bool touches(const Query& query, const Objects& objects, T& tally) const;
-  template <class Query, class T>
-  std::vector<FaceId> touched(const Query& query, const Objects& objects, T& tally) const;
-  template <class T>
-  std::optional<NearestFace> nearest(const Ball& ball, const Objects& objects, T& tally) const;
-  template <class T>
-  std::optional<FirstFace> first_contact(const Motion& motion, const Objects& objects, T& tally) const;
+  // Contact with a ball or a motion.
+  template <class Query>
+  bool touches_any(const Query& query, const Objects& objects) const;
+  template <class Query>
+  std::vector<FaceId> all_touched(const Query& query, const Objects& objects) const;
   // The queries for many.
   template <class Query>
   void touches_each(std::span<const Query> queries, std::span<bool> answers, const char* name,

@@ -3,9 +3,10 @@
 
 Holds the includes to the rooms: a file of experiments/ includes headers of its own room and of those that its room's
 CMakeLists.txt names behind STANDS_ON, and no others; each of those is used; no study stands on another; geometry/ includes
-nothing of robust/ or experiments/, robust/ nothing of experiments/, and only tests/ includes tests/. Every source file is
-compiled, but those of absent engines. The table of docs/architecture.md lists the same rooms and arrows; --write updates
-it. Exit status 1, with the file and line, otherwise.
+nothing of robust/ or experiments/, robust/ nothing of experiments/, and only tests/ includes tests/. What lies in
+robust/ROOM/detail/ is in namespace touchstone::ROOM::detail, and a folder in there has at most 12 files. Every source
+file is compiled, but those of absent engines. The table of docs/architecture.md lists the same rooms and arrows; --write
+updates it. Exit status 1, with the file and line, otherwise.
 """
 
 import json
@@ -89,6 +90,18 @@ def faults_of_sources(root, build):
                 yield f"{file}: no CMakeLists.txt lists it"
 
 
+def faults_of_details(root):
+    for detail in sorted(root.glob("robust/*/detail")):
+        sources = [path for path in sorted(detail.rglob("*")) if path.suffix in (".h", ".cpp")]
+        for path in sources:
+            text = path.read_text()
+            if "namespace touchstone" in text and not re.search(rf"::{detail.parent.name}::detail\b|namespace detail\b", text):
+                yield f"{path.relative_to(root).as_posix()}: declares nothing in touchstone::{detail.parent.name}::detail"
+        for folder in sorted({path.parent for path in sources} - {detail}):
+            if (count := sum(path.parent == folder for path in sources)) > 12:
+                yield f"{folder.relative_to(root).as_posix()}: has {count} files, more than 12"
+
+
 def floor_of(room, by_name):
     return 1 + max((floor_of(by_name[lower], by_name) for lower in room.stands_on), default=0)
 
@@ -123,13 +136,15 @@ def self_test():
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
         files = {"geometry/a.h": '#include "robust/b.h"\n', "robust/b.h": "", "experiments/low/c.h": '#include "experiments/high/d.h"\n',
+                 "robust/a/detail/f.h": "namespace touchstone::a {\n", "robust/a/detail/g.h": "namespace touchstone::a::detail {\n",
                  "experiments/high/d.h": '\n#include "experiments/low/c.h"\n#include "tests/e.h"\n', "tests/e.h": ""}
         for file, text in files.items():
             (root / file).parent.mkdir(parents=True, exist_ok=True)
             (root / file).write_text(text)
         rooms = [Room("low experiments/low: "), Room("high experiments/high: low other")]
-        found = [*faults_of_libraries(root), *faults_of_rooms(root, rooms)]
+        found = [*faults_of_libraries(root), *faults_of_rooms(root, rooms), *faults_of_details(root)]
         wanted = ["geometry/a.h:1: geometry/ may not include robust/b.h", "experiments/high/d.h:3: includes tests/e.h",
+                  "robust/a/detail/f.h: declares nothing in touchstone::a::detail",
                   "experiments/low/c.h:1: low does not stand on high, but includes experiments/high/d.h",
                   "experiments/high/CMakeLists.txt: high names other and includes nothing of it"]
         return [] if sorted(found) == sorted(wanted) else [f"self-test: found {found}"]
@@ -138,8 +153,8 @@ def self_test():
 def main(source, build, *options):
     root, build = pathlib.Path(source).resolve(), pathlib.Path(build).resolve()
     rooms = rooms_of(build)
-    faults = [*self_test(), *faults_of_libraries(root), *faults_of_rooms(root, rooms), *faults_of_sources(root, build),
-              *faults_of_page(root, rooms, "--write" in options)]
+    faults = [*self_test(), *faults_of_libraries(root), *faults_of_rooms(root, rooms), *faults_of_details(root),
+              *faults_of_sources(root, build), *faults_of_page(root, rooms, "--write" in options)]
     print("\n".join([*faults, f"{len(rooms)} rooms, {len(faults)} faults"]))
     return 1 if faults or not rooms else 0
 

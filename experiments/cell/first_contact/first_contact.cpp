@@ -63,8 +63,8 @@ std::optional<FirstContact> first_contact(const Arc& arc, double radius, const s
     if (const auto range = pieces.near(box(faces.triangles[i]))) near.push_back({*range, i});
   for (std::size_t i = 0; i < faces.polygons.size(); ++i) {
     const Polygon& polygon = faces.polygons[i];
-    const auto quick = scene::quick_lifted_box(polygon);
-    const auto range = pieces.near(quick ? *quick : scene::lifted_box(polygon, filtered::PreparedPolygon(polygon)));
+    const auto quick = scene::detail::quick_lifted_box(polygon);
+    const auto range = pieces.near(quick ? *quick : scene::detail::lifted_box(polygon, filtered::PreparedPolygon(polygon)));
     if (range) near.push_back({*range, triangles + i});
   }
   const auto polygon_of = [&](std::size_t face) {

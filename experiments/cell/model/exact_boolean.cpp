@@ -198,7 +198,7 @@ Eigen::Vector3d rounded(const Point& point) {
   Eigen::Vector3d result;
   for (int axis = 0; axis < 3; ++axis) {
     const mpq_class value = rational(point[axis]);
-    result[axis] = exact::nearest_double(value.get_num(), value.get_den());
+    result[axis] = exact::detail::nearest_double(value.get_num(), value.get_den());
   }
   return result;
 }

@@ -26,7 +26,7 @@ namespace {
 Face measured(Polygon polygon) {
   std::vector<Eigen::Vector3d> vertices;
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) vertices.push_back(polygon.vertex(i));
-  const double off_plane = mesh::off_plane(polygon, vertices);
+  const double off_plane = mesh::detail::off_plane(polygon, vertices);
   return {std::move(polygon), off_plane};
 }
 
@@ -45,7 +45,7 @@ SolidFaces faces_of_boolean(const Solid& solid, const std::string& name) {
   if (boundary.faces.empty()) throw BadSolid(name + ": the solid has no inside");
   SolidFaces result;
   for (std::size_t i = 0; i < boundary.faces.size(); ++i) result.faces.push_back(validated(name, i, boundary.faces[i]));
-  result.volume = exact::nearest_double(boundary.volume.get_num(), boundary.volume.get_den());
+  result.volume = exact::detail::nearest_double(boundary.volume.get_num(), boundary.volume.get_den());
   return result;
 }
 

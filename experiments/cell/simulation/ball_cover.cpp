@@ -30,7 +30,7 @@ Box box_of(const scene::Faces& faces) {
   Box whole;
   for (const Triangle& triangle : faces.triangles) whole = whole.joined(box(triangle));
   for (const Polygon& polygon : faces.polygons)
-    whole = whole.joined(scene::lifted_box(polygon, filtered::PreparedPolygon(polygon)));
+    whole = whole.joined(scene::detail::lifted_box(polygon, filtered::PreparedPolygon(polygon)));
   return whole;
 }
 

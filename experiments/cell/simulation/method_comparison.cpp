@@ -30,7 +30,7 @@ std::vector<PreparedFace> prepared(const scene::Faces& faces, const std::vector<
   std::vector<PreparedFace> all;
   const auto add = [&](const Polygon& polygon) {
     filtered::PreparedPolygon certified(polygon);
-    const touchstone::Box box = scene::lifted_box(polygon, certified);
+    const touchstone::Box box = scene::detail::lifted_box(polygon, certified);
     const std::string& owner = owners.size() == 1 ? owners.front() : owners[all.size()];
     all.push_back({owner, all.size(), polygon, std::move(certified), box, {}});
   };

@@ -46,7 +46,7 @@ void add_to(Expansion<sum>& result, const Expansion<m>& a, const Expansion<n>& b
   if (a.size() + b.size() == 0) return;
   double carried = next();
   for (int left = a.size() + b.size() - 1; left > 0; --left) {
-    const filtered::DoubleDouble both = filtered::two_sum(carried, next());
+    const filtered::detail::DoubleDouble both = filtered::detail::two_sum(carried, next());
     result.append(both.low);
     carried = both.high;
   }
@@ -73,10 +73,10 @@ void multiply_to(Expansion<product>& result, const Expansion<m>& a, const Expans
     const double factor = a.word(first);
     double carried = 0;
     for (int j = 0; j < b.size(); ++j) {
-      const filtered::DoubleDouble exact = filtered::two_product(b.word(j), factor);
-      const filtered::DoubleDouble low = filtered::two_sum(carried, exact.low);
+      const filtered::detail::DoubleDouble exact = filtered::detail::two_product(b.word(j), factor);
+      const filtered::detail::DoubleDouble low = filtered::detail::two_sum(carried, exact.low);
       result.append(low.low);
-      const filtered::DoubleDouble high = filtered::quick_two_sum(exact.high, low.high);
+      const filtered::detail::DoubleDouble high = filtered::detail::quick_two_sum(exact.high, low.high);
       result.append(high.low);
       carried = high.high;
     }
@@ -106,7 +106,7 @@ Expansion<2 * m * n> operator*(const Expansion<m>& a, const Expansion<n>& b) {
 
 /// Returns a - b.
 inline Expansion<2> exact_difference(double a, double b) {
-  const filtered::DoubleDouble difference = filtered::two_difference(a, b);
+  const filtered::detail::DoubleDouble difference = filtered::detail::two_difference(a, b);
   Expansion<2> result;
   result.append(difference.low);
   result.append(difference.high);

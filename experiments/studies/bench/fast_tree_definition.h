@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "robust/filtered/detail/frame_query.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
 namespace touchstone::bench {
 inline namespace TOUCHSTONE_TARGET {
@@ -12,18 +12,18 @@ inline namespace TOUCHSTONE_TARGET {
 /// Returns whether the ball touches the polygon, as certain_distance_sign does, but as if nothing were rounded.
 inline bool tree_contact(const Ball& ball, const filtered::PreparedPolygon& polygon) {
   const filtered::PreparedPolygon::Parts& parts = parts_of(polygon);
-  const filtered::Frame& frame = *parts.frame;
-  const filtered::HeightQuery height(ball, frame);
+  const filtered::detail::Frame& frame = *parts.frame;
+  const filtered::detail::HeightQuery height(ball, frame);
   const double disc_sq = (height.radius - std::abs(height.height)) * (height.radius + std::abs(height.height));
   if (disc_sq < 0) return false;
-  filtered::FrameQuery foot;
-  foot.x = filtered::frame::coordinate(frame.x, height.to_center);
-  foot.y = filtered::frame::coordinate(frame.y, height.to_center);
+  filtered::detail::FrameQuery foot;
+  foot.x = filtered::detail::frame::coordinate(frame.x, height.to_center);
+  foot.y = filtered::detail::frame::coordinate(frame.y, height.to_center);
   bool hit = false;
   const bool inside =
-      walk(*parts.edges, foot, disc_sq, [&](const filtered::EdgeTree::Leaf& leaf, const filtered::LeafView& view) {
+      walk(*parts.edges, foot, disc_sq, [&](const filtered::detail::EdgeTree::Leaf& leaf, const filtered::detail::LeafView& view) {
         const unsigned lanes = (1U << leaf.count) - 1;
-        hit = (~negative_lanes(filtered::all_lanes(disc_sq) - view.squared) & lanes) != 0;
+        hit = (~negative_lanes(filtered::detail::all_lanes(disc_sq) - view.squared) & lanes) != 0;
         return hit;
       });
   return hit || inside;

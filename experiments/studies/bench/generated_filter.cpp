@@ -6,12 +6,12 @@
 #include <array>
 
 #include "experiments/studies/bench/variants.h"
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/signs.h"
 
 namespace touchstone::bench {
 namespace {
 
-using filtered::Vector3;
+using filtered::detail::Vector3;
 
 /// The numbers of a question.
 template <class Number>
@@ -44,7 +44,7 @@ struct Contact {
   static int sign(const Number& value) { return static_cast<CGAL::Sign>(CGAL::sign(value)); }
 
   bool operator()(const Question<Number>& q) const {
-    namespace signs = filtered::signs;
+    namespace signs = filtered::detail::signs;
     Vector3<Number> to_center[3], edge[3];
     for (std::size_t i = 0; i < 3; ++i) {
       to_center[i] = q.center - q.vertex[i];

@@ -9,14 +9,14 @@
 #include "experiments/studies/bench/expansion.h"
 #include "experiments/studies/bench/variants.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_contact.h"
-#include "robust/filtered/detail/triangle_groups_contact.h"
+#include "robust/filtered/detail/triangle/triangle_contact.h"
+#include "robust/filtered/detail/sets/triangle_groups_contact.h"
 
 namespace touchstone::bench {
 inline namespace TOUCHSTONE_TARGET {
 
-using filtered::FilterResult;
-using filtered::SignKind;
+using filtered::detail::FilterResult;
+using filtered::detail::SignKind;
 using filtered::Stage;
 
 /// Counts nothing, and leaves stages out.
@@ -28,13 +28,13 @@ struct Without : filtered::NoCounts {
 template <Stage... left_out>
 bool contact_without(const Ball& ball, const Triangle& triangle) {
   Without<left_out...> counts;
-  return filtered::contact(filtered::view_of(ball, triangle), counts);
+  return filtered::detail::contact(filtered::detail::view_of(ball, triangle), counts);
 }
 
 /// As after a first stage that knows no sign. Requires numbers in its range, and round to nearest.
 inline bool contact_without_first(const Ball& ball, const Triangle& triangle) {
-  const filtered::BallTriangleView view = filtered::view_of(ball, triangle);
-  filtered::TriangleSigns signs{};
+  const filtered::detail::BallTriangleView view = filtered::detail::view_of(ball, triangle);
+  filtered::detail::TriangleSigns signs{};
   constexpr unsigned kAll = 0b111;
   signs.reachable = kAll;
   for (int i = 0; i < 3; ++i) {
@@ -47,22 +47,22 @@ inline bool contact_without_first(const Ball& ball, const Triangle& triangle) {
     }
   }
   filtered::NoCounts counts;
-  return filtered::UnsureTriangle<filtered::NoCounts>(view, signs, counts).contact();
+  return filtered::detail::UnsureTriangle<filtered::NoCounts>(view, signs, counts).contact();
 }
 
 /// An edge and a ball in expansions.
 struct ExpansionView {
-  const filtered::BallTriangleView& view;
+  const filtered::detail::BallTriangleView& view;
   int i;
 
-  using Vector = filtered::Vector3<Expansion<2>>;
+  using Vector = filtered::detail::Vector3<Expansion<2>>;
   static Vector difference(const double* a, const double* b) {
     return {exact_difference(a[0], b[0]), exact_difference(a[1], b[1]), exact_difference(a[2], b[2])};
   }
   [[nodiscard]] Vector to_center() const { return difference(view.center, view.vertex[i]); }
   [[nodiscard]] Vector edge() const { return difference(view.vertex[(i + 1) % 3], view.vertex[i]); }
   [[nodiscard]] auto normal() const {
-    return filtered::signs::normal(difference(view.vertex[1], view.vertex[0]),
+    return filtered::detail::signs::normal(difference(view.vertex[1], view.vertex[0]),
                                    difference(view.vertex[2], view.vertex[1]));
   }
   [[nodiscard]] Expansion<1> radius() const { return Expansion<1>(view.radius()); }
@@ -70,47 +70,47 @@ struct ExpansionView {
 
 inline int expansion_sign(SignKind kind, const ExpansionView& view) {
   switch (kind) {
-    case SignKind::Vertex: return sign(filtered::expression<SignKind::Vertex>(view));
-    case SignKind::Along: return sign(filtered::expression<SignKind::Along>(view));
-    case SignKind::Beyond: return sign(filtered::expression<SignKind::Beyond>(view));
-    case SignKind::Line: return sign(filtered::expression<SignKind::Line>(view));
-    case SignKind::Side: return sign(filtered::expression<SignKind::Side>(view));
-    default: return sign(filtered::expression<SignKind::Plane>(view));
+    case SignKind::Vertex: return sign(filtered::detail::expression<SignKind::Vertex>(view));
+    case SignKind::Along: return sign(filtered::detail::expression<SignKind::Along>(view));
+    case SignKind::Beyond: return sign(filtered::detail::expression<SignKind::Beyond>(view));
+    case SignKind::Line: return sign(filtered::detail::expression<SignKind::Line>(view));
+    case SignKind::Side: return sign(filtered::detail::expression<SignKind::Side>(view));
+    default: return sign(filtered::detail::expression<SignKind::Plane>(view));
   }
 }
 
 /// The first stage, then expansions.
 inline bool contact_by_expansions(const Ball& ball, const Triangle& triangle) {
-  const filtered::BallTriangleView view = filtered::view_of(ball, triangle);
-  filtered::TriangleSigns signs;
-  const FilterResult result = filtered::triangle_filter(view, signs);
+  const filtered::detail::BallTriangleView view = filtered::detail::view_of(ball, triangle);
+  filtered::detail::TriangleSigns signs;
+  const FilterResult result = filtered::detail::triangle_filter(view, signs);
   if (result < FilterResult::Unsure) return result == FilterResult::Yes;
-  return filtered::contact_by(signs, [&view](SignKind kind, int i) { return expansion_sign(kind, {view, i}); });
+  return filtered::detail::contact_by(signs, [&view](SignKind kind, int i) { return expansion_sign(kind, {view, i}); });
 }
 
-/// Writes what is known of a group as a whole, as filtered::group_contact does before it asks floats.
+/// Writes what is known of a group as a whole, as filtered::detail::group_contact does before it asks floats.
 /// Returns false if nothing is. Requires a ball that is in reach of groups.
-inline bool decided_as_a_whole(const Ball& ball, const filtered::TriangleGroup& group, std::span<bool> touches) {
+inline bool decided_as_a_whole(const Ball& ball, const filtered::detail::TriangleGroup& group, std::span<bool> touches) {
   double seen[4];
-  if (!filtered::see(ball, group, seen)) return false;
-  const bool misses = filtered::misses_group(seen);
+  if (!filtered::detail::see(ball, group, seen)) return false;
+  const bool misses = filtered::detail::misses_group(seen);
   const double around = seen[3] - 1;
-  const bool holds = around > 0 && filtered::squared_length(seen) < around * around * filtered::bounds::kNarrow;
+  const bool holds = around > 0 && filtered::detail::squared_length(seen) < around * around * filtered::detail::bounds::kNarrow;
   if (!misses && !holds) return false;
   std::ranges::fill(touches, holds);
   return true;
 }
 
 inline void without_floats(const Ball& ball, const filtered::TriangleSet& set, std::span<bool> touches) {
-  using filtered::TriangleGroup;
+  using filtered::detail::TriangleGroup;
   const filtered::TriangleSet::Parts& parts = filtered::parts_of(set);
-  const bool reaches = filtered::in_reach_of_groups(ball);
+  const bool reaches = filtered::detail::in_reach_of_groups(ball);
   filtered::NoCounts counts;
   for (std::size_t first = 0; first < touches.size(); first += TriangleGroup::kWidth) {
     const std::span<bool> own = touches.subspan(first, std::min(TriangleGroup::kWidth, touches.size() - first));
     if (reaches && decided_as_a_whole(ball, parts.groups[first / TriangleGroup::kWidth], own)) continue;
     for (std::size_t i = 0; i < own.size(); ++i)
-      own[i] = filtered::contact(filtered::view_of(ball, parts.triangles[first + i]), counts);
+      own[i] = filtered::detail::contact(filtered::detail::view_of(ball, parts.triangles[first + i]), counts);
   }
 }
 

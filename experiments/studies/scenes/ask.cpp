@@ -95,10 +95,9 @@ std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order,
   const auto ask = [&](std::size_t i) {
     BallAnswer& answer = answers[i];
     const Ball& ball = balls[i].ball;
-    if (order.question == Question::Nearest) answer.nearest = scene.nearest(ball, answer.counts, order.objects);
-    if (order.question == Question::All) answer.touched = scene.touched(ball, answer.counts, order.objects);
-    if (order.question == Question::Any && scene.touches(ball, answer.counts, order.objects))
-      answer.touched.push_back({});
+    if (order.question == Question::Nearest) answer.nearest = scene.nearest(ball, order.objects);
+    if (order.question == Question::All) answer.touched = scene.touched(ball, order.objects);
+    if (order.question == Question::Any && scene.touches(ball, order.objects)) answer.touched.push_back({});
   };
   const std::uint64_t blocks = (balls.size() + kBalls - 1) / kBalls;
   const std::uint64_t done = harness::run_blocks(

@@ -21,7 +21,6 @@ enum class Question { Any, All, Nearest };
 struct BallAnswer {
   std::vector<scene::FaceId> touched;         ///< All: ascending. Any: at most one of them
   std::optional<scene::NearestFace> nearest;  ///< Nearest: set unless there are no faces
-  scene::FaceCounts counts;                   ///< only from scene::Scene
   std::uint64_t unsure = 0;  ///< faces about which the method could not decide; they count as not touched
 };
 

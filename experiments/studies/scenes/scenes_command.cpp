@@ -51,7 +51,7 @@ struct SceneOptions : harness::Printing {
   std::string balls, scene_unit, output, method = "filtered";
   std::uint64_t random = 0, seed = 1;
   unsigned threads = harness::all_threads();
-  bool any = false, all = false, nearest = false, counts = false, skip_bad = false, force = false;
+  bool any = false, all = false, nearest = false, skip_bad = false, force = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
   [[nodiscard]] bool filtered() const { return method == "filtered" && engines.empty(); }
@@ -179,7 +179,6 @@ Source source_of(const SceneOptions& options, const std::vector<Object>& objects
 /// The sums of the answers so far.
 struct Sums {
   std::uint64_t balls = 0;
-  scene::FaceCounts counts;
   Differences differences;
 };
 
@@ -187,17 +186,16 @@ std::string summary(const SceneOptions& options, const Units& units, const Loade
   using harness::counted;
   std::uint64_t faces = 0;
   for (const Object& object : loaded.objects) faces += object.numbers.size();
-  std::string text = table(sums.counts, sums.balls);
-  text += fmt::format("{}, {} of {}, {} of files left out{}.\n", counted(sums.balls, "ball"),
-                      counted(loaded.objects.size(), "object"), counted(faces, "face"),
-                      counted(loaded.parts_left_out, "part"),
-                      units.scene ? fmt::format("; lengths in {}", units.scene->name) : "");
+  std::string text = fmt::format("{}, {} of {}, {} of files left out{}.\n", counted(sums.balls, "ball"),
+                                 counted(loaded.objects.size(), "object"), counted(faces, "face"),
+                                 counted(loaded.parts_left_out, "part"),
+                                 units.scene ? fmt::format("; lengths in {}", units.scene->name) : "");
   if (!options.filtered()) {
     const Differences& differences = sums.differences;
     text += fmt::format("{} answers otherwise than filtered to {} of {} balls", method_of(options).name(),
                         differences.answers, differences.balls);
     if (options.nearest) text += fmt::format(", gives another distance for {}", differences.distances);
-    text += fmt::format(", and is unsure of some face for {}. The counts are those of filtered.\n", differences.unsure);
+    text += fmt::format(", and is unsure of some face for {}.\n", differences.unsure);
   }
   return text;
 }
@@ -263,8 +261,7 @@ Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const 
     for (std::size_t i = 0; i < done; ++i) {
       const BallAnswer& answer = method == nullptr ? truths[i] : answers[i];
       if (method != nullptr) sums.differences.add(answers[i], truths[i], order.question);
-      sums.counts += truths[i].counts;
-      lines.write(answer_line(part[i], answer, order.question, objects, options.counts));
+      lines.write(answer_line(part[i], answer, order.question, objects));
     }
     sums.balls += done;
     if (method == nullptr) progress(sums.balls);
@@ -300,7 +297,6 @@ int run(const SceneOptions& options) {
     if (!options.quiet) fmt::print(stderr, "{}", text);
   } else {
     const std::filesystem::path folder = options.output;
-    write_counts(folder, sums.counts, sums.balls);
     harness::write_file(folder / "left-out.txt", loaded->left_out);
     harness::write_run_record(folder, {options.line, options.seed, source.count, sums.balls, source.count - sums.balls,
                                        options.threads, seconds, 1, interrupted});
@@ -315,9 +311,7 @@ int run(const SceneOptions& options) {
 }  // namespace
 
 harness::Command scenes_command() {
-  harness::Command command(
-      "scenes",
-      "Find the faces of meshes (OBJ, OFF, STL, PLY) that balls touch, or the nearest; count what was skipped");
+  harness::Command command("scenes", "Find the faces of meshes (OBJ, OFF, STL, PLY) that balls touch, or the nearest");
   auto options = std::make_shared<SceneOptions>();
   command.keep_line(options->line);
   command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
@@ -349,19 +343,15 @@ harness::Command scenes_command() {
                 "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
                 "rounded once to the nearest double");
   command.text("--scene-unit", options->scene_unit, "The unit of balls and answers (default: that of the first mesh)");
-  command.flag("--counts", options->counts, "Add to each answer the counts of skipped work (by filtered)");
   command.flag("--skip-bad", options->skip_bad,
                "Leave out faulty parts of a file and faces that are not valid polygons, and report them");
   command.threads(options->threads);
   command.output(options->output,
-                 "A folder for answers.jsonl, counts.csv, left-out.txt and run.json (default: answers go to "
-                 "standard output, the table to standard error)");
+                 "A folder for answers.jsonl, left-out.txt and run.json (default: answers go to standard "
+                 "output, their number to standard error)");
   command.footer("Exit status: 2 for wrong input, 130 if interrupted, otherwise 0.");
   command.force(options->force);
-  command.quiet(options->quiet, "Print no table and no progress; without --output, the answers alone");
-  command.json(options->json).needs("--output").excludes("--quiet");
-  command.keep_tables(options->tables);
-  command.writes(tables());
+  command.quiet(options->quiet, "Print no number of answers and no progress; without --output, the answers alone");
   command.example("scenes part.obj --samples 100 --nearest");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_groups.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/motion.h"
 #include "robust/filtered/triangle_set.h"
@@ -44,24 +44,24 @@ class SystemUnderTest {
   /// Answers the same without vector instructions.
   [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Triangle& triangle) const {
     filtered::NoCounts none;
-    return filtered::baseline_kernels().plain.triangle_contact(filtered::view_of(ball, triangle), none);
+    return filtered::detail::baseline_kernels().plain.triangle_contact(filtered::detail::view_of(ball, triangle), none);
   }
   virtual void plain_contact(const Ball& ball, const filtered::TriangleSet& set, std::span<bool> touches) const {
     filtered::NoCounts none;
-    filtered::baseline_kernels().plain.set_contact(ball, parts_of(set), touches, none);
+    filtered::detail::baseline_kernels().plain.set_contact(ball, parts_of(set), touches, none);
   }
   [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Prepared& polygon) const {
     filtered::NoCounts none;
-    return filtered::baseline_kernels().plain.contact(ball, parts_of(polygon), none);
+    return filtered::detail::baseline_kernels().plain.contact(ball, parts_of(polygon), none);
   }
   [[nodiscard]] virtual Answer plain_answer(const Ball& ball, const Prepared& polygon) const {
     filtered::NoCounts none;
-    return filtered::baseline_kernels().plain.answer(ball, parts_of(polygon), none);
+    return filtered::detail::baseline_kernels().plain.answer(ball, parts_of(polygon), none);
   }
   [[nodiscard]] virtual filtered::ClosestPoint plain_closest(const Eigen::Vector3d& center,
                                                              const Triangle& triangle) const {
     filtered::NoCounts none;
-    return filtered::closest(filtered::baseline_kernels().plain, center, triangle, none);
+    return filtered::detail::closest(filtered::detail::baseline_kernels().plain, center, triangle, none);
   }
 
   [[nodiscard]] virtual Relation relation(const Ball& ball, const Prepared& polygon) const {
@@ -107,11 +107,11 @@ class SystemUnderTest {
   }
   [[nodiscard]] virtual bool plain_contact(const Motion& motion, const Triangle& triangle) const {
     filtered::NoCounts none;
-    return filtered::baseline_kernels().plain.triangle_motion_contact(filtered::view_of(motion, triangle), none);
+    return filtered::detail::baseline_kernels().plain.triangle_motion_contact(filtered::detail::view_of(motion, triangle), none);
   }
   [[nodiscard]] virtual bool plain_contact(const Motion& motion, const Prepared& polygon) const {
     filtered::NoCounts none;
-    return filtered::baseline_kernels().plain.motion_contact(motion, parts_of(polygon), none);
+    return filtered::detail::baseline_kernels().plain.motion_contact(motion, parts_of(polygon), none);
   }
   [[nodiscard]] virtual FirstContact first_contact(const Motion& motion, const Triangle& triangle) const {
     return filtered::first_contact(motion, triangle);
@@ -130,13 +130,13 @@ class SystemUnderTest {
   [[nodiscard]] virtual FirstContact plain_first_contact(const Motion& motion, const Triangle& triangle) const {
     filtered::NoCounts none;
     FirstContact found;
-    filtered::baseline_kernels().plain.triangle_first_contact(filtered::view_of(motion, triangle), found, none);
+    filtered::detail::baseline_kernels().plain.triangle_first_contact(filtered::detail::view_of(motion, triangle), found, none);
     return found;
   }
   [[nodiscard]] virtual FirstContact plain_first_contact(const Motion& motion, const Prepared& polygon) const {
     filtered::NoCounts none;
     FirstContact found;
-    filtered::baseline_kernels().plain.first_contact(motion, parts_of(polygon), found, none);
+    filtered::detail::baseline_kernels().plain.first_contact(motion, parts_of(polygon), found, none);
     return found;
   }
 };

@@ -10,19 +10,19 @@
 
 #include "experiments/studies/stability/measure.h"
 #include "geometry/contact/fast.h"
-#include "robust/filtered/detail/exact_edges.h"
-#include "robust/filtered/detail/frame_query.h"
-#include "robust/filtered/detail/sign_kind.h"
-#include "robust/filtered/detail/sign_ladder.h"
+#include "robust/filtered/detail/polygon/exact_edges.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
+#include "robust/filtered/detail/signs/signs.h"
+#include "robust/filtered/detail/signs/sign_ladder.h"
 
 namespace touchstone::stability {
 namespace {
 
-using filtered::DoubleDouble;
-using filtered::Maxima;
-using filtered::SignKind;
-using filtered::Vector3;
-namespace bounds = filtered::bounds;
+using filtered::detail::DoubleDouble;
+using filtered::detail::Maxima;
+using filtered::detail::SignKind;
+using filtered::detail::Vector3;
+namespace bounds = filtered::detail::bounds;
 
 constexpr std::array kKinds{SignKind::Vertex, SignKind::Along, SignKind::Beyond, SignKind::Line,
                             SignKind::Front,  SignKind::Plane, SignKind::Side,   SignKind::Above};
@@ -60,14 +60,14 @@ struct View {
 
 template <SignKind kind>
 constexpr double constant() {
-  return filtered::bound<kind>(Maxima{1, 1, 1});
+  return filtered::detail::bound<kind>(Maxima{1, 1, 1});
 }
 template <SignKind kind>
 constexpr int roundings() {
-  using Vector = Vector3<filtered::Permanent<1>>;
-  const auto count = []<int n>(const filtered::Permanent<n>&) { return std::integral_constant<int, n>(); };
+  using Vector = Vector3<filtered::detail::Permanent<1>>;
+  const auto count = []<int n>(const filtered::detail::Permanent<n>&) { return std::integral_constant<int, n>(); };
   return decltype(count(
-      filtered::expression<kind>(View<filtered::Permanent<1>>{Vector{}, Vector{}, Vector{}, {}, 0})))::value;
+      filtered::detail::expression<kind>(View<filtered::detail::Permanent<1>>{Vector{}, Vector{}, Vector{}, {}, 0})))::value;
 }
 
 /// `size` is what the bound is a multiple of.
@@ -97,14 +97,14 @@ struct InDoubles {
 [[gnu::noinline]] InDoubles signs_in_doubles(const Ball& ball, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                              const Eigen::Vector3d& c, int axis) {
   const Vector3<double> from = difference(ball.center, a), edge = difference(b, a), other = difference(c, a);
-  const View<double> view{from, edge, filtered::signs::normal(edge, other), ball.radius, axis};
+  const View<double> view{from, edge, filtered::detail::signs::normal(edge, other), ball.radius, axis};
   const double m_normal = 2 * largest(edge) * largest(other);
   const Maxima maxima{std::max(largest(from), ball.radius), largest(edge), m_normal};
   InDoubles result{};
   for_each_kind([&](auto kind, std::size_t place) {
-    result.values[place] = filtered::expression<kind.value>(view);
-    result.bounds[place] = bounds::kUnit * filtered::bound<kind.value>(maxima) + bounds::kTiny;
-    result.products[place] = filtered::bound<kind.value>(maxima) / constant<kind.value>();
+    result.values[place] = filtered::detail::expression<kind.value>(view);
+    result.bounds[place] = bounds::kUnit * filtered::detail::bound<kind.value>(maxima) + bounds::kTiny;
+    result.products[place] = filtered::detail::bound<kind.value>(maxima) / constant<kind.value>();
   });
   result.normal = view.normal();
   result.normal_bound = bounds::kUnit * (bounds::kNormal * m_normal) + bounds::kTiny;
@@ -119,16 +119,16 @@ struct InFrame {
 
 [[gnu::noinline]] InFrame quantities_in_frame(const Ball& ball, const filtered::PreparedPolygon::Parts& parts,
                                               std::size_t edge) {
-  const filtered::HeightQuery height(ball, *parts.frame);
-  const filtered::FrameQuery query(height, *parts.frame);
+  const filtered::detail::HeightQuery height(ball, *parts.frame);
+  const filtered::detail::FrameQuery query(height, *parts.frame);
   InFrame result{height.height, height.height_error, height.size, 0, 0};
   for (const auto& leaf : parts.edges->all_leaves()) {
     const auto here = std::span(leaf.edge).first(leaf.count);
     const auto lane = static_cast<std::size_t>(std::ranges::find(here, edge) - here.begin());
     if (lane == leaf.count) continue;
-    result.along = filtered::frame::along(query.x, query.y, leaf.start_x[lane], leaf.start_y[lane],
+    result.along = filtered::detail::frame::along(query.x, query.y, leaf.start_x[lane], leaf.start_y[lane],
                                           leaf.direction_x[lane], leaf.direction_y[lane]);
-    result.across = filtered::frame::across(query.x, query.y, leaf.start_x[lane], leaf.start_y[lane],
+    result.across = filtered::detail::frame::across(query.x, query.y, leaf.start_x[lane], leaf.start_y[lane],
                                             leaf.direction_x[lane], leaf.direction_y[lane]);
   }
   return result;
@@ -189,16 +189,16 @@ BoundTrial::BoundTrial(const Polygon& polygon)
   RationalVector sum = normal_;
   for (std::size_t i = 0; i < outer; ++i) {
     const RationalVector here = exactly(polygon.vertex(i)) - first;
-    normal_ = normal_ + filtered::cross(here, exactly(polygon.vertex(polygon.next(i))) - first);
+    normal_ = normal_ + filtered::detail::cross(here, exactly(polygon.vertex(polygon.next(i))) - first);
     sum = sum + here;
   }
   int dropped = 0;
   for (const int axis : {1, 2})
     if (abs(normal_[axis].value) > abs(normal_[dropped].value)) dropped = axis;
-  const Rational height = filtered::dot(normal_, sum) / Rational{mpq_class(outer)};
+  const Rational height = filtered::detail::dot(normal_, sum) / Rational{mpq_class(outer)};
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
     RationalVector point = exactly(polygon.vertex(i));
-    const Rational lift = (height - filtered::dot(normal_, point - first)) / normal_[dropped];
+    const Rational lift = (height - filtered::detail::dot(normal_, point - first)) / normal_[dropped];
     component(point, dropped) = point[dropped] + lift;
     lifted_.push_back(point);
   }
@@ -237,11 +237,11 @@ void BoundTrial::observe_signs_in_doubles(const Ball& ball, std::size_t edge, co
     return signs_in_doubles(ball, a, b, c, axis);
   }();
   const RationalVector from = exactly(ball.center) - exactly(a), first = exactly(b) - exactly(a);
-  const RationalVector normal = filtered::signs::normal(first, exactly(c) - exactly(a));
+  const RationalVector normal = filtered::detail::signs::normal(first, exactly(c) - exactly(a));
   const View<Rational> view{from, first, normal, exactly(ball.radius), axis};
   for_each_kind([&](auto kind, std::size_t place) {
     observations.push_back(observation(kMaximaBegin + place, mpq_class(computed.values[place]),
-                                       filtered::expression<kind.value>(view).value,
+                                       filtered::detail::expression<kind.value>(view).value,
                                        bound_factor * computed.bounds[place], computed.products[place]));
   });
   observations.push_back(observation(kNormalPlace, mpq_class(computed.normal[axis]), normal[axis].value,
@@ -253,11 +253,11 @@ void BoundTrial::observe_prepared_signs(const Ball& ball, std::size_t edge, doub
                                         std::vector<Observation>& observations) const {
   const auto& parts = parts_of(prepared_);
   filtered::NoCounts none;
-  const filtered::ExactEdges edges(ball, parts, none);
+  const filtered::detail::ExactEdges edges(ball, parts, none);
   if (!edges.scales()) return;
   const auto axis = static_cast<int>(edge % 3);
   const auto& seen = edges.edge_view(edge);
-  const filtered::EdgeOperands operands = seen.operands(axis);
+  const filtered::detail::EdgeOperands operands = seen.operands(axis);
   if (!(std::max(operands.maxima.to_center, operands.maxima.edge) <= bounds::kLargest)) return;
 
   const int exponent = parts.frame->unit.exponent;
@@ -266,34 +266,34 @@ void BoundTrial::observe_prepared_signs(const Ball& ball, std::size_t edge, doub
   const View<Rational> view{scaled(from, -exponent), scaled(along, -exponent), scaled(normal_, -2 * exponent),
                             scaled(exactly(ball.radius), -exponent), axis};
   for_each_kind([&](auto kind, std::size_t place) {
-    const mpq_class exact = filtered::expression<kind.value>(view).value;
-    const auto permanent = filtered::expression<kind.value>(filtered::PermanentView{operands});
-    const auto double_double = filtered::expression<kind.value>(filtered::DoubleDoubleView{operands});
+    const mpq_class exact = filtered::detail::expression<kind.value>(view).value;
+    const auto permanent = filtered::detail::expression<kind.value>(filtered::detail::PermanentView{operands});
+    const auto double_double = filtered::detail::expression<kind.value>(filtered::detail::DoubleDoubleView{operands});
     const auto in_doubles = bounded_quantities()[kPermanentBegin + place].constant * permanent.permanent;
     observations.push_back(observation(kPermanentBegin + place, mpq_class(permanent.value), exact,
                                        bound_factor * (in_doubles + bounds::kTiny), permanent.permanent));
     const double largest_error =
-        bounds::kDoubleDoubleUnit * filtered::bound<kind.value>(operands.maxima) + bounds::kTiny;
+        bounds::kDoubleDoubleUnit * filtered::detail::bound<kind.value>(operands.maxima) + bounds::kTiny;
     observations.push_back(observation(
         kDoubleDoubleBegin + place, mpq_class(mpq_class(double_double.high) + mpq_class(double_double.low)), exact,
-        bound_factor * largest_error, filtered::bound<kind.value>(operands.maxima) / constant<kind.value>()));
+        bound_factor * largest_error, filtered::detail::bound<kind.value>(operands.maxima) / constant<kind.value>()));
   });
 }
 
 void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const FloatingPointMode& mode, double bound_factor,
                                std::vector<Observation>& observations) const {
-  const filtered::Frame& frame = *parts_of(prepared_).frame;
+  const filtered::detail::Frame& frame = *parts_of(prepared_).frame;
   const InFrame computed = [&] {
-    const Environment environment(frame.unit.exponent < filtered::Frame::kSubnormal ? FloatingPointMode() : mode);
+    const Environment environment(frame.unit.exponent < filtered::detail::Frame::kSubnormal ? FloatingPointMode() : mode);
     return quantities_in_frame(ball, parts_of(prepared_), edge);
   }();
   const RationalVector from = scaled(exactly(ball.center) - lifted_[edge], -frame.unit.exponent);
   const RationalVector direction = lifted_[polygon_.next(edge)] - lifted_[edge];
-  const mpf_class normal_length = sqrt(real(filtered::dot(normal_, normal_)));
-  const mpf_class edge_length = sqrt(real(filtered::dot(direction, direction)));
-  const mpf_class exact[] = {real(filtered::dot(normal_, from)) / normal_length,
-                             real(filtered::dot(from, direction)) / edge_length,
-                             real(filtered::signs::side(normal_, direction, from)) / (normal_length * edge_length)};
+  const mpf_class normal_length = sqrt(real(filtered::detail::dot(normal_, normal_)));
+  const mpf_class edge_length = sqrt(real(filtered::detail::dot(direction, direction)));
+  const mpf_class exact[] = {real(filtered::detail::dot(normal_, from)) / normal_length,
+                             real(filtered::detail::dot(from, direction)) / edge_length,
+                             real(filtered::detail::signs::side(normal_, direction, from)) / (normal_length * edge_length)};
   const double values[] = {computed.height, computed.along, computed.across};
   const double edge_bound = bounds::kEdgeFrame * bounds::kUnit * computed.size;
   const double errors[] = {computed.height_error, edge_bound, edge_bound};
@@ -306,7 +306,7 @@ void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const Floatin
 void BoundTrial::observe_fast(std::size_t vertex, double bound_factor, std::vector<Observation>& observations) const {
   if (std::abs(largest_exponent(polygon_)) > 160 || vertex == 0) return;
   const Eigen::Vector3d relative = polygon_.vertex(vertex) - polygon_.vertex(0);
-  const mpq_class exact = filtered::dot(normal_, exactly(polygon_.vertex(vertex)) - exactly(polygon_.vertex(0))).value;
+  const mpq_class exact = filtered::detail::dot(normal_, exactly(polygon_.vertex(vertex)) - exactly(polygon_.vertex(0))).value;
   observations.push_back(observation(kFastPlace, mpq_class(fast_normal_.dot(relative)), exact,
                                      bound_factor * fast_noise_,
                                      fast_noise_ / bounded_quantities()[kFastPlace].constant));

@@ -7,14 +7,14 @@
 #include "experiments/workloads/lattice/lattice_tangents.h"
 #include "experiments/workloads/random.h"
 #include "experiments/workloads/ulp.h"
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/signs.h"
 
 namespace touchstone::stability {
 namespace {
 
-using filtered::Vector3;
+using filtered::detail::Vector3;
 using workloads::Random;
-namespace signs = filtered::signs;
+namespace signs = filtered::detail::signs;
 
 /// A double that remembers whether it is a product: a sum with a product is one fused multiply-add, as a compiler that
 /// contracts makes it, with the product on the right where both are.

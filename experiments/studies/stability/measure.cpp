@@ -11,8 +11,8 @@
 namespace touchstone::stability {
 namespace {
 
-using filtered::cross;
-using filtered::dot;
+using filtered::detail::cross;
+using filtered::detail::dot;
 
 double root(const Rational& number) { return mpf_class(sqrt(real(number))).get_d(); }
 

@@ -58,7 +58,7 @@ Eigen::Vector3d posed(const Eigen::Matrix3d& matrix, const Eigen::Vector3d& poin
   for (int row = 0; row < 3; ++row) {
     mpq_class sum = 0;
     for (int column = 0; column < 3; ++column) sum += mpq_class(matrix(row, column)) * mpq_class(point[column]);
-    result[row] = exact::nearest_double(sum.get_num(), sum.get_den());
+    result[row] = exact::detail::nearest_double(sum.get_num(), sum.get_den());
   }
   return result;
 }

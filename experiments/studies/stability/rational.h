@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 namespace touchstone::stability {
 
@@ -20,7 +20,7 @@ struct Rational {
   friend Rational operator/(const Rational& a, const Rational& b) { return {mpq_class(a.value / b.value)}; }
 };
 
-using RationalVector = filtered::Vector3<Rational>;
+using RationalVector = filtered::detail::Vector3<Rational>;
 
 inline Rational exactly(double x) { return {mpq_class(x)}; }
 inline RationalVector exactly(const Eigen::Vector3d& v) { return {exactly(v.x()), exactly(v.y()), exactly(v.z())}; }

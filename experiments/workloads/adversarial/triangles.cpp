@@ -105,7 +105,7 @@ bool is_triangle(const Triangle& triangle) {
       return true;  // far beyond what rounding can do
   }
   try {
-    return exact::dropped_axis(Polygon({triangle.a, triangle.b, triangle.c})).has_value();
+    return exact::detail::dropped_axis(Polygon({triangle.a, triangle.b, triangle.c})).has_value();
   } catch (const Rejected&) {
     return false;
   }

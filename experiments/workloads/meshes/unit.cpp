@@ -19,7 +19,7 @@ constexpr std::array<Unit, 6> kUnits{
 /// Returns length * times / over, rounded once.
 double rational_quotient(double length, double times, double over) {
   const mpq_class quotient = mpq_class(length) * mpq_class(times) / mpq_class(over);
-  return exact::nearest_double(quotient.get_num(), quotient.get_den());
+  return exact::detail::nearest_double(quotient.get_num(), quotient.get_den());
 }
 
 }  // namespace

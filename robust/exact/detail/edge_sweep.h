@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <compare>
 #include <cstddef>
 #include <optional>
@@ -8,7 +9,15 @@
 
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::exact {
+namespace touchstone::exact::detail {
+
+/// @{
+/// Returns whether the point p lies to the left of (1), on (0) or to the right of (-1) the directed line from a to b;
+/// whether a plane holds all four points. Exact for finite doubles. Requires round to nearest, without flush-to-zero.
+[[nodiscard]] int orientation(double ax, double ay, double bx, double by, double px, double py);
+[[nodiscard]] bool coplanar(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                            const Eigen::Vector3d& d);
+/// @}
 
 /// The loops of a polygon, projected by dropping one coordinate.
 class PlanarLoops {
@@ -47,4 +56,4 @@ struct Meeting {
 /// none of these edges. Exact. Cost: linear.
 [[nodiscard]] bool is_inside(const PlanarLoops& loops, std::size_t vertex, std::size_t begin, std::size_t end);
 
-}  // namespace touchstone::exact
+}  // namespace touchstone::exact::detail

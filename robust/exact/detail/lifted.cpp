@@ -9,6 +9,9 @@
 #include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::exact {
+
+using namespace detail;
+
 namespace {
 
 /// Returns the Newell sum of the outer loop.
@@ -28,7 +31,7 @@ int largest_component(const Vector& v) {
 
 }  // namespace
 
-std::optional<int> dropped_axis(const Polygon& polygon) {
+std::optional<int> detail::dropped_axis(const Polygon& polygon) {
   const FloatingPointState nearest;
   const Vector normal = newell_normal(polygon);
   if (normal == kernel::NULL_VECTOR) return std::nullopt;

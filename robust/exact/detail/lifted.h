@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "geometry/contact/answer.h"
+#include "geometry/shapes/ball.h"
 #include "robust/exact/detail/number.h"
 #include "robust/exact/exact.h"
 
@@ -14,11 +18,11 @@ namespace touchstone::exact {
 /// The lift divides by n N_k (n vertices in the outer loop, k the dropped axis). To avoid divisions, all lengths are
 /// multiplied by |n N_k|; if all loops lie on the plane, the factor is 1.
 struct PreparedPolygon::Lifted {
-  Vector normal;
-  Number normal_squared;
+  detail::Vector normal;
+  detail::Number normal_squared;
   int dropped_axis;
-  Number scale;                  ///< > 0: what all lengths below are multiplied by
-  std::vector<Vector> vertices;  ///< lifted
+  detail::Number scale;                  ///< > 0: what all lengths below are multiplied by
+  std::vector<detail::Vector> vertices;  ///< lifted
   std::vector<std::size_t> next;
   double off_plane;
 
@@ -26,10 +30,12 @@ struct PreparedPolygon::Lifted {
   explicit Lifted(const Polygon& polygon);
 };
 
-using Lifted = PreparedPolygon::Lifted;
-
 /// Returns what the polygon holds.
-const Lifted& lifted(const PreparedPolygon& polygon);
+const PreparedPolygon::Lifted& lifted(const PreparedPolygon& polygon);
+
+namespace detail {
+
+using Lifted = PreparedPolygon::Lifted;
 
 /// Locates a point of the supporting plane by counting the edges that a ray from it crosses, in the projection without
 /// the dropped coordinate. `signs` reports, for each edge and its start:
@@ -57,4 +63,14 @@ PointLocation locate(const Lifted& polygon, const Signs& signs) {
   return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
+/// The feature nearest to a ball's centre, and the point on it, rounded as in Answer.
+struct Touched {
+  Feature nearest;
+  Eigen::Vector3d point;
+};
+
+/// Returns what the ball touches; nothing if it is separate. Requires the floating-point state of FloatingPointState.
+[[nodiscard]] std::optional<Touched> touched(const Ball& ball, const PreparedPolygon& polygon);
+
+}  // namespace detail
 }  // namespace touchstone::exact

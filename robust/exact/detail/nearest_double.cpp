@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace touchstone::exact {
+namespace touchstone::exact::detail {
 namespace {
 
 // The quotient is truncated to an integer of at least this many bits. With one more bit that says whether anything was
@@ -103,4 +103,4 @@ double nearest_sum_with_root(const Integer& term, int sign, const Integer& radic
   }
 }
 
-}  // namespace touchstone::exact
+}  // namespace touchstone::exact::detail

@@ -3,7 +3,7 @@
 
 #include "robust/detail/integers.h"
 
-namespace touchstone::exact {
+namespace touchstone::exact::detail {
 
 /// Returns the double nearest to numerator / denominator, ties to even. The result may be subnormal, is infinite if the
 /// value rounds beyond the finite doubles, and +0 if it rounds to zero. Requires denominator > 0. Does not depend on
@@ -19,4 +19,4 @@ namespace touchstone::exact {
 [[nodiscard]] double nearest_sum_with_root(const Integer& term, int sign, const Integer& radicand,
                                            const Integer& denominator);
 
-}  // namespace touchstone::exact
+}  // namespace touchstone::exact::detail

@@ -5,7 +5,7 @@
 
 #include "robust/detail/exact_kernel.h"
 
-namespace touchstone::exact {
+namespace touchstone::exact::detail {
 
 /// The number type of `exact`: integers times powers of two. It has no division, which is not needed here. Rationals
 /// and the lazy numbers of EPECK give the same answers, and take several times as long.
@@ -16,4 +16,4 @@ using Vector = kernel::Simple_cartesian<Number>::Vector_3;
 /// Returns the same vector in exact numbers.
 inline Vector vector(const Eigen::Vector3d& v) { return {Number(v.x()), Number(v.y()), Number(v.z())}; }
 
-}  // namespace touchstone::exact
+}  // namespace touchstone::exact::detail

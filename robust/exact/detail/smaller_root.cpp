@@ -6,7 +6,7 @@
 
 #include "robust/exact/detail/nearest_double.h"
 
-namespace touchstone::exact {
+namespace touchstone::exact::detail {
 namespace {
 
 /// Returns the sign of x + y sqrt(d). Requires d >= 0.
@@ -65,4 +65,4 @@ kernel::Comparison_result compare(const SmallerRoot& first, const SmallerRoot& s
                      first.discriminant_);
 }
 
-}  // namespace touchstone::exact
+}  // namespace touchstone::exact::detail

@@ -5,7 +5,7 @@
 
 #include "robust/exact/detail/number.h"
 
-namespace touchstone::exact {
+namespace touchstone::exact::detail {
 
 /// The quadratic a t^2 + 2 b t + c.
 struct Quadratic {
@@ -42,4 +42,4 @@ class SmallerRoot {
   Number a_, b_, discriminant_;
 };
 
-}  // namespace touchstone::exact
+}  // namespace touchstone::exact::detail

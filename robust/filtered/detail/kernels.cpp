@@ -3,8 +3,9 @@
 
 #include "geometry/detail/floating_point_state.h"
 #include "robust/detail/sound_arithmetic.h"
+#include "robust/filtered/detail/kernels_definition.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 constinit std::atomic<const Kernels*> found_kernels = nullptr;
 
@@ -19,4 +20,6 @@ const Kernels& find_fastest_kernels() {
   return *fastest;
 }
 
-}  // namespace touchstone::filtered
+const Kernels& baseline_kernels() { return kKernels; }
+
+}  // namespace touchstone::filtered::detail

@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "geometry/contact/first_contact.h"
-#include "robust/filtered/detail/ball_triangle_view.h"
-#include "robust/filtered/detail/motion/motion_view.h"
-#include "robust/filtered/detail/newell_sums.h"
-#include "robust/filtered/detail/parts_of.h"
+#include "robust/filtered/detail/polygon/newell_sums.h"
+#include "robust/filtered/detail/polygon/prepared.h"
+#include "robust/filtered/detail/triangle/ball_triangle_view.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/triangle_set.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// The functions that are compiled once per instruction set, for one way of counting stages.
 template <class Counts>
@@ -89,4 +88,4 @@ template <class Counts>
   return {feature, {point[0], point[1], point[2]}, distance};
 }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

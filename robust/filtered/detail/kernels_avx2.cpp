@@ -4,9 +4,9 @@
 #define TOUCHSTONE_TARGET avx2
 #include "robust/filtered/detail/kernels_definition.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 const Kernels& avx2_kernels() { return kKernels; }
 
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail
 #endif

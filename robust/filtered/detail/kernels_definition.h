@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/detail/ball_lanes.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/motion/polygon_motion.h"
 #include "robust/filtered/detail/motion/triangle_motion.h"
-#include "robust/filtered/detail/polygon_stages.h"
-#include "robust/filtered/detail/triangle_closest.h"
-#include "robust/filtered/detail/triangle_groups_contact.h"
-#include "robust/filtered/detail/walk_together.h"
+#include "robust/filtered/detail/polygon/polygon_query.h"
+#include "robust/filtered/detail/sets/four_balls.h"
+#include "robust/filtered/detail/sets/triangle_groups_contact.h"
+#include "robust/filtered/detail/triangle/triangle_closest.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 template <class Counts>
@@ -115,4 +114,4 @@ inline constexpr Kernels kKernels{kKernelTable<NoCounts>, kKernelTable<StageCoun
                                   motions_contact,        motion_triangles_contact,  newell_sums};
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 
 FaceGraph::FaceGraph(const Mesh& welded, const std::vector<bool>& in_use) {
   begin_.push_back(0);
@@ -70,4 +70,4 @@ void FaceGraph::join(const std::vector<std::uint32_t>& apart) {
   first_.push_back(static_cast<std::uint32_t>(by_edge_.size()));
 }
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail

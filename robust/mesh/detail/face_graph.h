@@ -9,7 +9,7 @@
 
 #include "geometry/shapes/mesh.h"
 
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 
 /// A side of a face, directed along the face's loop. Numbered face by face.
 using HalfEdge = std::uint32_t;
@@ -70,4 +70,4 @@ class FaceGraph {
   std::vector<HalfEdge> by_edge_;
 };
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail

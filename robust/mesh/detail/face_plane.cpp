@@ -8,10 +8,10 @@
 
 #include "robust/detail/exact_kernel.h"
 #include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/detail/nearest_double.h"
-#include "robust/exact/detail/orientation.h"
 
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 namespace {
 
 using Eigen::Vector3d;
@@ -22,7 +22,7 @@ int turn_of(const std::array<Vector3d, 3>& corners, int axis) {
   const auto [ax, ay] = seen(corners[0], axis);
   const auto [bx, by] = seen(corners[1], axis);
   const auto [cx, cy] = seen(corners[2], axis);
-  return exact::orientation(ax, ay, bx, by, cx, cy);
+  return exact::detail::orientation(ax, ay, bx, by, cx, cy);
 }
 
 /// Returns the lexicographically lowest vertex of the loop and its neighbours. They have the orientation of the loop,
@@ -41,10 +41,10 @@ int turn(const Polygon& polygon, std::size_t loop, int axis) {
 }
 
 FacePlane::FacePlane(const Polygon& face)
-    : axis_(exact::dropped_axis(face).value()), corners_(lowest_corner(face, 0, axis_)) {}
+    : axis_(exact::detail::dropped_axis(face).value()), corners_(lowest_corner(face, 0, axis_)) {}
 
 bool FacePlane::contains(const Vector3d& point) const {
-  return exact::coplanar(corners_[0], corners_[1], corners_[2], point);
+  return exact::detail::coplanar(corners_[0], corners_[1], corners_[2], point);
 }
 
 int FacePlane::turn(int axis) const { return turn_of(corners_, axis); }
@@ -70,8 +70,8 @@ double off_plane(const Polygon& polygon, std::span<const Vector3d> points) {
   Number farthest(0);
   for (const Vector3d& point : points)
     farthest = std::max(farthest, Number(kernel::abs(Number(n * (normal * vector(point)) - plane))));
-  const Number scale = n * kernel::abs(normal[exact::dropped_axis(polygon).value()]);
-  return rounded(farthest, scale, exact::nearest_double);
+  const Number scale = n * kernel::abs(normal[exact::detail::dropped_axis(polygon).value()]);
+  return rounded(farthest, scale, exact::detail::nearest_double);
 }
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail

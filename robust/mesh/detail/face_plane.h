@@ -9,7 +9,7 @@
 #include "geometry/shapes/polygon.h"
 
 /// All functions here require round to nearest, without flush-to-zero.
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 
 /// Returns the orientation of a simple loop in the projection along an axis, with the other two axes in cyclic order:
 /// counterclockwise (1) or clockwise (-1). Requires a loop that `exact::validate` accepts with that axis dropped.
@@ -41,4 +41,4 @@ class FacePlane {
 /// point.
 [[nodiscard]] double off_plane(const Polygon& polygon, std::span<const Eigen::Vector3d> points);
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 
 void Parts::split(std::uint32_t part, const Conflict& conflict) {
   const std::vector<std::uint32_t> all = std::move(faces_[part]);
@@ -73,4 +73,4 @@ std::optional<Conflict> Parts::torn_edge(std::uint32_t part) const {
   return std::nullopt;
 }
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail

@@ -9,7 +9,7 @@
 
 #include "robust/mesh/detail/face_graph.h"
 
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 
 /// Groups of faces, no two of which may be in the same part. Each group is connected.
 using Conflict = std::vector<std::vector<std::uint32_t>>;
@@ -77,4 +77,4 @@ std::uint32_t Parts::grow(std::uint32_t seed, const Admits& admits) {
   return part;
 }
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail

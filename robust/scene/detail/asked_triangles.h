@@ -5,17 +5,16 @@
 #include <span>
 
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_contact.h"
+#include "robust/filtered/detail/triangle/triangle_contact.h"
 #include "robust/scene/detail/distance_bound.h"
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/held_vertex.h"
 #include "robust/scene/detail/own_frame.h"
-#include "robust/scene/detail/posed_vertices.h"
 #include "robust/scene/detail/tree_walk.h"
 #include "robust/scene/detail/triangle_leaves.h"
 
 /// The triangles of a set, where they stand or in their own frame, and a ball that asks about them.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Returns whether the ball certainly misses the triangle's box along some axis. Culls most triangles of a leaf.
@@ -23,13 +22,13 @@ inline namespace TOUCHSTONE_TARGET {
 /// Compares the differences from the vertices one by one: if a difference is at most r in magnitude, so is its rounded
 /// value. Requires round to nearest, without flush-to-zero.
 TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const SharedTriangle& triangle) {
-  const filtered::Pack center = filtered::load_three(ball.center.data());
+  const filtered::detail::Pack center = filtered::detail::load_three(ball.center.data());
   // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.
-  const filtered::Pack radius = filtered::all_lanes(ball.radius + 0.0);
-  const filtered::Pack a = center - filtered::load_three(triangle.a.data());
-  const filtered::Pack b = center - filtered::load_three(triangle.b.data());
-  const filtered::Pack c = center - filtered::load_three(triangle.c.data());
-  const filtered::Pack below = maximum(a, maximum(b, c)) + radius, above = radius - minimum(a, minimum(b, c));
+  const filtered::detail::Pack radius = filtered::detail::all_lanes(ball.radius + 0.0);
+  const filtered::detail::Pack a = center - filtered::detail::load_three(triangle.a.data());
+  const filtered::detail::Pack b = center - filtered::detail::load_three(triangle.b.data());
+  const filtered::detail::Pack c = center - filtered::detail::load_three(triangle.c.data());
+  const filtered::detail::Pack below = maximum(a, maximum(b, c)) + radius, above = radius - minimum(a, minimum(b, c));
   return (negative_lanes(below | above) & 0b111) != 0;
 }
 
@@ -37,9 +36,9 @@ TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const SharedTriangle& triang
 TOUCHSTONE_INLINE bool may_touch_ball(const Ball& ball, const VertexFinder& finder, const SharedTriangle& triangle) {
   if (misses_box(ball, triangle)) return false;
   if (finder.finds(triangle)) return true;
-  filtered::TriangleSigns signs;
+  filtered::detail::TriangleSigns signs;
   const Triangle copy = triangle.copy();
-  return triangle_filter(filtered::view_of(ball, copy), signs) != filtered::FilterResult::No;
+  return triangle_filter(filtered::detail::view_of(ball, copy), signs) != filtered::detail::FilterResult::No;
 }
 
 /// Triangles that stand where they are.
@@ -52,7 +51,6 @@ class StandingTriangles {
         ball_(ball),
         finder_(ball) {}
 
-  [[nodiscard]] const Ball& asked() const { return ball_; }
   /// Returns a ball that touches the boxes of all triangles that the ball touches.
   [[nodiscard]] const Ball& culling() const { return ball_; }
   void set_radius(double radius) {
@@ -70,7 +68,7 @@ class StandingTriangles {
   /// Calls f(place) for the triangles of a leaf that the ball touches.
   template <class F>
   TOUCHSTONE_INLINE void for_touched(const Leaf& leaf, const F& f) const {
-    const filtered::GroupAnswers known = leaves_.contact(ball_, ball_.radius, leaf);
+    const filtered::detail::GroupAnswers known = leaves_.contact(ball_, ball_.radius, leaf);
     for_lanes(known.touched, leaf, f);
     for_lanes(known.unsure, leaf, [&](std::uint32_t place) {
       if (touches(place)) f(place);
@@ -92,7 +90,7 @@ class StandingTriangles {
   [[nodiscard]] double reaches_all() const { return sum_of_lengths(distance_from_origin(ball_.center), reach_); }
   /// Returns at least the distance of the centre from the triangle; infinite if that is not known.
   [[nodiscard]] double distance_at_most(std::uint32_t place) const {
-    return scene::distance_at_most(ball_.center, triangles_[place].copy());
+    return detail::distance_at_most(ball_.center, triangles_[place].copy());
   }
   /// Returns whether the ball touches the triangle at a place.
   [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
@@ -100,7 +98,7 @@ class StandingTriangles {
     if (finder_.finds(triangles_[place])) return true;
     const Triangle triangle = triangles_[place].copy();
     filtered::NoCounts counts;
-    return filtered::contact(filtered::view_of(ball_, triangle), counts);
+    return filtered::detail::contact(filtered::detail::view_of(ball_, triangle), counts);
   }
 
  private:
@@ -123,7 +121,6 @@ class TrianglesInOwnFrame {
         seen_(frame_.seen(ball)),
         finder_(seen_.inner_ball()) {}
 
-  [[nodiscard]] const Ball& asked() const { return ball_; }
   [[nodiscard]] const Ball& culling() const { return seen_.outer; }
   void set_radius(double radius) {
     ball_.radius = radius;
@@ -141,7 +138,7 @@ class TrianglesInOwnFrame {
   /// Calls f(place) for the triangles of a leaf that the ball touches.
   template <class F>
   TOUCHSTONE_INLINE void for_touched(const Leaf& leaf, const F& f) const {
-    const filtered::GroupAnswers known = leaves_.contact(seen_.outer, seen_.inner, leaf);
+    const filtered::detail::GroupAnswers known = leaves_.contact(seen_.outer, seen_.inner, leaf);
     for_lanes(known.touched, leaf, f);
     for_lanes(known.unsure, leaf, [&](std::uint32_t place) {
       if (touches(place)) f(place);
@@ -163,18 +160,19 @@ class TrianglesInOwnFrame {
   }
   [[nodiscard]] double distance_at_most(std::uint32_t place) const {
     return frame_.radius_under_pose(ball_.center,
-                                    scene::distance_at_most(seen_.outer.center, triangles_[place].copy()));
+                                    detail::distance_at_most(seen_.outer.center, triangles_[place].copy()));
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
     if (misses_box(seen_.outer, triangles_[place])) return false;
     if (finder_.finds(triangles_[place])) return true;
     const Triangle own = triangles_[place].copy();
-    filtered::TriangleSigns signs;
+    filtered::detail::TriangleSigns signs;
     const Ball inner = seen_.inner_ball();
-    switch (triangle_filter(filtered::view_of(seen_.outer, own), signs)) {
-      case filtered::FilterResult::No: return false;
-      case filtered::FilterResult::Yes:
-        if (inner.radius >= 0 && triangle_filter(filtered::view_of(inner, own), signs) == filtered::FilterResult::Yes)
+    switch (triangle_filter(filtered::detail::view_of(seen_.outer, own), signs)) {
+      case filtered::detail::FilterResult::No: return false;
+      case filtered::detail::FilterResult::Yes:
+        if (inner.radius >= 0 &&
+            triangle_filter(filtered::detail::view_of(inner, own), signs) == filtered::detail::FilterResult::Yes)
           return true;
         [[fallthrough]];
       default: return touches_posed(place);
@@ -185,7 +183,7 @@ class TrianglesInOwnFrame {
   [[nodiscard]] __attribute__((noinline)) bool touches_posed(std::uint32_t place) const {
     const Triangle posed = triangle(place);
     filtered::NoCounts counts;
-    return filtered::contact(filtered::view_of(ball_, posed), counts);
+    return filtered::detail::contact(filtered::detail::view_of(ball_, posed), counts);
   }
 
   TriangleLeaves leaves_;
@@ -198,4 +196,4 @@ class TrianglesInOwnFrame {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -7,15 +7,14 @@
 
 #include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/ball.h"
-#include "robust/filtered/detail/numbers/float_pack.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 
 /// Finds the boxes of a tree that a ball may touch.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 
-using filtered::FloatPack;
-using filtered::Pack;
+using filtered::detail::FloatPack;
+using filtered::detail::Pack;
 
 /// The operations of culling, over any number type. The tests run the error calculus of robust/proofs over them.
 namespace culling {
@@ -68,9 +67,9 @@ TOUCHSTONE_INLINE unsigned all_children(const BoxTree::Node& node) { return (1U 
 
 /// Returns four of eight floats as doubles.
 TOUCHSTONE_INLINE Pack half(const FloatPack& eight, int first) {
-  float floats[filtered::kFloatLanes];
+  float floats[filtered::detail::kFloatLanes];
   store(floats, eight);
-  return filtered::load(floats + first);
+  return filtered::detail::load(floats + first);
 }
 
 /// The boxes of a node's children along one axis.
@@ -78,10 +77,10 @@ struct Sides {
   FloatPack low, high;
 };
 TOUCHSTONE_INLINE Sides sides(const BoxTree::Node& node, int axis) {
-  const FloatPack step = filtered::all_float_lanes(node.step());
-  const FloatPack origin = filtered::all_float_lanes(node.origin[axis]);
-  return {multiply_add(filtered::load(node.low[axis]), step, origin),
-          multiply_add(filtered::load(node.high[axis]), step, origin)};  // exact
+  const FloatPack step = filtered::detail::all_float_lanes(node.step());
+  const FloatPack origin = filtered::detail::all_float_lanes(node.origin[axis]);
+  return {multiply_add(filtered::detail::load(node.low[axis]), step, origin),
+          multiply_add(filtered::detail::load(node.high[axis]), step, origin)};  // exact
 }
 
 /// A ball in the units of a tree, to test it against boxes.
@@ -100,8 +99,8 @@ class CullingBall {
       for (int axis = 0; axis < 3; ++axis) {
         const auto nearest = static_cast<float>(center_[axis]);
         const float apart = culling::apart(nearest);
-        first_[axis] = filtered::all_float_lanes(nearest - apart);
-        last_[axis] = filtered::all_float_lanes(nearest + apart);
+        first_[axis] = filtered::detail::all_float_lanes(nearest - apart);
+        last_[axis] = filtered::detail::all_float_lanes(nearest + apart);
       }
     set_radius(ball.radius, tree);
   }
@@ -113,7 +112,7 @@ class CullingBall {
     if (in_floats_) {
       const auto limit = static_cast<float>(culling::squared_reach(reach, culling::kWideFloat) + culling::kTinyFloat);
       squared_ = static_cast<double>(limit);
-      limit_ = filtered::all_float_lanes(limit);
+      limit_ = filtered::detail::all_float_lanes(limit);
     } else {
       squared_ = everywhere_ || !(reach < 0x1p500) ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
     }
@@ -134,8 +133,8 @@ class CullingBall {
     const FloatPack here = float_squares(node);
     float floats[BoxTree::kWidth];
     store(floats, here);
-    for (std::size_t first = 0; first < BoxTree::kWidth; first += filtered::kLanes)
-      store(squares + first, filtered::load(floats + first));
+    for (std::size_t first = 0; first < BoxTree::kWidth; first += filtered::detail::kLanes)
+      store(squares + first, filtered::detail::load(floats + first));
     return ~negative_lanes(limit_ - here) & all_children(node);
   }
 
@@ -145,7 +144,7 @@ class CullingBall {
  private:
   /// Returns the squares of the distances of the children's boxes.
   [[nodiscard]] TOUCHSTONE_INLINE FloatPack float_squares(const BoxTree::Node& node) const {
-    const FloatPack zero = filtered::all_float_lanes(0);
+    const FloatPack zero = filtered::detail::all_float_lanes(0);
     const auto gap = [&](int axis) {
       const Sides box = sides(node, axis);
       return culling::gap(box.low, box.high, first_[axis], last_[axis], zero);
@@ -154,12 +153,12 @@ class CullingBall {
   }
   [[nodiscard]] __attribute__((noinline)) unsigned may_touch_in_doubles(const BoxTree::Node& node,
                                                                         double (&squares)[BoxTree::kWidth]) const {
-    const Pack zero = filtered::all_lanes(0), limit = filtered::all_lanes(squared_);
+    const Pack zero = filtered::detail::all_lanes(0), limit = filtered::detail::all_lanes(squared_);
     unsigned touched = 0;
-    for (int first = 0; first < static_cast<int>(BoxTree::kWidth); first += filtered::kLanes) {
+    for (int first = 0; first < static_cast<int>(BoxTree::kWidth); first += filtered::detail::kLanes) {
       const auto gap = [&](int axis) {
         const Sides box = sides(node, axis);
-        const Pack center = filtered::all_lanes(center_[axis]);
+        const Pack center = filtered::detail::all_lanes(center_[axis]);
         return culling::gap(half(box.low, first), half(box.high, first), center, center, zero);
       };
       const Pack here = culling::squared_distance(gap(0), gap(1), gap(2));
@@ -175,4 +174,4 @@ class CullingBall {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -6,13 +6,19 @@
 
 #include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/motion.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
+#include "robust/filtered/detail/numbers/target.h"
 #include "robust/scene/detail/culling_ball.h"
-#include "robust/scene/detail/way.h"
 
 /// Finds the boxes of a tree that a moving ball may touch.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
+
+/// Returns a moving centre, or one of its coordinates, after some time; over any number type, as in culling_ball.h.
+template <class T, class Time>
+TOUCHSTONE_INLINE T place_at(const T& first, const Time& time, const T& change) {
+  return first + time * change;
+}
 
 namespace culling {
 
@@ -97,7 +103,8 @@ class CullingMotion {
   [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node,
                                                      double (&times)[BoxTree::kWidth]) const {
     unsigned touched = half_touched(node, 0, times);
-    if (node.child_count > filtered::kLanes) touched |= half_touched(node, filtered::kLanes, times) << filtered::kLanes;
+    if (node.child_count > filtered::detail::kLanes)
+      touched |= half_touched(node, filtered::detail::kLanes, times) << filtered::detail::kLanes;
     return touched & all_children(node);
   }
   /// Returns whether the ball may touch a box with this key, the earliest time at which it may.
@@ -106,28 +113,28 @@ class CullingMotion {
  private:
   /// Returns which of the boxes from `first` on the ball may touch, and writes the earliest times at which it may.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned half_touched(const BoxTree::Node& node, int first, double* times) const {
-    const Pack zero = filtered::all_lanes(0);
+    const Pack zero = filtered::detail::all_lanes(0);
     Pack low[3], high[3];
     for (int axis = 0; axis < 3; ++axis) {
       const Sides box = sides(node, axis);
       low[axis] = half(box.low, first), high[axis] = half(box.high, first);
     }
     const auto gap = [&](int axis) {
-      return culling::gap(low[axis], high[axis], filtered::all_lanes(low_[axis]), filtered::all_lanes(high_[axis]),
-                          zero);
+      return culling::gap(low[axis], high[axis], filtered::detail::all_lanes(low_[axis]),
+                          filtered::detail::all_lanes(high_[axis]), zero);
     };
-    const Pack apart = filtered::all_lanes(squared_) - culling::squared_distance(gap(0), gap(1), gap(2));
-    Pack entry = zero, exit = filtered::all_lanes(end_);
+    const Pack apart = filtered::detail::all_lanes(squared_) - culling::squared_distance(gap(0), gap(1), gap(2));
+    Pack entry = zero, exit = filtered::detail::all_lanes(end_);
     if (timed_)
       for (int axis = 0; axis < 3; ++axis) {
-        const Pack inverse = filtered::all_lanes(inverse_[axis]);
+        const Pack inverse = filtered::detail::all_lanes(inverse_[axis]);
         entry = maximum(entry, culling::time_at(forward_[axis] ? low[axis] : high[axis], inverse,
-                                                filtered::all_lanes(entry_[axis])));
-        exit = minimum(
-            exit, culling::time_at(forward_[axis] ? high[axis] : low[axis], inverse, filtered::all_lanes(exit_[axis])));
+                                                filtered::detail::all_lanes(entry_[axis])));
+        exit = minimum(exit, culling::time_at(forward_[axis] ? high[axis] : low[axis], inverse,
+                                              filtered::detail::all_lanes(exit_[axis])));
       }
     store(times + first, entry);
-    return ~negative_lanes(timed_ ? apart | (exit - entry) : apart) & ((1U << filtered::kLanes) - 1);
+    return ~negative_lanes(timed_ ? apart | (exit - entry) : apart) & ((1U << filtered::detail::kLanes) - 1);
   }
 
   double center_[3], to_[3];
@@ -138,4 +145,5 @@ class CullingMotion {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+
+}  // namespace touchstone::scene::detail

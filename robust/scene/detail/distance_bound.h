@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "geometry/shapes/triangle.h"
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 /// Upper bounds of distances from triangles, in doubles.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 namespace distance_bound {
 
@@ -26,8 +26,9 @@ inline constexpr double kSmallest = 0x1p-200, kLargest = 0x1p200;
 
 /// Returns a x + b y + c z.
 template <class T>
-constexpr filtered::Vector3<T> combined(const T& a, const filtered::Vector3<T>& x, const T& b,
-                                        const filtered::Vector3<T>& y, const T& c, const filtered::Vector3<T>& z) {
+constexpr filtered::detail::Vector3<T> combined(const T& a, const filtered::detail::Vector3<T>& x, const T& b,
+                                                const filtered::detail::Vector3<T>& y, const T& c,
+                                                const filtered::detail::Vector3<T>& z) {
   const auto sum = [&](const T& p, const T& q, const T& r) { return a * p + b * q + c * r; };
   return {sum(x.x, y.x, z.x), sum(x.y, y.y, z.y), sum(x.z, y.z, z.z)};
 }
@@ -41,7 +42,7 @@ constexpr filtered::Vector3<T> combined(const T& a, const filtered::Vector3<T>& 
 /// Finds a point of the triangle that is nearly the closest. Whichever it is, the triangle is not farther: the point is
 /// combined from vertices with weights from 0 to 1 whose sum is 1, rounded.
 inline double distance_at_most(const Eigen::Vector3d& center, const Triangle& triangle) {
-  using Vector = filtered::Vector3<double>;
+  using Vector = filtered::detail::Vector3<double>;
   using distance_bound::combined;
   const auto seen = [&center](const Eigen::Vector3d& p) -> Vector {
     return {p.x() - center.x(), p.y() - center.y(), p.z() - center.z()};
@@ -74,4 +75,4 @@ inline double distance_at_most(const Eigen::Vector3d& center, const Triangle& tr
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -8,14 +8,26 @@
 #include <mutex>
 #include <optional>
 
-#include "geometry/detail/each_in_parallel.h"
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/parts_in_parallel.h"
 #include "robust/scene/detail/lifted_box.h"
-#include "robust/scene/detail/posed_vertices.h"
+#include "robust/scene/detail/own_frame.h"
 #include "robust/scene/posing.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
+
+LazyPreparedPolygons::~LazyPreparedPolygons() {
+  for (std::size_t i = 0; i < polygons_.size(); ++i) delete prepared_[i].load(std::memory_order_relaxed);
+}
+
+// Several threads may prepare the polygon at the same time; the first result is kept.
+const filtered::PreparedPolygon& LazyPreparedPolygons::prepare(std::size_t number) const {
+  auto made = std::make_unique<const filtered::PreparedPolygon>(polygons_[number]);
+  const filtered::PreparedPolygon* known = nullptr;
+  if (prepared_[number].compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) return *made.release();
+  return *known;
+}
+
 namespace {
 
 /// A tree whose boxes have grown by more than this since it was built is rebuilt. Measured for terrains, spheres, boxes
@@ -131,7 +143,7 @@ PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_
       if (tree.order()[place] == BoxTree::kNone) break;
       leaf[count] = triangles[place].copy();
     }
-    groups[i] = filtered::group_of(std::span(leaf).first(count));
+    groups[i] = filtered::detail::group_of(std::span(leaf).first(count));
   });
 }
 
@@ -160,21 +172,16 @@ Triangle TriangleSet::triangle(std::uint32_t place) const {
 std::size_t TriangleSet::memory() const {
   const auto memory = [](const PlacedTriangles& p) {
     return p.tree.nodes().capacity() * sizeof(BoxTree::Node) + p.tree.order().capacity() * sizeof(std::uint32_t) +
-           p.triangles.memory() + p.groups.capacity() * sizeof(filtered::TriangleGroup);
+           p.triangles.memory() + p.groups.capacity() * sizeof(filtered::detail::TriangleGroup);
   };
   return memory(*model) + (placed == model ? 0 : memory(*placed));
 }
 
 PolygonSet::PolygonSet(std::vector<Polygon> by_number)
-    : polygons(std::move(by_number)), prepared(polygons), tree(boxes_of(polygons, prepared)), edges(0) {
-  for (const Polygon& polygon : polygons) edges += polygon.vertex_count();
-}
+    : polygons(std::move(by_number)), prepared(polygons), tree(boxes_of(polygons, prepared)) {}
 
 PolygonSet::PolygonSet(const PolygonSet& other, const Pose& pose)
-    : polygons(posed(other.model ? *other.model : other.polygons, pose)),
-      prepared(polygons),
-      tree(other.tree),
-      edges(other.edges) {
+    : polygons(posed(other.model ? *other.model : other.polygons, pose)), prepared(polygons), tree(other.tree) {
   if (!(pose == Pose()))
     model = other.model ? other.model : std::make_shared<const std::vector<Polygon>>(other.polygons);
   const std::vector<Box> boxes = boxes_of(polygons, prepared);
@@ -183,4 +190,4 @@ PolygonSet::PolygonSet(const PolygonSet& other, const Pose& pose)
   if (tree.growth() > kMostGrowth) tree = BoxTree(boxes);
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -11,12 +12,35 @@
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
-#include "robust/filtered/detail/triangle_groups.h"
-#include "robust/scene/detail/lazy_prepared_polygons.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
+#include "robust/filtered/filtered.h"
 #include "robust/scene/detail/own_frame.h"
 #include "robust/scene/detail/shared_vertices.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
+
+/// Polygons by number, each of which is prepared when it is first accessed. Several threads may access them at once.
+class LazyPreparedPolygons {
+ public:
+  /// Keeps a reference. Requires polygons that have a normal.
+  explicit LazyPreparedPolygons(const std::vector<Polygon>& polygons)
+      : polygons_(polygons), prepared_(new std::atomic<const filtered::PreparedPolygon*>[polygons.size()]()) {}
+  ~LazyPreparedPolygons();
+  LazyPreparedPolygons(const LazyPreparedPolygons&) = delete;
+  LazyPreparedPolygons& operator=(const LazyPreparedPolygons&) = delete;
+
+  // Always inlined: a compiled function that was built for AVX2 could be linked into code for other machines.
+  __attribute__((always_inline)) const filtered::PreparedPolygon& operator[](std::size_t number) const {
+    const filtered::PreparedPolygon* known = prepared_[number].load(std::memory_order_acquire);
+    return known != nullptr ? *known : prepare(number);
+  }
+
+ private:
+  const filtered::PreparedPolygon& prepare(std::size_t number) const;
+
+  const std::vector<Polygon>& polygons_;
+  std::unique_ptr<std::atomic<const filtered::PreparedPolygon*>[]> prepared_;
+};
 
 /// Triangles in the order of their tree's leaves, and each leaf as a group that floats decide together.
 struct PlacedTriangles {
@@ -24,8 +48,8 @@ struct PlacedTriangles {
   PlacedTriangles(BoxTree tree, const std::vector<Triangle>& by_number);
 
   BoxTree tree;
-  TrianglesOfSharedVertices triangles;          ///< by place in tree.order()
-  std::vector<filtered::TriangleGroup> groups;  ///< by leaf of the tree
+  TrianglesOfSharedVertices triangles;                  ///< by place in tree.order()
+  std::vector<filtered::detail::TriangleGroup> groups;  ///< by leaf of the tree
 };
 
 /// Triangles under a pose. They stay in their own frame, so that a new pose costs the same for any number of them, or
@@ -39,7 +63,6 @@ struct TriangleSet {
 
   [[nodiscard]] std::size_t memory() const;
   [[nodiscard]] std::size_t size() const { return model->tree.size(); }
-  [[nodiscard]] std::size_t edge_count() const { return 3 * size(); }
   /// Returns a length such that no vertex of `placed` is farther from the origin; infinite if all triangles were posed.
   [[nodiscard]] double reach_of_placed() const {
     return placed == model ? reach : std::numeric_limits<double>::infinity();
@@ -62,13 +85,10 @@ struct PolygonSet {
   /// lowest polygon that becomes invalid.
   PolygonSet(const PolygonSet& other, const Pose& pose);
 
-  [[nodiscard]] std::size_t edge_count() const { return edges; }
-
   std::vector<Polygon> polygons;
   std::shared_ptr<const std::vector<Polygon>> model;  ///< the polygons before posing; null if the pose is the identity
   LazyPreparedPolygons prepared;
   BoxTree tree;
-  std::size_t edges;  ///< of all polygons
 };
 
 /// Thrown for a face that is invalid under a pose.
@@ -77,4 +97,4 @@ struct FaceRejected {
   Rejection rejection;
 };
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -9,7 +9,7 @@
 #include "robust/exact/motion.h"
 #include "robust/filtered/motion.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -76,4 +76,4 @@ std::optional<FirstFace> FirstContactSearch::first() const {
   return FirstFace{best->face.id, *best->contact};
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

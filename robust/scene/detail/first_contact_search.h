@@ -9,10 +9,10 @@
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
 #include "robust/filtered/filtered.h"
-#include "robust/scene/detail/met_face.h"
+#include "robust/scene/detail/nearest_search.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 /// The search for the face that a moving ball touches first. It shortens the motion to a time until which the ball
 /// touches some face found so far, so faces that it touches only later are not the first. At the end exact times decide
@@ -75,4 +75,4 @@ class FirstContactSearch {
   mutable std::vector<Met> met_;  ///< contacts are found at the end
 };
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "geometry/shapes/ball.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 #include "robust/scene/detail/shared_vertices.h"
 
 /// The quickest proof that a ball touches a triangle: it holds a vertex.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 namespace held_vertex {
 
@@ -35,11 +35,11 @@ class VertexFinder {
   /// Returns whether the ball certainly holds a vertex of the triangle.
   [[nodiscard]] TOUCHSTONE_INLINE bool finds(const SharedTriangle& triangle) const {
     const auto seen = [&](int axis) {
-      return filtered::all_lanes(center_[axis]) -
-             filtered::pack(triangle.a[axis], triangle.b[axis], triangle.c[axis], triangle.c[axis]);
+      return filtered::detail::all_lanes(center_[axis]) -
+             filtered::detail::pack(triangle.a[axis], triangle.b[axis], triangle.c[axis], triangle.c[axis]);
     };
-    const filtered::Vector3<filtered::Pack> from{seen(0), seen(1), seen(2)};
-    return (negative_lanes(dot(from, from) - filtered::all_lanes(limit_))) != 0;
+    const filtered::detail::Vector3<filtered::detail::Pack> from{seen(0), seen(1), seen(2)};
+    return (negative_lanes(dot(from, from) - filtered::detail::all_lanes(limit_))) != 0;
   }
 
  private:
@@ -48,4 +48,4 @@ class VertexFinder {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -8,7 +8,7 @@
 
 #include "robust/scene/detail/rounded_plane.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 namespace {
 
 Box box_of_vertices(const Polygon& polygon) {
@@ -30,7 +30,7 @@ void widen(Box& box, int axis, double lift) {
 
 Box lifted_box(const Polygon& polygon, const filtered::PreparedPolygon& prepared) {
   Box box = box_of_vertices(polygon);
-  const filtered::BigIntPolygon& bigint = parts_of(prepared).exact_form().bigint;
+  const filtered::detail::BigIntPolygon& bigint = parts_of(prepared).exact_form().bigint;
   if (bigint.planar()) return box;
   // A vertex moves along the dropped axis by at most off_plane.
   widen(box, bigint.dropped_axis(), std::nextafter(bigint.off_plane(), std::numeric_limits<double>::infinity()));
@@ -38,7 +38,7 @@ Box lifted_box(const Polygon& polygon, const filtered::PreparedPolygon& prepared
 }
 
 std::optional<Box> quick_lifted_box(const Polygon& polygon) {
-  using filtered::Vector3;
+  using filtered::detail::Vector3;
   const std::size_t outer = polygon.loop_end(0);
   const auto count = static_cast<double>(outer);
   if (count > rounded_plane::kMostVertices) return std::nullopt;
@@ -70,4 +70,4 @@ std::optional<Box> quick_lifted_box(const Polygon& polygon) {
   return box;
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -5,9 +5,9 @@
 
 #include "geometry/bvh/box.h"
 #include "geometry/shapes/polygon.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 /// Returns a box that contains the lifted polygon, or the part of it within the finite doubles: points beyond them only
 /// come nearer to every centre if they are moved back to the largest double. Requires round to nearest, without
@@ -18,4 +18,4 @@ namespace touchstone::scene {
 /// enough in doubles. Cost: about 10 ns per vertex.
 [[nodiscard]] std::optional<Box> quick_lifted_box(const Polygon& polygon);
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -4,13 +4,35 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
+
+std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> MetFace::place(const Feature& feature) const {
+  if (feature.kind == Feature::Kind::Face) return std::nullopt;
+  if (polygon != nullptr && !parts_of(*polygon).exact_form().bigint.planar()) return std::nullopt;
+  const auto vertex = [this](std::size_t i) -> Eigen::Vector3d {
+    if (!triangle) return parts_of(*polygon).polygon.vertex(i);
+    return i == 0 ? triangle->a : i == 1 ? triangle->b : triangle->c;
+  };
+  const std::size_t i = feature.index;
+  Eigen::Vector3d first = vertex(i);
+  if (feature.kind == Feature::Kind::Vertex) return std::pair(first, first);
+  Eigen::Vector3d second = vertex(triangle ? (i + 1) % 3 : parts_of(*polygon).polygon.next(i));
+  if (std::lexicographical_compare(second.begin(), second.end(), first.begin(), first.end())) std::swap(first, second);
+  return std::pair(first, second);
+}
+
+exact::PreparedPolygon MetFace::exactly() const {
+  return exact::PreparedPolygon(triangle ? Polygon({triangle->a, triangle->b, triangle->c})
+                                         : parts_of(*polygon).polygon);
+}
+
 namespace {
 
 using Eigen::Vector3d;
@@ -21,12 +43,13 @@ filtered::NoCounts uncounted;
 
 Feature nearest_feature(const Vector3d& center, const Triangle& triangle) {
   const Ball point{center, 0};
-  return filtered::kernels().plain.triangle_nearest(filtered::view_of(point, triangle), uncounted);
+  return filtered::detail::kernels().plain.triangle_nearest(filtered::detail::view_of(point, triangle), uncounted);
 }
 
 double feature_distance(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
   const Ball point{center, 0};
-  return filtered::kernels().plain.triangle_distance(filtered::view_of(point, triangle), feature, uncounted);
+  return filtered::detail::kernels().plain.triangle_distance(filtered::detail::view_of(point, triangle), feature,
+                                                             uncounted);
 }
 
 }  // namespace
@@ -107,9 +130,10 @@ std::optional<NearestFace> NearestSearch::nearest() {
   }
   if (best == nullptr) return std::nullopt;
   const filtered::ClosestPoint closest =
-      best->closest ? *best->closest
-                    : filtered::closest(filtered::kernels().plain, ball_.center, *best->face.triangle, uncounted);
+      best->closest
+          ? *best->closest
+          : filtered::detail::closest(filtered::detail::kernels().plain, ball_.center, *best->face.triangle, uncounted);
   return NearestFace{best->face.id, closest.feature, closest.point, closest.distance};
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

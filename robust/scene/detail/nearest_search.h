@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/contact/answer.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
+#include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "robust/scene/detail/met_face.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
+
+/// A face that a search has found: a copy of a triangle, or a pointer to a polygon.
+struct MetFace {
+  MetFace(const FaceId& number, const Triangle& face) : id(number), triangle(face), polygon(nullptr) {}
+  MetFace(const FaceId& number, const filtered::PreparedPolygon& face) : id(number), polygon(&face) {}
+
+  FaceId id;
+  std::optional<Triangle> triangle;          ///< either this
+  const filtered::PreparedPolygon* polygon;  ///< or this
+
+  /// Returns the position of a feature: the ends of an edge in lexicographic order, or a vertex twice. Features at one
+  /// position have the same distance from any point. Nothing for a face, or if vertices are lifted.
+  [[nodiscard]] std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> place(const Feature& feature) const;
+  /// Returns the face as `exact` takes it.
+  [[nodiscard]] exact::PreparedPolygon exactly() const;
+};
 
 /// The search for the face nearest to a centre. It shrinks a ball about the centre that always touches some face found
 /// so far, so faces that do not touch the ball are farther than the nearest. At the end distances decide among the
@@ -66,4 +84,4 @@ class NearestSearch {
   std::vector<Met> met_;
 };
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

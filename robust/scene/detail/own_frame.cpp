@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 namespace {
 
 using namespace own_frame;
@@ -83,4 +83,4 @@ double least_altitude(const Triangle& t) {
   return std::max(altitude, 0.0);
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

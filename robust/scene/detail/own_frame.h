@@ -11,7 +11,11 @@
 
 /// Triangles under a pose that stay in their own frame: a ball comes to them, and a triangle is posed only when that
 /// does not decide.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
+
+/// Returns the triangle with its vertices posed, as scene::posed does, without looking at the result. Requires finite
+/// numbers, and round to nearest without flush-to-zero.
+[[nodiscard]] Triangle posed_vertices(const Pose& pose, const Triangle& triangle);
 
 /// The constants of OwnFrame; u = 2^-53 is the error of one operation. Proved in
 /// tests/robust/proofs/own_frame_test.cpp.
@@ -104,4 +108,4 @@ class OwnFrame {
 /// Returns a lower bound of the triangle's altitudes, 0 if doubles know none. Requires finite vertices.
 [[nodiscard]] double least_altitude(const Triangle& triangle);
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

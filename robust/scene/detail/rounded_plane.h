@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 /// The plane of a polygon's outer loop in rounded arithmetic, and the heights of vertices above it; over any number
 /// type, for the error calculus of robust/proofs.
@@ -13,7 +13,7 @@
 /// N.(mean - vertex) is less than kHeight n^2 u e^3. This covers the rounding of these bounds, of a component minus its
 /// error, and of the height plus its error over such a component. Proved in tests/robust/proofs/rounded_plane_test.cpp
 /// for n from 3 to kMostVertices and e from kSmallestSize, including underflow.
-namespace touchstone::scene::rounded_plane {
+namespace touchstone::scene::detail::rounded_plane {
 
 inline constexpr double kNormal = 6;
 inline constexpr double kHeight = 91;
@@ -22,14 +22,14 @@ inline constexpr double kSmallestSize = 0x1p-300;
 
 template <class Number>
 struct Plane {
-  filtered::Vector3<Number> normal;  ///< Newell's
-  filtered::Vector3<Number> mean;
+  filtered::detail::Vector3<Number> normal;  ///< Newell's
+  filtered::detail::Vector3<Number> mean;
 };
 
 /// Returns the plane of a loop of `count` vertices; at(i) returns vertex i as a Vector3.
 template <class Number, class At>
 Plane<Number> plane_of(std::size_t count, const Number& zero, const At& at) {
-  using filtered::Vector3, filtered::cross;
+  using filtered::detail::Vector3, filtered::detail::cross;
   const auto sum = [](const Vector3<Number>& a, const Vector3<Number>& b) {
     return Vector3<Number>{a.x + b.x, a.y + b.y, a.z + b.z};
   };
@@ -45,9 +45,10 @@ Plane<Number> plane_of(std::size_t count, const Number& zero, const At& at) {
 
 /// Returns N.(mean - vertex): the distance of the vertex from the plane, with sign, times the length of the normal.
 template <class Number>
-Number height(const Plane<Number>& plane, const filtered::Vector3<Number>& vertex) {
-  const filtered::Vector3<Number> to_mean{plane.mean.x - vertex.x, plane.mean.y - vertex.y, plane.mean.z - vertex.z};
+Number height(const Plane<Number>& plane, const filtered::detail::Vector3<Number>& vertex) {
+  const filtered::detail::Vector3<Number> to_mean{plane.mean.x - vertex.x, plane.mean.y - vertex.y,
+                                                  plane.mean.z - vertex.z};
   return dot(plane.normal, to_mean);
 }
 
-}  // namespace touchstone::scene::rounded_plane
+}  // namespace touchstone::scene::detail::rounded_plane

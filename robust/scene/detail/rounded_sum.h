@@ -8,7 +8,7 @@
 #include "robust/filtered/detail/numbers/permanent.h"
 
 /// Correctly rounded sums of three products and a double, for poses.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 /// Returns the sum of the numbers, added from left to right.
 template <class... Numbers>
@@ -27,9 +27,10 @@ inline constexpr double kSumError = 0x1p-50;
 /// yields the error may lose 2^-1075: if the magnitudes are above 2^-1021, that is a sixteenth of it; if they are not,
 /// small doubles of that size were added without error. Rounding is monotone: if both ends of the interval round to the
 /// same double, so does the exact sum.
-inline std::optional<double> rounded_sum(const filtered::DoubleDouble& x, const filtered::DoubleDouble& y,
-                                         const filtered::DoubleDouble& z, double t) {
-  using filtered::DoubleDouble, filtered::two_sum, filtered::exact_double;
+inline std::optional<double> rounded_sum(const filtered::detail::DoubleDouble& x,
+                                         const filtered::detail::DoubleDouble& y,
+                                         const filtered::detail::DoubleDouble& z, double t) {
+  using filtered::detail::DoubleDouble, filtered::detail::two_sum, filtered::detail::exact_double;
   const DoubleDouble first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
   const DoubleDouble third = two_sum(second.high, t);
   const double sum = third.high;
@@ -48,4 +49,4 @@ inline std::optional<double> rounded_sum(const filtered::DoubleDouble& x, const 
   return sum + all.high;
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

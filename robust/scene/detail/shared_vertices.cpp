@@ -10,7 +10,7 @@
 #include "geometry/bvh/box_tree.h"
 #include "geometry/detail/parts_in_parallel.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 namespace {
 
 /// Numbers points in the order in which they first come; equal bits get equal numbers. It has room for a part's points.
@@ -79,4 +79,4 @@ std::size_t TrianglesOfSharedVertices::memory() const {
          first_vertex_.capacity() * sizeof(std::size_t);
 }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -10,7 +10,7 @@
 
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
 /// A triangle whose vertices are stored elsewhere.
 struct SharedTriangle {
@@ -51,4 +51,4 @@ class TrianglesOfSharedVertices {
   std::vector<std::size_t> first_vertex_;  ///< by part
 };
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "geometry/shapes/motion.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
+#include "robust/scene/detail/culling_motion.h"
 #include "robust/scene/detail/shared_vertices.h"
-#include "robust/scene/detail/way.h"
 
 /// The space that a moving ball sweeps. Requires round to nearest, without flush-to-zero.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 namespace swept {
@@ -47,12 +47,12 @@ class Swept {
   [[nodiscard]] const Motion& motion() const { return motion_; }
   /// Returns whether the ball certainly misses the triangle's box along some axis. Culls most triangles of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool misses(const SharedTriangle& triangle) const {
-    using filtered::Pack;
-    const Pack low = filtered::load_three(low_), high = filtered::load_three(high_);
+    using filtered::detail::Pack;
+    const Pack low = filtered::detail::load_three(low_), high = filtered::detail::load_three(high_);
     // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.
-    const Pack radius = filtered::all_lanes(motion_.ball.radius + 0.0);
-    const Pack a = filtered::load_three(triangle.a.data()), b = filtered::load_three(triangle.b.data()),
-               c = filtered::load_three(triangle.c.data());
+    const Pack radius = filtered::detail::all_lanes(motion_.ball.radius + 0.0);
+    const Pack a = filtered::detail::load_three(triangle.a.data()), b = filtered::detail::load_three(triangle.b.data()),
+               c = filtered::detail::load_three(triangle.c.data());
     const Pack below = maximum(high - a, maximum(high - b, high - c)) + radius;
     const Pack above = radius - minimum(low - a, minimum(low - b, low - c));
     return (negative_lanes(below | above) & 0b111) != 0;
@@ -72,4 +72,4 @@ class Swept {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -6,10 +6,10 @@
 #include <span>
 
 #include "geometry/bvh/box_tree.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 
 /// The walk through a tree to the faces that something may touch.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Fetches the bytes of objects from memory, for when the walk comes to them.
@@ -144,4 +144,4 @@ void walk_in_order(const BoxTree& tree, const Culling& culling, const Visit& vis
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -6,12 +6,12 @@
 #include <span>
 
 #include "geometry/shapes/ball.h"
-#include "robust/filtered/detail/triangle_groups_contact.h"
+#include "robust/filtered/detail/sets/triangle_groups_contact.h"
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/tree_walk.h"
 
 /// The leaves of a set's tree: up to eight triangles, which floats decide together.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Calls f(place) for each of these triangles of a leaf, one per bit.
@@ -37,7 +37,7 @@ template <class Contact, class F>
 TOUCHSTONE_INLINE bool any_of_leaves(std::span<const Leaf> leaves, const Contact& contact, const F& f) {
   unsigned open[BoxTree::kWidth];
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const filtered::GroupAnswers known = contact(leaves[i]);
+    const filtered::detail::GroupAnswers known = contact(leaves[i]);
     if (known.touched != 0) return true;
     open[i] = known.unsure;
   }
@@ -52,7 +52,7 @@ class LeafDistances {
   /// Knows nothing.
   explicit LeafDistances(const Leaf& leaf) : leaf_(leaf), size_(0), scale_(0) {}
   /// Requires distances in the units of a group with this scale.
-  TOUCHSTONE_INLINE LeafDistances(const Leaf& leaf, const filtered::LaneDistances& lanes, double scale)
+  TOUCHSTONE_INLINE LeafDistances(const Leaf& leaf, const filtered::detail::LaneDistances& lanes, double scale)
       : leaf_(leaf), size_(lanes.size), scale_(scale) {
     store(most_, lanes.most);
     store(support_, lanes.support);
@@ -70,20 +70,21 @@ class LeafDistances {
     constexpr double wide = 1 + 0x1p-20, unknown = std::numeric_limits<double>::infinity();
     if (!known()) [[unlikely]]
       return unknown;
-    const filtered::LaneDistances here = lanes();
-    const double least = static_cast<double>(least_of_first(here.most, leaf_.count)) / filtered::TriangleGroup::kSteps;
+    const filtered::detail::LaneDistances here = lanes();
+    const double least =
+        static_cast<double>(least_of_first(here.most, leaf_.count)) / filtered::detail::TriangleGroup::kSteps;
     const double radius = (least + here.error(least)) * wide / scale_;
     return (here.touched(radius * scale_) & all_triangles(leaf_)) != 0 ? radius : unknown;
   }
 
  private:
-  [[nodiscard]] TOUCHSTONE_INLINE filtered::LaneDistances lanes() const {
-    return {filtered::load_eight(most_), filtered::load_eight(support_), size_};
+  [[nodiscard]] TOUCHSTONE_INLINE filtered::detail::LaneDistances lanes() const {
+    return {filtered::detail::load_eight(most_), filtered::detail::load_eight(support_), size_};
   }
 
   // No packs, whose alignment many allocators do not know.
   Leaf leaf_;
-  float most_[filtered::kFloatLanes], support_[filtered::kFloatLanes];
+  float most_[filtered::detail::kFloatLanes], support_[filtered::detail::kFloatLanes];
   double size_, scale_;
 };
 
@@ -95,25 +96,25 @@ class TriangleLeaves {
 
   /// Returns the triangles that a ball with the radius `inner` certainly touches, and those that floats leave open; the
   /// concentric `ball`, which is not smaller, certainly misses the others.
-  [[nodiscard]] TOUCHSTONE_INLINE filtered::GroupAnswers contact(const Ball& ball, double inner,
-                                                                 const Leaf& leaf) const {
-    if (!filtered::in_reach_of_groups(ball)) [[unlikely]]
+  [[nodiscard]] TOUCHSTONE_INLINE filtered::detail::GroupAnswers contact(const Ball& ball, double inner,
+                                                                         const Leaf& leaf) const {
+    if (!filtered::detail::in_reach_of_groups(ball)) [[unlikely]]
       return {0, all_triangles(leaf)};
-    return filtered::lanes_contact(ball, inner, groups_[leaf.number], all_triangles(leaf));
+    return filtered::detail::lanes_contact(ball, inner, groups_[leaf.number], all_triangles(leaf));
   }
 
   /// Returns what floats know of the distances from a ball's centre: nothing if the ball is beyond the group's reach.
   [[nodiscard]] TOUCHSTONE_INLINE LeafDistances distances(const Ball& ball, const Leaf& leaf) const {
-    const filtered::TriangleGroup& group = groups_[leaf.number];
+    const filtered::detail::TriangleGroup& group = groups_[leaf.number];
     double seen[4];
-    if (!filtered::in_reach_of_groups(ball) || !filtered::see(ball, group, seen)) [[unlikely]]
+    if (!filtered::detail::in_reach_of_groups(ball) || !filtered::detail::see(ball, group, seen)) [[unlikely]]
       return LeafDistances(leaf);
-    return {leaf, filtered::lane_distances(group, seen), group.scale};
+    return {leaf, filtered::detail::lane_distances(group, seen), group.scale};
   }
 
  private:
-  const filtered::TriangleGroup* groups_;
+  const filtered::detail::TriangleGroup* groups_;
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

@@ -11,27 +11,27 @@
 #include "robust/scene/detail/tree_walk.h"
 
 /// The triangles of a set, where they stand or in their own frame, and a moving ball that asks about them.
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Returns whether the moving ball certainly misses the triangle, by doubles.
 TOUCHSTONE_INLINE bool certainly_misses(const Motion& motion, const Triangle& triangle) {
-  filtered::CapsuleSigns signs;
-  return capsule_filter(filtered::view_of(motion, triangle), signs) == filtered::FilterResult::No;
+  filtered::detail::CapsuleSigns signs;
+  return capsule_filter(filtered::detail::view_of(motion, triangle), signs) == filtered::detail::FilterResult::No;
 }
 
 /// Passes the triangle to a search if the ball touches it before the search's end.
 inline void meet(const Triangle& triangle, std::uint32_t number, FirstContactSearch& search) {
-  const filtered::MotionTriangleView view = filtered::view_of(search.motion(), triangle);
-  const filtered::MotionFilterResult known = filtered::motion_filter(view);
-  if (known.contact == filtered::FilterResult::No) return;
+  const filtered::detail::MotionTriangleView view = filtered::detail::view_of(search.motion(), triangle);
+  const filtered::detail::MotionFilterResult known = filtered::detail::motion_filter(view);
+  if (known.contact == filtered::detail::FilterResult::No) return;
   if (known.latest <= 2) {  // finite
     if (known.earliest <= search.end()) search.meet(triangle, number, known.feature, known.earliest, known.latest);
-  } else if (known.at_start == filtered::FilterResult::Yes) {
+  } else if (known.at_start == filtered::detail::FilterResult::Yes) {
     search.start(triangle, number);
   } else {
     filtered::NoCounts counts;
-    search.meet(triangle, number, filtered::later_first_contact(view, known, counts));
+    search.meet(triangle, number, filtered::detail::later_first_contact(view, known, counts));
   }
 }
 
@@ -41,7 +41,6 @@ class StandingTrianglesOnWay {
   StandingTrianglesOnWay(const TriangleSet& set, const Motion& motion)
       : triangles_(set.placed->triangles), motion_(motion), swept_(motion), at_start_(set, motion.ball) {}
 
-  [[nodiscard]] const Motion& asked() const { return motion_; }
   void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
   /// Returns whether the ball touches a triangle of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
@@ -67,14 +66,14 @@ class StandingTrianglesOnWay {
     if (swept_.misses(triangles_[place])) return false;
     const Triangle triangle = triangles_[place].copy();
     filtered::NoCounts counts;
-    return filtered::triangle_motion_contact(filtered::view_of(motion_, triangle), counts);
+    return filtered::detail::triangle_motion_contact(filtered::detail::view_of(motion_, triangle), counts);
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool touches_at_start(std::uint32_t place) const { return at_start_.touches(place); }
   /// Passes the triangle to the search if the ball touches it before the search's end.
   void meet(std::uint32_t place, std::uint32_t number, FirstContactSearch& search) const {
     if (swept_.misses(triangles_[place])) return;
     const Triangle triangle = triangles_[place].copy();
-    if (!certainly_misses(swept_.motion(), triangle)) scene::meet(triangle, number, search);
+    if (!certainly_misses(swept_.motion(), triangle)) detail::meet(triangle, number, search);
   }
 
  private:
@@ -95,7 +94,6 @@ class TrianglesInOwnFrameOnWay {
         swept_(seen_.outer),
         at_start_(set, motion.ball) {}
 
-  [[nodiscard]] const Motion& asked() const { return motion_; }
   void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
   /// Returns whether the ball touches a triangle of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
@@ -119,12 +117,13 @@ class TrianglesInOwnFrameOnWay {
   [[nodiscard]] bool touches(std::uint32_t place) const {
     if (swept_.misses(triangles_[place])) return false;
     const Triangle own = triangles_[place].copy();
-    filtered::CapsuleSigns signs;
+    filtered::detail::CapsuleSigns signs;
     const Motion inner = seen_.inner_motion();
-    switch (capsule_filter(filtered::view_of(seen_.outer, own), signs)) {
-      case filtered::FilterResult::No: return false;
-      case filtered::FilterResult::Yes:
-        if (seen_.inner >= 0 && capsule_filter(filtered::view_of(inner, own), signs) == filtered::FilterResult::Yes)
+    switch (capsule_filter(filtered::detail::view_of(seen_.outer, own), signs)) {
+      case filtered::detail::FilterResult::No: return false;
+      case filtered::detail::FilterResult::Yes:
+        if (seen_.inner >= 0 &&
+            capsule_filter(filtered::detail::view_of(inner, own), signs) == filtered::detail::FilterResult::Yes)
           return true;
         [[fallthrough]];
       default: return touches_posed(place);
@@ -134,14 +133,14 @@ class TrianglesInOwnFrameOnWay {
   void meet(std::uint32_t place, std::uint32_t number, FirstContactSearch& search) const {
     if (swept_.misses(triangles_[place])) return;
     const Triangle own = triangles_[place].copy();
-    if (!certainly_misses(swept_.motion(), own)) scene::meet(triangle(place), number, search);
+    if (!certainly_misses(swept_.motion(), own)) detail::meet(triangle(place), number, search);
   }
 
  private:
   [[nodiscard]] __attribute__((noinline)) bool touches_posed(std::uint32_t place) const {
     const Triangle posed = triangle(place);
     filtered::NoCounts counts;
-    return filtered::triangle_motion_contact(filtered::view_of(motion_, posed), counts);
+    return filtered::detail::triangle_motion_contact(filtered::detail::view_of(motion_, posed), counts);
   }
 
   const TrianglesOfSharedVertices& triangles_;
@@ -153,4 +152,4 @@ class TrianglesInOwnFrameOnWay {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

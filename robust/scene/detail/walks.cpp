@@ -2,8 +2,10 @@
 #include "robust/scene/detail/walks.h"
 
 #include "robust/detail/sound_arithmetic.h"
+#include "robust/scene/detail/walks_definition.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
+
 namespace {
 
 bool has_avx2() {
@@ -21,11 +23,11 @@ bool has_avx2() {
 }  // namespace
 
 #if !defined(TOUCHSTONE_HAS_AVX2)
-const Walks<NoTally>& avx2_walks() { return baseline_walks(); }
-const Walks<Tally>& avx2_counted_walks() { return baseline_counted_walks(); }
+const Walks& avx2_walks() { return baseline_walks(); }
 #endif
 
-const Walks<NoTally>& fastest_walks(NoTally) { return has_avx2() ? avx2_walks() : baseline_walks(); }
-const Walks<Tally>& fastest_walks(const Tally&) { return has_avx2() ? avx2_counted_walks() : baseline_counted_walks(); }
+const Walks& fastest_walks() { return has_avx2() ? avx2_walks() : baseline_walks(); }
 
-}  // namespace touchstone::scene
+const Walks& baseline_walks() { return kWalks; }
+
+}  // namespace touchstone::scene::detail

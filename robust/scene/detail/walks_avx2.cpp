@@ -4,9 +4,9 @@
 #define TOUCHSTONE_TARGET avx2
 #include "robust/scene/detail/walks_definition.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 
-const Walks<NoTally>& avx2_walks() { return kWalks<NoTally>; }
+const Walks& avx2_walks() { return kWalks; }
 
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail
 #endif

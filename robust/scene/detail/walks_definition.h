@@ -15,7 +15,7 @@
 #include "robust/scene/detail/triangles_on_way.h"
 #include "robust/scene/detail/walks.h"
 
-namespace touchstone::scene {
+namespace touchstone::scene::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The classes with which a ball or a motion asks.
@@ -34,21 +34,6 @@ struct Asking<Motion> {
   using InOwnFrame = TrianglesInOwnFrameOnWay;
 };
 
-/// Returns whether the triangle at a place is touched.
-template <class Triangles>
-TOUCHSTONE_INLINE bool touches(const Triangles& triangles, std::uint32_t place, NoTally) {
-  return triangles.touches(place);
-}
-template <class Triangles>
-bool touches(const Triangles& triangles, std::uint32_t place, Tally& tally) {
-  return touches(triangles.asked(), triangles.triangle(place), tally);
-}
-
-template <class Query>
-TOUCHSTONE_INLINE bool touches(const Query& query, const filtered::PreparedPolygon& polygon, NoTally) {
-  return filtered::contact(query, polygon);
-}
-
 /// Adds a face to those that are touched. The first makes room for more.
 TOUCHSTONE_INLINE void add(std::vector<FaceId>& faces, FaceId face) {
   constexpr std::size_t kFew = 16;
@@ -60,12 +45,6 @@ TOUCHSTONE_INLINE void add(std::vector<FaceId>& faces, FaceId face) {
 inline constexpr std::size_t kLeavesAtOnce = 8;
 /// For polygons, which lie where they were prepared.
 inline constexpr auto kFetchNothing = [](const Leaf&) {};
-/// Returns whether this face settles the query, so that the walk can stop.
-template <class Asked, class Face>
-TOUCHSTONE_INLINE bool ends(const Asked& asked, const Face& face, NoTally tally) {
-  return touches(asked, face, tally);
-}
-
 /// Returns a visit of several leaves that visits each alone.
 template <class Visit>
 TOUCHSTONE_INLINE auto each_leaf(const Visit& visit) {
@@ -86,30 +65,6 @@ TOUCHSTONE_INLINE auto each_place(const Visit& visit) {
   };
 }
 
-/// Returns whether a triangle of some leaves settles the query, so that the walk can stop.
-template <class Triangles>
-TOUCHSTONE_INLINE bool any_ends(const Triangles& triangles, std::span<const Leaf> leaves, NoTally) {
-  return triangles.any_touched(leaves);
-}
-template <class Triangles>
-bool any_ends(const Triangles& triangles, std::span<const Leaf> leaves, Tally& tally) {
-  for (const Leaf& leaf : leaves)
-    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
-      (void)ends(triangles, place, tally);
-  return false;
-}
-
-/// Calls f(place) for each triangle of a leaf that is touched.
-template <class Triangles, class F>
-TOUCHSTONE_INLINE void for_touched(const Triangles& triangles, const Leaf& leaf, NoTally, const F& f) {
-  triangles.for_touched(leaf, f);
-}
-template <class Triangles, class F>
-void for_touched(const Triangles& triangles, const Leaf& leaf, Tally& tally, const F& f) {
-  for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
-    if (touches(triangles, place, tally)) f(place);
-}
-
 /// Calls f(triangles) with the triangles of the set, as the ball or motion asks about them.
 template <class Query, class F>
 TOUCHSTONE_INLINE auto with_triangles(const TriangleSet& set, const Query& query, const F& f) {
@@ -117,36 +72,33 @@ TOUCHSTONE_INLINE auto with_triangles(const TriangleSet& set, const Query& query
                    : f(typename Asking<Query>::Standing(set, query));
 }
 
-template <class Query, class T>
-bool touches_triangle(const Query& query, const TriangleSet& set, T& tally) {
-  tally.ask(set.size(), set.edge_count());
+template <class Query>
+bool touches_triangle(const Query& query, const TriangleSet& set) {
   const BoxTree& tree = set.placed->tree;
   return with_triangles(set, query, [&](const auto& triangles) {
     return walk<1>(
         tree, typename Asking<Query>::Culling(triangles.culling(), tree),
-        [&](std::span<const Leaf> leaves) { return any_ends(triangles, leaves, tally); },
+        [&](std::span<const Leaf> leaves) { return triangles.any_touched(leaves); },
         [&](const Leaf& leaf) { triangles.prefetch_leaf(leaf); });
   });
 }
 
-template <class Query, class T>
-bool touches_polygon(const Query& query, const PolygonSet& set, T& tally) {
-  tally.ask(set.polygons.size(), set.edge_count());
+template <class Query>
+bool touches_polygon(const Query& query, const PolygonSet& set) {
   const typename Asking<Query>::Culling culling(query, set.tree);
   return walk<1>(set.tree, culling, each_leaf(each_place([&](std::uint32_t place) {
-                   return ends(query, set.prepared[set.tree.order()[place]], tally);
+                   return filtered::contact(query, set.prepared[set.tree.order()[place]]);
                  })),
                  kFetchNothing);
 }
 
-template <class Query, class T>
-void touched_triangles(const Query& query, const TriangleSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
-  tally.ask(set.size(), set.edge_count());
+template <class Query>
+void touched_triangles(const Query& query, const TriangleSet& set, FaceId first, std::vector<FaceId>& faces) {
   const BoxTree& tree = set.placed->tree;
   with_triangles(set, query, [&](const auto& triangles) {
     walk<kLeavesAtOnce>(tree, typename Asking<Query>::Culling(triangles.culling(), tree),
                         each_leaf([&](const Leaf& leaf) {
-                          for_touched(triangles, leaf, tally, [&](std::uint32_t place) {
+                          triangles.for_touched(leaf, [&](std::uint32_t place) {
                             add(faces, {first.object, first.face + tree.order()[place]});
                           });
                           return false;
@@ -155,32 +107,20 @@ void touched_triangles(const Query& query, const TriangleSet& set, FaceId first,
   });
 }
 
-template <class Query, class T>
-void touched_polygons(const Query& query, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
-  tally.ask(set.polygons.size(), set.edge_count());
+template <class Query>
+void touched_polygons(const Query& query, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces) {
   const typename Asking<Query>::Culling culling(query, set.tree);
   walk<1>(set.tree, culling, each_leaf(each_place([&](std::uint32_t place) {
             const std::uint32_t number = set.tree.order()[place];
-            if (touches(query, set.prepared[number], tally)) add(faces, {first.object, first.face + number});
+            if (filtered::contact(query, set.prepared[number])) add(faces, {first.object, first.face + number});
             return false;
           })),
           kFetchNothing);
 }
 
-/// Counts the triangles of a leaf that a search for the nearest meets.
-template <class Triangles>
-TOUCHSTONE_INLINE void count_leaf(const Triangles&, const Leaf&, NoTally) {}
-template <class Triangles>
-void count_leaf(const Triangles& triangles, const Leaf& leaf, Tally& tally) {
-  for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
-    (void)touches(triangles, place, tally);
-}
-
 // Floats shrink the ball, then upper bounds in doubles; only triangles that it may still touch at the end are compared
 // exactly.
-template <class T>
-void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
-  tally.ask(set.size(), set.edge_count());
+inline void nearest_triangle(const TriangleSet& set, NearestSearch& search) {
   if (set.size() == 0) return;
   const BoxTree& tree = set.placed->tree;
   constexpr std::size_t few = 16;
@@ -206,7 +146,6 @@ void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
           const std::size_t before = met.size();
           double least = std::numeric_limits<double>::infinity();
           for (const Leaf& leaf : leaves) {
-            count_leaf(triangles, leaf, tally);
             met.push_back(triangles.distances(leaf));
             least = std::min(least, met.back().radius());
           }
@@ -229,15 +168,13 @@ void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
   });
 }
 
-template <class T>
-void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
-  tally.ask(set.polygons.size(), set.edge_count());
+inline void nearest_polygon(const PolygonSet& set, NearestSearch& search) {
   if (set.polygons.empty()) return;
   search.expect(set.prepared[0]);
   CullingBall culling_ball(search.ball(), set.tree);
   walk_in_order(set.tree, culling_ball, each_leaf(each_place([&](std::uint32_t place) {
                   const std::uint32_t number = set.tree.order()[place];
-                  if (!touches(search.ball(), set.prepared[number], tally)) return false;
+                  if (!filtered::contact(search.ball(), set.prepared[number])) return false;
                   search.meet(set.prepared[number], number);
                   culling_ball.set_radius(search.ball().radius, set.tree);
                   return false;
@@ -245,20 +182,7 @@ void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
                 kFetchNothing);
 }
 
-/// @{
-/// Counts a face that a search for the first contact meets.
-TOUCHSTONE_INLINE void count(const Motion&, const filtered::PreparedPolygon&, NoTally) {}
-template <class Triangles>
-TOUCHSTONE_INLINE void count(const Triangles&, std::uint32_t, NoTally) {}
-template <class Asked, class Face>
-void count(const Asked& asked, const Face& face, Tally& tally) {
-  (void)touches(asked, face, tally);
-}
-/// @}
-
-template <class T>
-void first_triangle(const TriangleSet& set, FirstContactSearch& search, T& tally) {
-  tally.ask(set.size(), set.edge_count());
+inline void first_triangle(const TriangleSet& set, FirstContactSearch& search) {
   const BoxTree& tree = set.placed->tree;
   with_triangles(set, search.motion(), [&](auto triangles) {
     CullingMotion culling(triangles.culling(), tree);
@@ -270,7 +194,6 @@ void first_triangle(const TriangleSet& set, FirstContactSearch& search, T& tally
     };
     shorten();
     walk_in_order(tree, culling, each_leaf(each_place([&](std::uint32_t place) {
-                    count(triangles, place, tally);
                     const std::uint32_t number = tree.order()[place];
                     if (!search.is_at_start())
                       triangles.meet(place, number, search);
@@ -283,16 +206,13 @@ void first_triangle(const TriangleSet& set, FirstContactSearch& search, T& tally
   });
 }
 
-template <class T>
-void first_polygon(const PolygonSet& set, FirstContactSearch& search, T& tally) {
-  tally.ask(set.polygons.size(), set.edge_count());
+inline void first_polygon(const PolygonSet& set, FirstContactSearch& search) {
   const Motion& motion = search.motion();
   CullingMotion culling(motion, set.tree);
   if (search.end() < 1) culling.end_at(search.end());
   walk_in_order(set.tree, culling, each_leaf(each_place([&](std::uint32_t place) {
                   const std::uint32_t number = set.tree.order()[place];
                   const filtered::PreparedPolygon& polygon = set.prepared[number];
-                  count(motion, polygon, tally);
                   if (!search.is_at_start())
                     search.meet(polygon, number, filtered::first_contact(motion, polygon));
                   else if (search.is_lower(number) && filtered::contact(motion.ball, polygon))
@@ -304,12 +224,11 @@ void first_polygon(const PolygonSet& set, FirstContactSearch& search, T& tally) 
 }
 
 /// The walks of the target that this is compiled for.
-template <class Query, class T>
-inline constexpr ContactWalks<Query, T> kContactWalks{touches_triangle<Query, T>, touches_polygon<Query, T>,
-                                                      touched_triangles<Query, T>, touched_polygons<Query, T>};
-template <class T>
-inline constexpr Walks<T> kWalks{kContactWalks<Ball, T>, kContactWalks<Motion, T>, nearest_triangle<T>,
-                                 nearest_polygon<T>,     first_triangle<T>,        first_polygon<T>};
+template <class Query>
+inline constexpr ContactWalks<Query> kContactWalks{touches_triangle<Query>, touches_polygon<Query>,
+                                                   touched_triangles<Query>, touched_polygons<Query>};
+inline constexpr Walks kWalks{kContactWalks<Ball>, kContactWalks<Motion>, nearest_triangle,
+                              nearest_polygon,     first_triangle,        first_polygon};
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene::detail

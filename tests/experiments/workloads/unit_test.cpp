@@ -29,7 +29,7 @@ TEST(Unit, RoundsOnce) {
   for (int i = 0; i < 10'000; ++i) {
     bits = bits * 6364136223846793005U + 1442695040888963407U;
     const std::uint64_t whole = (bits >> 12) | (std::uint64_t{1} << 52);
-    const auto product = static_cast<filtered::Uint128>(whole) * 127 << 20;
+    const auto product = static_cast<filtered::detail::Uint128>(whole) * 127 << 20;
     // 60 bits of quotient and a sticky one: the conversion rounds once.
     const auto quotient =
         static_cast<std::uint64_t>(product / 5 >> 22) | (product % (std::uint64_t{5} << 22) != 0 ? 1 : 0);

@@ -86,7 +86,7 @@ TEST(ExactLift, MovesHolesOntoThePlaneOfTheOuterLoop) {
 // N = (32, 0, 32), plane x + z = 0: along x vertex 0 comes to (0, 0, 0), along z it would come to (1, 0, -1).
 TEST(ExactLift, DropsTheLowestAxisOnATie) {
   const Polygon polygon({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
-  EXPECT_EQ(exact::dropped_axis(polygon), 0);
+  EXPECT_EQ(exact::detail::dropped_axis(polygon), 0);
   EXPECT_EQ(exact::answer({{0, -3, 0}, 3}, polygon), (Answer{PlaneSide::Intersects,
                                                              false,
                                                              PointLocation::Outside,
@@ -101,7 +101,7 @@ TEST(ExactLift, DropsTheLowestAxisOnATie) {
 TEST(ExactLift, DropsTheAxisOfTheLargestComponentWhateverItsSign) {
   for (int times = 0; times < 3; ++times) {
     const auto axis = [&](const Loop& loop) {
-      return exact::dropped_axis(turned({{"", {{0, 0, 0}, 0}, Polygon(loop)}, {}}, times).given.polygon);
+      return exact::detail::dropped_axis(turned({{"", {{0, 0, 0}, 0}, Polygon(loop)}, {}}, times).given.polygon);
     };
     EXPECT_EQ(axis({{0, 0, 0}, {4, 0, 1}, {0, 4, 1}}), (2 + times) % 3);
     EXPECT_EQ(axis({{0, 0, 0}, {0, 4, 1}, {4, 0, 1}}), (2 + times) % 3);
@@ -110,7 +110,7 @@ TEST(ExactLift, DropsTheAxisOfTheLargestComponentWhateverItsSign) {
 
 TEST(ExactLift, IsRefusedWithoutANormal) {
   const Polygon line({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}});
-  EXPECT_EQ(exact::dropped_axis(line), std::nullopt);
+  EXPECT_EQ(exact::detail::dropped_axis(line), std::nullopt);
   try {
     const exact::PreparedPolygon prepared(line);
     FAIL() << "a polygon on a line was accepted";

@@ -99,8 +99,8 @@ RC_GTEST_PROP(ExactMirror, ExchangingAxesExchangesThePointAndSwapsFrontAndBehind
   };
   const Case image = moved(c, exchange);
   Answer expected = from_behind(exact::answer(c.ball, c.polygon));
-  const int axis = *exact::dropped_axis(c.polygon), image_axis = axis == kept ? kept : (axis == i ? j : i);
-  RC_PRE(expected.off_plane == 0 || exact::dropped_axis(image.polygon) == image_axis);
+  const int axis = *exact::detail::dropped_axis(c.polygon), image_axis = axis == kept ? kept : (axis == i ? j : i);
+  RC_PRE(expected.off_plane == 0 || exact::detail::dropped_axis(image.polygon) == image_axis);
   expected.point = exchange(expected.point);
   RC_ASSERT(exact::answer(image.ball, image.polygon) == expected);
 }

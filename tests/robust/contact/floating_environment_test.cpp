@@ -104,7 +104,7 @@ TEST(FloatingEnvironment, IsLeftAsFound) {
         std::feraiseexcept(flags);
         const bool accepted = !exact::validate(c.polygon).has_value();
         const Answer answer = exact::answer(c.ball, c.polygon);
-        const auto axis = exact::dropped_axis(c.polygon);
+        const auto axis = exact::detail::dropped_axis(c.polygon);
         const int flags_after = std::fetestexcept(kFlags);
         EXPECT_TRUE(accepted && axis && answer.contact() == exact::contact(c.ball, c.polygon));
         EXPECT_EQ(flags_after, flags) << c.id;

@@ -17,7 +17,7 @@ import sys
 # Types of arguments and results without a double in them, and words around types.
 WITHOUT_DOUBLES = re.compile(
     r"\b(const|constexpr|void|bool|int|std|size_t|u?int\d+_t|string|string_view|optional|vector|span|unique_ptr|path|"
-    r"filesystem|touchstone|filtered|scene|io|Stage|StageCounts|CullOutcome|FaceCounts|FaceId|RejectionCode|Rejection|SourceLocation|"
+    r"filesystem|touchstone|filtered|scene|io|Stage|StageCounts|FaceId|RejectionCode|Rejection|SourceLocation|"
     r"PlaneSide|PointLocation|Relation|Feature|Kind|FirstContactKind|Objects|PreparedPolygon|Options|Parts|Lifted)\b")
 # Functions that take the floating-point unit as it is; the header that declares them says so, in these words.
 ASSUMED = "in the default state of the floating-point unit"

@@ -54,24 +54,11 @@ auto of_motions(const Ask& ask) {
 }
 
 std::vector<PublicFunction> moving_functions() {
-  using scene::FaceCounts;
   return {
       gives("scene::Scene::touches", of_motions([](const Scene& s, const Motion& m) { return s.touches(m); })),
       gives("scene::Scene::touched", of_motions([](const Scene& s, const Motion& m) { return s.touched(m); })),
       gives("scene::Scene::first_contact",
             of_motions([](const Scene& s, const Motion& m) { return s.first_contact(m); })),
-      gives("scene::Scene::touches", of_motions([](const Scene& s, const Motion& m) {
-              FaceCounts counts;
-              return s.touches(m, counts);
-            })),
-      gives("scene::Scene::touched", of_motions([](const Scene& s, const Motion& m) {
-              FaceCounts counts;
-              return s.touched(m, counts);
-            })),
-      gives("scene::Scene::first_contact", of_motions([](const Scene& s, const Motion& m) {
-              FaceCounts counts;
-              return s.first_contact(m, counts);
-            })),
       gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {
               const std::vector<Motion> motions = motions_of(in);
               std::array<bool, 4> touches{};
@@ -119,24 +106,6 @@ std::vector<PublicFunction> static_functions() {
       gives("scene::Scene::nearest", of_scene([](const Scene& scene, const Input& in) {
               std::vector<std::optional<scene::NearestFace>> nearest;
               for (const Ball& ball : balls_of(in)) nearest.push_back(scene.nearest(ball));
-              return nearest;
-            })),
-      gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {
-              std::vector<bool> touches;
-              scene::FaceCounts counts;
-              for (const Ball& ball : balls_of(in)) touches.push_back(scene.touches(ball, counts));
-              return touches;
-            })),
-      gives("scene::Scene::touched", of_scene([](const Scene& scene, const Input& in) {
-              std::vector<std::vector<scene::FaceId>> touched;
-              scene::FaceCounts counts;
-              for (const Ball& ball : balls_of(in)) touched.push_back(scene.touched(ball, counts));
-              return touched;
-            })),
-      gives("scene::Scene::nearest", of_scene([](const Scene& scene, const Input& in) {
-              std::vector<std::optional<scene::NearestFace>> nearest;
-              scene::FaceCounts counts;
-              for (const Ball& ball : balls_of(in)) nearest.push_back(scene.nearest(ball, counts));
               return nearest;
             })),
       gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {

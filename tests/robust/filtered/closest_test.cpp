@@ -28,7 +28,7 @@ void expect_exact(const Eigen::Vector3d& center, const Triangle& triangle) {
   filtered::NoCounts none;
   RC_ASSERT(filtered::closest(center, triangle) == truth);
   RC_ASSERT(filtered::closest(center, triangle, counts) == truth);
-  RC_ASSERT(filtered::closest(filtered::baseline_kernels().plain, center, triangle, none) == truth);
+  RC_ASSERT(filtered::detail::closest(filtered::detail::baseline_kernels().plain, center, triangle, none) == truth);
 }
 
 RC_GTEST_PROP(FilteredClosest, IsExactInEveryOrderOfTheVertices, ()) {
@@ -91,11 +91,11 @@ TEST(FilteredClosest, LeavesFacesOfNeedlesToBigIntegers) {
   c.y() = std::nextafter(c.y(), 1);
   const Triangle needle{a, b, c};
   const Ball center{(a + b + c) / 3, 0};
-  const auto question = filtered::view_of(center, needle);
+  const auto question = filtered::detail::view_of(center, needle);
   filtered::StageCounts counts;
   Feature feature;
   double point[3];
-  (void)filtered::baseline_kernels().counted.triangle_closest(question, feature, point, counts);
+  (void)filtered::detail::baseline_kernels().counted.triangle_closest(question, feature, point, counts);
   EXPECT_EQ(feature.kind, Feature::Kind::Face);
   EXPECT_GT(counts.decided_by(filtered::Stage::BigInteger), 0U);
 }

@@ -7,13 +7,13 @@
 
 #include "experiments/workloads/random.h"
 #include "experiments/workloads/ulp.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {
 namespace {
 
-using filtered::DoubleDouble;
+using filtered::detail::DoubleDouble;
 using workloads::move_by_doubles;
 using workloads::Random;
 
@@ -49,19 +49,19 @@ bool is_normalised(const DoubleDouble& x) { return x.high + x.low == x.high; }
 TEST(FilteredErrorFree, SumsAreExact) {
   for (std::uint64_t i = 0; i < kPairs; ++i) {
     const auto [a, b] = pair(i, 900);
-    const DoubleDouble sum = filtered::two_sum(a, b), difference = filtered::two_difference(a, b);
+    const DoubleDouble sum = filtered::detail::two_sum(a, b), difference = filtered::detail::two_difference(a, b);
     EXPECT_EQ(exactly(sum), exactly(a) + exactly(b)) << "index " << i;
     EXPECT_EQ(sum.high, a + b) << "index " << i;
     EXPECT_EQ(exactly(difference), exactly(a) - exactly(b)) << "index " << i;
     const double large = std::max(std::abs(a), std::abs(b)), small = std::min(std::abs(a), std::abs(b));
-    EXPECT_EQ(exactly(filtered::quick_two_sum(large, -small)), exactly(large) - exactly(small)) << "index " << i;
+    EXPECT_EQ(exactly(filtered::detail::quick_two_sum(large, -small)), exactly(large) - exactly(small)) << "index " << i;
   }
 }
 
 TEST(FilteredErrorFree, ProductsAreExact) {
   for (std::uint64_t i = 0; i < kPairs; ++i) {
     const auto [a, b] = pair(i, 450);
-    const DoubleDouble product = filtered::two_product(a, b);
+    const DoubleDouble product = filtered::detail::two_product(a, b);
     EXPECT_EQ(exactly(product), exactly(a) * exactly(b)) << "index " << i;
     EXPECT_EQ(product.high, a * b) << "index " << i;
   }
@@ -72,18 +72,18 @@ DoubleDouble double_double(Random& random, int reach) {
   const double high = number(random, reach);
   switch (random.integer(0, 3)) {
     case 0: return high;
-    case 1: return filtered::two_sum(high, high * 0x1p-53 * (2 * random.unit() - 1));
+    case 1: return filtered::detail::two_sum(high, high * 0x1p-53 * (2 * random.unit() - 1));
     case 2:
-      return filtered::two_sum(
+      return filtered::detail::two_sum(
           high, std::copysign(std::ldexp(1.0, std::ilogb(high == 0 ? 1 : high) - 54), random.coin() ? 1 : -1));
-    default: return filtered::two_sum(high, high * random.log_uniform(-100, -54));
+    default: return filtered::detail::two_sum(high, high * random.log_uniform(-100, -54));
   }
 }
 
 void expect_within_unit(const DoubleDouble& computed, const mpq_class& exact, const char* operation,
                         std::uint64_t index) {
   const mpq_class error = abs(exactly(computed) - exact);
-  EXPECT_LE(error, abs(exact) * exactly(filtered::bounds::kDoubleDoubleUnit)) << operation << ", index " << index;
+  EXPECT_LE(error, abs(exact) * exactly(filtered::detail::bounds::kDoubleDoubleUnit)) << operation << ", index " << index;
   EXPECT_TRUE(is_normalised(computed)) << operation << ", index " << index;
   EXPECT_EQ(sign(computed), sgn(exact)) << operation << ", index " << index;
 }
@@ -105,7 +105,7 @@ TEST(FilteredDoubleDouble, OperationsAreWithinTheirUnit) {
 
 /// |computed / exact - 1| asked without a root: squares are compared.
 TEST(FilteredDoubleDouble, QuotientsAndRootsAreWithinTheirBounds) {
-  const mpq_class unit = exactly(filtered::bounds::kQuotient) * exactly(filtered::bounds::kDoubleDoubleUnit);
+  const mpq_class unit = exactly(filtered::detail::bounds::kQuotient) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
   for (std::uint64_t i = 0; i < kPairs; ++i) {
     Random random(2010, i);
     const DoubleDouble a = double_double(random, 100), b = double_double(random, 100);

@@ -6,15 +6,15 @@
 #include <cmath>
 
 #include "experiments/workloads/random.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/numbers/lane_vector.h"
 #include "tests/robust/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {
 namespace {
 
-using filtered::DoubleDouble;
-using filtered::Vector3;
+using filtered::detail::DoubleDouble;
+using filtered::detail::Vector3;
 using workloads::Random;
 
 constexpr std::uint64_t kVectors = 300 * TOUCHSTONE_SAMPLES;
@@ -25,7 +25,7 @@ DoubleDouble component(Random& random) {
   if (random.coin()) high = std::copysign(1 - std::ldexp(random.unit(), -40), high);
   if (random.integer(0, 3) == 0) high = std::ldexp(high, static_cast<int>(random.integer(-60, 0)));
   if (random.integer(0, 3) == 0) return high;
-  return filtered::two_sum(high, 0x1p-54 * high * (random.coin() ? 1 : 2 * random.unit() - 1));
+  return filtered::detail::two_sum(high, 0x1p-54 * high * (random.coin() ? 1 : 2 * random.unit() - 1));
 }
 
 Vector3<DoubleDouble> vector(Random& random) {
@@ -47,8 +47,8 @@ mpq_class product_sum(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble
   return product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z);
 }
 
-const mpq_class kDotError = exactly(filtered::bounds::kDot) * exactly(filtered::bounds::kDoubleDoubleUnit);
-const mpq_class kCrossError = exactly(filtered::bounds::kCross) * exactly(filtered::bounds::kDoubleDoubleUnit);
+const mpq_class kDotError = exactly(filtered::detail::bounds::kDot) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
+const mpq_class kCrossError = exactly(filtered::detail::bounds::kCross) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
 
 TEST(FilteredDoubleDoubleVector, DotIsWithinItsBound) {
   mpq_class largest = 0;
@@ -61,7 +61,7 @@ TEST(FilteredDoubleDoubleVector, DotIsWithinItsBound) {
     EXPECT_EQ(computed.high + computed.low, computed.high) << "index " << i;
     largest = std::max(largest, error);
   }
-  EXPECT_GT(largest, exactly(filtered::bounds::kDoubleDoubleUnit) / 2) << "the bound is far from what occurs";
+  EXPECT_GT(largest, exactly(filtered::detail::bounds::kDoubleDoubleUnit) / 2) << "the bound is far from what occurs";
 }
 
 TEST(FilteredDoubleDoubleVector, CrossIsWithinItsBound) {
@@ -77,8 +77,8 @@ TEST(FilteredDoubleDoubleVector, CrossIsWithinItsBound) {
   }
 }
 
-filtered::LaneVector in_lanes(const Vector3<DoubleDouble>& v) {
-  return {{filtered::pack(v.x.high, v.y.high, v.z.high, 0), filtered::pack(v.x.low, v.y.low, v.z.low, 0)}};
+filtered::detail::LaneVector in_lanes(const Vector3<DoubleDouble>& v) {
+  return {{filtered::detail::pack(v.x.high, v.y.high, v.z.high, 0), filtered::detail::pack(v.x.low, v.y.low, v.z.low, 0)}};
 }
 
 void expect_same(const DoubleDouble& a, const DoubleDouble& b) {
@@ -92,8 +92,8 @@ TEST(FilteredDoubleDoubleVector, IsTheSameInLanes) {
     Random random(2014, i);
     const Vector3<DoubleDouble> a = vector(random), b = partner(random, a), apart = cross(a, b);
     expect_same(dot(in_lanes(a), in_lanes(b)), dot(a, b));
-    double high[filtered::kLanes], low[filtered::kLanes];
-    const filtered::LaneVector together = cross(in_lanes(a), in_lanes(b));
+    double high[filtered::detail::kLanes], low[filtered::detail::kLanes];
+    const filtered::detail::LaneVector together = cross(in_lanes(a), in_lanes(b));
     store(high, together.lanes.high), store(low, together.lanes.low);
     for (int axis = 0; axis < 3; ++axis) expect_same({high[axis], low[axis]}, apart[axis]);
   }

@@ -9,18 +9,18 @@
 
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
 
 namespace touchstone::filtered_tests {
 namespace {
 
-using filtered::Kernels;
+using filtered::detail::Kernels;
 
 std::vector<const Kernels*> all_kernels() {
-  std::vector<const Kernels*> list{&filtered::baseline_kernels()};
-  if (&filtered::kernels() != list.front()) list.push_back(&filtered::kernels());
+  std::vector<const Kernels*> list{&filtered::detail::baseline_kernels()};
+  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
   return list;
 }
 
@@ -32,8 +32,8 @@ RC_GTEST_PROP(FilteredEngines, AreExactOnTriangles, ()) {
   for (const Kernels* kernels : all_kernels()) {
     filtered::NoCounts none;
     filtered::StageCounts counts;
-    RC_ASSERT(kernels->plain.triangle_contact(filtered::view_of(c.ball, triangle), none) == touches);
-    RC_ASSERT(kernels->counted.triangle_contact(filtered::view_of(c.ball, triangle), counts) == touches);
+    RC_ASSERT(kernels->plain.triangle_contact(filtered::detail::view_of(c.ball, triangle), none) == touches);
+    RC_ASSERT(kernels->counted.triangle_contact(filtered::detail::view_of(c.ball, triangle), counts) == touches);
     std::array<bool, 7> found{};
     kernels->triangles_contact(c.ball, triangles, found);
     RC_ASSERT(std::count(std::begin(found), std::end(found), touches) == 7);
@@ -41,8 +41,8 @@ RC_GTEST_PROP(FilteredEngines, AreExactOnTriangles, ()) {
 }
 
 template <class Counts>
-void expect_exact_answers(const filtered::KernelTable<Counts>& ask, const Case& c, const Answer& truth) {
-  for (const auto use : {filtered::EdgeIndex::Use::Often, filtered::EdgeIndex::Use::OftenByHierarchy}) {
+void expect_exact_answers(const filtered::detail::KernelTable<Counts>& ask, const Case& c, const Answer& truth) {
+  for (const auto use : {filtered::detail::EdgeIndex::Use::Often, filtered::detail::EdgeIndex::Use::OftenByHierarchy}) {
     const filtered::PreparedPolygon::Parts parts(c.polygon, use);
     Counts counts;
     RC_ASSERT(ask.answer(c.ball, parts, counts) == truth);

@@ -10,7 +10,7 @@
 namespace touchstone::filtered_tests {
 namespace {
 
-using filtered::Integer;
+using filtered::detail::Integer;
 using workloads::Random;
 
 template <int... Widths>
@@ -43,8 +43,8 @@ void expect_values() {
     EXPECT_EQ(exactly(a), x) << A << " bits";
     EXPECT_EQ(a.sign(), sgn(x)) << x << " in " << A << " bits";
     EXPECT_EQ(a.negative(), x < 0) << x << " in " << A << " bits";
-    EXPECT_EQ(exactly(filtered::narrowed<A>(integer<A + 1>(x))), x) << A << " bits";
-    EXPECT_EQ(exactly(filtered::narrowed<A>(integer<A + 70>(x))), x) << A << " bits";
+    EXPECT_EQ(exactly(filtered::detail::narrowed<A>(integer<A + 1>(x))), x) << A << " bits";
+    EXPECT_EQ(exactly(filtered::detail::narrowed<A>(integer<A + 70>(x))), x) << A << " bits";
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The signs that decide, stage by stage, against rationals on the cases of the soak: what a stage is sure of is right,
 // and every number lies within the bound that bounds.h gives for it.
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/signs.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 #include "experiments/workloads/adversarial/case.h"
 #include "experiments/workloads/random.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/numbers/permanent.h"
 #include "tests/robust/filtered/exact_number.h"
 #include "tests/robust/support/hard_cases.h"
@@ -23,10 +23,10 @@
 namespace touchstone::filtered_tests {
 namespace {
 
-using filtered::DoubleDouble;
-using filtered::Vector3;
-namespace bounds = filtered::bounds;
-namespace signs = filtered::signs;
+using filtered::detail::DoubleDouble;
+using filtered::detail::Vector3;
+namespace bounds = filtered::detail::bounds;
+namespace signs = filtered::detail::signs;
 
 constexpr std::array kNames{"vertex", "along", "beyond",  "line",    "front",
                             "plane",  "side",  "above x", "above y", "above z"};
@@ -143,9 +143,9 @@ TEST(Signs, OfPermanentsAreRightWhereSure) {
     if (!Maxima(drawn.ball, drawn.triangle).within_limits) return;
     const Exact exact = exact_signs(drawn.ball, drawn.triangle);
     for_each_sign(
-        drawn.ball, drawn.triangle, [](double p, double q) { return filtered::rounded_double(p - q); },
-        [](double r) { return filtered::exact_double(r); },
-        [&]<int Roundings>(std::size_t i, const filtered::Permanent<Roundings>& value) {
+        drawn.ball, drawn.triangle, [](double p, double q) { return filtered::detail::rounded_double(p - q); },
+        [](double r) { return filtered::detail::exact_double(r); },
+        [&]<int Roundings>(std::size_t i, const filtered::detail::Permanent<Roundings>& value) {
           const int found = certain_sign(value, bounds::kTiny);
           const mpq_class bound = (Roundings + mpq_class(1, 8)) * exactly(0x1p-53) * exactly(value.permanent);
           EXPECT_LE(abs(exactly(value.value) - exact[i]), bound + exactly(bounds::kTiny))
@@ -170,7 +170,7 @@ TEST(Signs, InDoubleDoublesLieWithinTheirBounds) {
     if (!maxima.within_limits) return;
     const Exact exact = exact_signs(drawn.ball, drawn.triangle);
     for_each_sign(
-        drawn.ball, drawn.triangle, filtered::two_difference<double>, [](double r) { return DoubleDouble(r); },
+        drawn.ball, drawn.triangle, filtered::detail::two_difference<double>, [](double r) { return DoubleDouble(r); },
         [&](std::size_t i, const DoubleDouble& value) {
           const double bound = maxima.bound(i, bounds::kDoubleDoubleUnit);
           EXPECT_LE(abs(exactly(value) - exact[i]), exactly(bound)) << kNames[i] << " of " << drawn.id;

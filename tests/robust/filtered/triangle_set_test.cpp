@@ -20,9 +20,9 @@
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle_groups.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
@@ -31,18 +31,18 @@ namespace touchstone::filtered_tests {
 namespace {
 
 using contact_tests::Environment;
-using filtered::Kernels;
+using filtered::detail::Kernels;
 using filtered::Stage;
 using filtered::StageCounts;
-using filtered::TriangleGroup;
+using filtered::detail::TriangleGroup;
 using filtered::TriangleSet;
 using workloads::Random;
 
 bool exact_contact(const Ball& ball, const Triangle& t) { return exact::contact(ball, Polygon({t.a, t.b, t.c})); }
 
 std::vector<const Kernels*> all_kernels() {
-  std::vector<const Kernels*> list{&filtered::baseline_kernels()};
-  if (&filtered::kernels() != list.front()) list.push_back(&filtered::kernels());
+  std::vector<const Kernels*> list{&filtered::detail::baseline_kernels()};
+  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
   return list;
 }
 
@@ -50,7 +50,7 @@ using Answers = std::vector<bool>;
 
 /// Asks about all triangles with one set of kernels. Nothing may be written behind the span.
 template <class Counts>
-Answers asked(const filtered::KernelTable<Counts>& kernels, const Ball& ball, const TriangleSet& set, Counts& counts) {
+Answers asked(const filtered::detail::KernelTable<Counts>& kernels, const Ball& ball, const TriangleSet& set, Counts& counts) {
   const std::unique_ptr<bool[]> touches(new bool[set.size() + 1]());
   touches[set.size()] = true;
   kernels.set_contact(ball, parts_of(set), {touches.get(), set.size()}, counts);
@@ -318,7 +318,7 @@ TEST(TriangleSet, MayBeMoved) {
 
 // What bounds.h promises of stored triangles: an exact comparison of vertices, in the group's units.
 TEST(TriangleSet, StoresVerticesNearTheGivenOnes) {
-  const mpq_class limit = mpq_class(filtered::bounds::kLaneStored) * filtered::bounds::kLaneStored;
+  const mpq_class limit = mpq_class(filtered::detail::bounds::kLaneStored) * filtered::detail::bounds::kLaneStored;
   mpq_class largest = 0;
   for (std::uint64_t index = 0; index < 100 * TOUCHSTONE_SAMPLES; ++index) {
     Random random(28, index);
@@ -326,7 +326,7 @@ TEST(TriangleSet, StoresVerticesNearTheGivenOnes) {
     const double shift = std::ldexp(random.unit(), static_cast<int>(random.integer(-30, 20)));
     for (Triangle& t : triangles)
       for (Eigen::Vector3d* p : {&t.a, &t.b, &t.c}) p->x() += shift;
-    const TriangleGroup group = filtered::group_of(triangles);
+    const TriangleGroup group = filtered::detail::group_of(triangles);
     for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
       const Eigen::Vector3d* const given[] = {&triangles[lane].a, &triangles[lane].b, &triangles[lane].c};
       for (std::size_t i = 0; i < 3; ++i) {

@@ -13,7 +13,7 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "tests/robust/lattice/lattice_case.h"
 #include "tests/robust/support/environment.h"
 
@@ -49,9 +49,9 @@ std::uint64_t share() {
   return asked == nullptr ? 1500 / TOUCHSTONE_SAMPLES : std::stoull(asked);
 }
 
-std::vector<const filtered::Kernels*> all_kernels() {
-  std::vector<const filtered::Kernels*> list{&filtered::baseline_kernels()};
-  if (&filtered::kernels() != list.front()) list.push_back(&filtered::kernels());
+std::vector<const filtered::detail::Kernels*> all_kernels() {
+  std::vector<const filtered::detail::Kernels*> list{&filtered::detail::baseline_kernels()};
+  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
   return list;
 }
 
@@ -67,11 +67,11 @@ class Examiner {
         number_(number),
         kind_(kind),
         prepared_(prepared(given.polygon(), number)),
-        by_hierarchy_(given.polygon(), filtered::EdgeIndex::Use::OftenByHierarchy),
+        by_hierarchy_(given.polygon(), filtered::detail::EdgeIndex::Use::OftenByHierarchy),
         tally_(tally) {}
 
   void ask(const Questions& questions, int mode) {
-    for (const filtered::Kernels* kernels : all_kernels())
+    for (const filtered::detail::Kernels* kernels : all_kernels())
       for (const Parts* parts : {&parts_of(prepared_), &by_hierarchy_}) {
         const auto foot = [&](const Ball& ball) { return kernels->plain.foot(ball, *parts, none_); };
         const auto relation = [&](const Ball& ball) { return kernels->plain.relation(ball, *parts, none_); };

@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "tests/robust/lattice/lattice_case.h"
 
 namespace touchstone::lattice_tests {
 namespace {
 
-using filtered::DoubleDouble;
-using filtered::EdgeIndex;
-using filtered::EdgeTree;
-using filtered::Frame;
+using filtered::detail::DoubleDouble;
+using filtered::detail::EdgeIndex;
+using filtered::detail::EdgeTree;
+using filtered::detail::Frame;
 using Parts = filtered::PreparedPolygon::Parts;
 
 /// Random signs, the same in every run.
@@ -50,15 +50,15 @@ struct Framed {
 /// The frame and its edges with every number displaced by a share of what bounds.h allows: those that move the foot,
 /// the vertices and the height in the worst way for this centre together, all others at random.
 Framed displaced(const Framed& framed, const Eigen::Vector3d& center, double share, Signs& signs) {
-  using filtered::bounds::kUnit, filtered::bounds::kFramePoint, filtered::bounds::kFrameDirection,
-      filtered::bounds::kFrameLength;
+  using filtered::detail::bounds::kUnit, filtered::detail::bounds::kFramePoint, filtered::detail::bounds::kFrameDirection,
+      filtered::detail::bounds::kFrameLength;
   const double off = share * kUnit;
   const Frame& frame = framed.frame;
   const double from[] = {std::ldexp(center[0], -frame.unit.exponent) - frame.origin.x,
                          std::ldexp(center[1], -frame.unit.exponent) - frame.origin.y,
                          std::ldexp(center[2], -frame.unit.exponent) - frame.origin.z};
   Framed result = framed;
-  const auto displace = [&](filtered::Vector3<double>& axis, double by) {
+  const auto displace = [&](filtered::detail::Vector3<double>& axis, double by) {
     axis.x += std::copysign(by, by * from[0]);
     axis.y += std::copysign(by, by * from[1]);
     axis.z += std::copysign(by, by * from[2]);
@@ -80,18 +80,18 @@ Framed displaced(const Framed& framed, const Eigen::Vector3d& center, double sha
 }
 
 /// The double-doubles, each displaced by `units` of what bounds.h allows for it.
-filtered::LiftedPolygon displaced(const filtered::LiftedPolygon& lifted, double units, Signs& signs) {
-  filtered::LiftedPolygon result = lifted;
+filtered::detail::LiftedPolygon displaced(const filtered::detail::LiftedPolygon& lifted, double units, Signs& signs) {
+  filtered::detail::LiftedPolygon result = lifted;
   const auto displace = [&](DoubleDouble& x, double size) {
-    x = filtered::quick_two_sum(x.high, x.low + units * size * signs.next());
+    x = filtered::detail::quick_two_sum(x.high, x.low + units * size * signs.next());
   };
   for (DoubleDouble* x : {&result.normal.x, &result.normal.y, &result.normal.z})
-    displace(*x, filtered::bounds::kDoubleDoubleUnit * std::abs(x->high));
+    displace(*x, filtered::detail::bounds::kDoubleDoubleUnit * std::abs(x->high));
   displace(result.per_square,
-           filtered::bounds::kPerSquare * filtered::bounds::kDoubleDoubleUnit * result.per_square.high);
+           filtered::detail::bounds::kPerSquare * filtered::detail::bounds::kDoubleDoubleUnit * result.per_square.high);
   for (DoubleDouble* slope : {&result.slope_a, &result.slope_b})
-    displace(*slope, filtered::bounds::kSlope * filtered::bounds::kDoubleDoubleUnit);
-  for (DoubleDouble& lift : result.lifts) displace(lift, filtered::bounds::kLift);
+    displace(*slope, filtered::detail::bounds::kSlope * filtered::detail::bounds::kDoubleDoubleUnit);
+  for (DoubleDouble& lift : result.lifts) displace(lift, filtered::detail::bounds::kLift);
   result.exact_normal = false;
   return result;
 }
@@ -125,7 +125,7 @@ void for_each_polygon(std::uint64_t feet, const Ask& ask) {
 
 Asked of_displaced_frames(double share) {
   Asked asked;
-  const auto& ask = filtered::kernels().plain;
+  const auto& ask = filtered::detail::kernels().plain;
   filtered::NoCounts none;
   for_each_polygon(25'000, [&](Parts& parts, const std::vector<Questions>& about, Signs& signs) {
     const Framed framed{parts.frame.value(), edges_of(parts.edges.value(), parts.polygon.vertex_count())};
@@ -142,11 +142,11 @@ Asked of_displaced_frames(double share) {
 
 Asked of_displaced_double_doubles(double units) {
   Asked asked;
-  const auto& ask = filtered::kernels().plain;
+  const auto& ask = filtered::detail::kernels().plain;
   filtered::NoCounts none;
   for_each_polygon(20'000, [&](Parts& parts, const std::vector<Questions>& about, Signs& signs) {
-    auto& lifted = const_cast<filtered::LiftedPolygon&>(parts.exact_form().lifted);  // made by Parts, and not const
-    const filtered::LiftedPolygon found = lifted;
+    auto& lifted = const_cast<filtered::detail::LiftedPolygon&>(parts.exact_form().lifted);  // made by Parts, and not const
+    const filtered::detail::LiftedPolygon found = lifted;
     for (const auto& [center, foot, radii] : about) {
       lifted = displaced(found, units, signs);
       asked.count(ask.foot({center, 0}, parts, none) == foot);

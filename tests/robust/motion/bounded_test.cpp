@@ -16,23 +16,23 @@ namespace {
 
 using contact_tests::Environment;
 using contact_tests::kModes;
-using filtered::Bounded;
-using filtered::BoundedVector;
-using filtered::DoubleDouble;
-using filtered::Pack;
-using filtered::Vector3;
+using filtered::detail::Bounded;
+using filtered::detail::BoundedVector;
+using filtered::detail::DoubleDouble;
+using filtered::detail::Pack;
+using filtered::detail::Vector3;
 
 mpq_class value_of(const Bounded<Pack>& number) {
-  double lanes[filtered::kLanes];
-  filtered::store(lanes, number.value);
+  double lanes[filtered::detail::kLanes];
+  store(lanes, number.value);
   return lanes[0];
 }
 mpq_class value_of(const Bounded<DoubleDouble>& number) {
   return mpq_class(number.value.high) + mpq_class(number.value.low);
 }
 mpq_class error_of(const Bounded<Pack>& number) {
-  double lanes[filtered::kLanes];
-  filtered::store(lanes, number.error);
+  double lanes[filtered::detail::kLanes];
+  store(lanes, number.error);
   return lanes[0];
 }
 mpq_class error_of(const Bounded<DoubleDouble>& number) { return number.error; }
@@ -45,11 +45,11 @@ struct Given {
 
   template <class Number>
   [[nodiscard]] BoundedVector<Number> bounded() const {
-    const auto number = [](double x) { return filtered::constant<Number>(x); };
+    const auto number = [](double x) { return filtered::detail::constant<Number>(x); };
     const double largest = std::max({std::abs(value[0]), std::abs(value[1]), std::abs(value[2])});
     return {{number(value[0]), number(value[1]), number(value[2])},
-            filtered::constant<filtered::ErrorOf<Number>>(largest),
-            filtered::constant<filtered::ErrorOf<Number>>(error)};
+            filtered::detail::constant<filtered::detail::ErrorOf<Number>>(largest),
+            filtered::detail::constant<filtered::detail::ErrorOf<Number>>(error)};
   }
   [[nodiscard]] Vector3<mpq_class> exact() const {
     const auto component = [this](int i) {
@@ -80,9 +80,9 @@ Vector3<mpq_class> cross(const Vector3<mpq_class>& a, const Vector3<mpq_class>& 
 /// Asserts that the exact value lies within the error, widened as the signs widen it.
 template <class Number>
 void expect_within(const Bounded<Number>& number, const mpq_class& exact) {
-  RC_ASSERT(abs(value_of(number) - exact) <= mpq_class(filtered::bounds::kWideError) * error_of(number));
-  if ((filtered::positive(number) & 1) != 0) RC_ASSERT(exact > 0);
-  if ((filtered::negative(number) & 1) != 0) RC_ASSERT(exact < 0);
+  RC_ASSERT(abs(value_of(number) - exact) <= mpq_class(filtered::detail::bounds::kWideError) * error_of(number));
+  if ((filtered::detail::positive(number) & 1) != 0) RC_ASSERT(exact > 0);
+  if ((filtered::detail::negative(number) & 1) != 0) RC_ASSERT(exact < 0);
 }
 
 /// The operations that motions need, in one expression each.
@@ -92,12 +92,12 @@ struct Results {
 
   explicit Results(const Given (&given)[3]) {
     const auto a = given[0].bounded<Number>(), b = given[1].bounded<Number>(), c = given[2].bounded<Number>();
-    const auto m = filtered::cross(a, b), n = filtered::cross(a, c);
-    product = filtered::dot(m, n);
-    gap = filtered::dot(m, m) - filtered::dot(n, n);
-    discriminant = filtered::square(product) - filtered::dot(m, m) * filtered::dot(n, n);
-    length = filtered::root(filtered::dot(a, a));
-    time = filtered::quotient(product, filtered::dot(a, a));
+    const auto m = filtered::detail::cross(a, b), n = filtered::detail::cross(a, c);
+    product = filtered::detail::dot(m, n);
+    gap = filtered::detail::dot(m, m) - filtered::detail::dot(n, n);
+    discriminant = filtered::detail::square(product) - filtered::detail::dot(m, m) * filtered::detail::dot(n, n);
+    length = filtered::detail::root(filtered::detail::dot(a, a));
+    time = filtered::detail::quotient(product, filtered::detail::dot(a, a));
   }
 };
 
@@ -111,9 +111,9 @@ void expect_bounds(const Given (&given)[3], const Results<Number>& found) {
   expect_within(found.discriminant, mpq_class(product * product - dot(m, m) * dot(n, n)));
   const mpq_class squared = dot(a, a);
   // Where the square is certainly positive the root lies within its error, and so does the quotient.
-  const auto certain = filtered::dot(given[0].bounded<Number>(), given[0].bounded<Number>());
-  if ((filtered::positive(certain) & 1) == 0) return;
-  const mpq_class range = mpq_class(filtered::bounds::kWideError) * error_of(found.length);
+  const auto certain = filtered::detail::dot(given[0].bounded<Number>(), given[0].bounded<Number>());
+  if ((filtered::detail::positive(certain) & 1) == 0) return;
+  const mpq_class range = mpq_class(filtered::detail::bounds::kWideError) * error_of(found.length);
   const mpq_class low = value_of(found.length) - range, high = value_of(found.length) + range;
   RC_ASSERT(low <= 0 || low * low <= squared);
   RC_ASSERT(high * high >= squared);

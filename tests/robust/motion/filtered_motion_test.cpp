@@ -12,7 +12,7 @@
 
 #include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/motion.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/hard_cases.h"
@@ -21,14 +21,14 @@
 namespace touchstone::contact_tests {
 namespace {
 
-using filtered::Kernels;
+using filtered::detail::Kernels;
 using filtered_tests::hard_cases;
 using filtered_tests::hard_triangles;
 using filtered_tests::triangle_of;
 
 std::vector<const Kernels*> all_kernels() {
-  std::vector<const Kernels*> list{&filtered::baseline_kernels()};
-  if (&filtered::kernels() != list.front()) list.push_back(&filtered::kernels());
+  std::vector<const Kernels*> list{&filtered::detail::baseline_kernels()};
+  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
   return list;
 }
 
@@ -68,7 +68,7 @@ RC_GTEST_PROP(FilteredMotion, IsTheSameInEveryEngine, ()) {
   const MovingCase c = *moving(hard_cases());
   const FirstContact truth = exact::first_contact(c.motion, c.polygon);
   for (const Kernels* kernels : all_kernels()) {
-    for (const auto use : {filtered::EdgeIndex::Use::Often, filtered::EdgeIndex::Use::OftenByHierarchy}) {
+    for (const auto use : {filtered::detail::EdgeIndex::Use::Often, filtered::detail::EdgeIndex::Use::OftenByHierarchy}) {
       const filtered::PreparedPolygon::Parts parts(c.polygon, use);
       filtered::NoCounts none;
       FirstContact found;
@@ -86,9 +86,9 @@ RC_GTEST_PROP(FilteredMotion, IsTheSameInEveryEngineForTriangles, ()) {
   for (const Kernels* kernels : all_kernels()) {
     filtered::NoCounts none;
     FirstContact found;
-    kernels->plain.triangle_first_contact(filtered::view_of(c.motion, triangle), found, none);
+    kernels->plain.triangle_first_contact(filtered::detail::view_of(c.motion, triangle), found, none);
     RC_ASSERT(found == truth);
-    RC_ASSERT(kernels->plain.triangle_motion_contact(filtered::view_of(c.motion, triangle), none) == truth.contact());
+    RC_ASSERT(kernels->plain.triangle_motion_contact(filtered::detail::view_of(c.motion, triangle), none) == truth.contact());
   }
 }
 

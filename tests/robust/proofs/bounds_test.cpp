@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The constants of bounds.h in exact rationals: a second proof beside Gappa's, rounding of the bound, underflow.
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "robust/proofs/expressions.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 const mpq_class kUnits[] = {bounds::kUnit, bounds::kDoubleDoubleUnit, bounds::kFloatUnit};
@@ -154,4 +154,4 @@ TEST_F(Underflow, HasNoCounterpartAbove) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -6,13 +6,13 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/closest_point.h"
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/closest_point.h"
+#include "robust/filtered/detail/signs/signs.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 const mpq_class kDouble = bounds::kDoubleDoubleUnit, kSecondOrder = mpq_class(0x1p-20) + 1;
@@ -159,4 +159,4 @@ TEST(ClosestBounds, AreNotSureOfNeedles) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

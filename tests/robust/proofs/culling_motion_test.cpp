@@ -12,7 +12,7 @@
 #include "robust/scene/detail/swept.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs::culling_motion {
+namespace touchstone::proofs::culling_motion {
 namespace {
 
 const mpq_class kU = 0x1p-53;  // round to nearest
@@ -20,7 +20,7 @@ const mpq_class kSmallestDouble = power(mpq_class(1, 2), 1074), kLargestDouble =
 
 /// The calculus with lengths in units of L, the largest of the centres' coordinates and the reach. Underflow counts
 /// most where L is kTiny.
-const mpq_class kLeast = scene::culling::kTiny;
+const mpq_class kLeast = scene::detail::culling::kTiny;
 const ErrorModel kNearest{kU, kSmallestDouble / power(kLeast, 2), true};
 
 ErrorBound exactly(const mpq_class& value) { return {&kNearest, value, value, 0}; }
@@ -44,22 +44,22 @@ mpq_class error_of_times(const mpq_class& margin) {
   const mpq_class inverse_error = (1 + kU) / (1 - kU) - 1 + kSmallestDouble / power(kLeast, 2);
   const ErrorBound inverse = between(1 - inverse_error, 1 + inverse_error, inverse_error);
   const ErrorBound side = kReach + exactly(margin) * exactly(1);
-  const ErrorBound offset = scene::culling::offset(kCenter, side, inverse);
+  const ErrorBound offset = scene::detail::culling::offset(kCenter, side, inverse);
   const ErrorBound box_side = known_within(kNearest, 2 + 4 * kU, 0);
-  return scene::culling::time_at(box_side, inverse, offset).error;
+  return scene::detail::culling::time_at(box_side, inverse, offset).error;
 }
 
 /// The error of the end of a way that ends at any time in [0, 1], with the margin that is added.
 mpq_class error_of_end(const mpq_class& margin) {
   const ErrorBound change = kCenter - kCenter, time = between(0, 1, 0);
-  const ErrorBound end = scene::place_at(kCenter, time, change) + exactly(margin) * exactly(1);
+  const ErrorBound end = scene::detail::place_at(kCenter, time, change) + exactly(margin) * exactly(1);
   return end.error;
 }
 
 bool covers(const mpq_class& margin) { return error_of_times(margin) <= margin && error_of_end(margin) <= margin; }
 
 TEST(CullingMotionMargin, CoversTheRoundingsOfTimesAndEnds) {
-  const mpq_class margin = scene::culling::kMargin;
+  const mpq_class margin = scene::detail::culling::kMargin;
   EXPECT_TRUE(covers(margin));
   EXPECT_FALSE(covers(margin * 9 / 10)) << "it is loose";
 }
@@ -71,7 +71,7 @@ TEST(CullingMotionStill, KeepsTimesFinite) {
     const mpq_class inverse = 1 / (still * kLeast) * (1 + 4 * kU);
     return std::numeric_limits<float>::max() * inverse + 2 / still * (1 + 8 * kU);
   };
-  EXPECT_LE(largest_time(scene::culling::kStill), kLargestDouble);
+  EXPECT_LE(largest_time(scene::detail::culling::kStill), kLargestDouble);
   EXPECT_GT(largest_time(power(mpq_class(1, 2), 400)), kLargestDouble) << "it is blind";
 }
 
@@ -82,12 +82,12 @@ mpq_class lack_of_radius(const mpq_class& margin) {
   static const ErrorModel nearest{kU, 0, true};
   const ErrorBound coordinate = known_within(nearest, 1, 0), time{&nearest, 0, 1, 0}, radius{&nearest, 0, 1, 0};
   const ErrorBound one{&nearest, 1, 1, 0}, zero{&nearest, 0, 0, 0}, by{&nearest, margin, margin, 0};
-  const ErrorBound end = scene::place_at(coordinate, time, coordinate - coordinate);
-  return root_above(3 * power(end.error, 2)) + scene::swept::wider(radius, by, one, zero).error - margin;
+  const ErrorBound end = scene::detail::place_at(coordinate, time, coordinate - coordinate);
+  return root_above(3 * power(end.error, 2)) + scene::detail::swept::wider(radius, by, one, zero).error - margin;
 }
 
 TEST(SweptMargin, CoversTheRoundingsOfEndAndRadius) {
-  const mpq_class margin = scene::swept::kMargin;
+  const mpq_class margin = scene::detail::swept::kMargin;
   EXPECT_LE(lack_of_radius(margin), 0);
   EXPECT_GT(lack_of_radius(margin * 9 / 10), 0) << "it is loose";
 }
@@ -96,9 +96,9 @@ TEST(SweptMargin, CoversTheRoundingsOfEndAndRadius) {
 // radius.
 TEST(SweptTiny, CoversUnderflow) {
   const mpq_class lost = (root_above(3) + 1) * kSmallestDouble / 2;
-  EXPECT_LE(lost, mpq_class(scene::swept::kTiny));
-  EXPECT_GT(lost, mpq_class(scene::swept::kTiny) / 2) << "it is loose";
+  EXPECT_LE(lost, mpq_class(scene::detail::swept::kTiny));
+  EXPECT_GT(lost, mpq_class(scene::detail::swept::kTiny) / 2) << "it is loose";
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::culling_motion
+}  // namespace touchstone::proofs::culling_motion

@@ -8,10 +8,10 @@
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs::distance_bound {
+namespace touchstone::proofs::distance_bound {
 namespace {
 
-namespace bound = scene::distance_bound;
+namespace bound = scene::detail::distance_bound;
 
 const mpq_class kU = 0x1p-53;  // round to nearest
 // Beside coordinates of up to 1, where m is at least kSmallest.
@@ -41,4 +41,4 @@ TEST(DistanceBound, CoversTheRoundingOfTheDistance) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::distance_bound
+}  // namespace touchstone::proofs::distance_bound

@@ -4,19 +4,18 @@
 //
 // Lengths are in the frame's unit, with W = 1 and S = 2. That is the worst case: every error here is a sum of lengths
 // times coefficients that are not negative, W and the frame's unit are at most S / 2, and the bounds grow with S.
-#include "robust/filtered/detail/frame.h"
+#include "robust/filtered/detail/polygon/frame.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/edge_frame.h"
-#include "robust/filtered/detail/newell_plane.h"
-#include "robust/filtered/detail/sheared_edge.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/edge_frame.h"
+#include "robust/filtered/detail/polygon/newell_plane.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 const mpq_class kUnit = bounds::kUnit, kSize = 2;
@@ -256,4 +255,4 @@ TEST(FrameBounds, BoxesHoldTheirPoints) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

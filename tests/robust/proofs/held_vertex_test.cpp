@@ -7,10 +7,10 @@
 
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs::held_vertex {
+namespace touchstone::proofs::held_vertex {
 namespace {
 
-namespace held = scene::held_vertex;
+namespace held = scene::detail::held_vertex;
 
 const mpq_class kU = 0x1p-53;  // round to nearest
 const mpq_class kSmallestDouble = power(mpq_class(1, 2), 1074);
@@ -29,4 +29,4 @@ TEST(HeldVertex, IsInTheBall) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::held_vertex
+}  // namespace touchstone::proofs::held_vertex

@@ -6,13 +6,13 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/triangle_groups.h"
-#include "robust/filtered/detail/triangle_lanes.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/sets/triangle_groups.h"
+#include "robust/filtered/detail/triangle/triangle_lanes.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 const mpq_class kUnit = bounds::kFloatUnit, kSteps = TriangleGroup::kSteps;
@@ -109,4 +109,4 @@ TEST(Lanes, DoNotOverflow) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -6,13 +6,13 @@
 
 #include <vector>
 
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/signs.h"
 #include "robust/proofs/error_bound.h"
 #include "robust/proofs/expressions.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 const mpq_class kU = 0x1p-53, kUnit = bounds::kDoubleDoubleUnit;
@@ -71,4 +71,4 @@ TEST(LoneSign, MayNotHaveLowPartsOfAnySize) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

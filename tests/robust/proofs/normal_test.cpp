@@ -9,12 +9,12 @@
 #include <cmath>
 
 #include "experiments/workloads/random.h"
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs::normal_of_polygon {
+namespace touchstone::proofs::normal_of_polygon {
 namespace {
 
 using workloads::Random;
@@ -93,4 +93,4 @@ TEST(NormalOfPolygon, IsKnownToTheSmallestDoubleWhereItUnderflows) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::normal_of_polygon
+}  // namespace touchstone::proofs::normal_of_polygon

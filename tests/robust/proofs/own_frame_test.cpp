@@ -5,13 +5,13 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs::own_frame {
+namespace touchstone::proofs::own_frame {
 namespace {
 
-using namespace scene::own_frame;
+using namespace scene::detail::own_frame;
 
 const mpq_class kU = 0x1p-53;  // round to nearest
 const mpq_class kMost = kMostResidual;
@@ -63,4 +63,4 @@ TEST(OwnFrameBounds, CoverTheNormal) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::own_frame
+}  // namespace touchstone::proofs::own_frame

@@ -4,7 +4,7 @@
 #include "robust/filtered/detail/numbers/permanent.h"
 #include "robust/proofs/expressions.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 
 template <class Number>
 inline constexpr int roundings_of = -1;
@@ -23,4 +23,4 @@ struct PermanentInputs {
   Permanent<0> first_weight, second_weight;
 };
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

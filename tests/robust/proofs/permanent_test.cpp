@@ -11,7 +11,7 @@
 #include "tests/robust/proofs/permanent_inputs.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 const mpq_class kU = 0x1p-53;  // round to nearest
@@ -61,4 +61,4 @@ TEST(Permanent, SlackSufficesForAMillionRoundings) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "experiments/workloads/random.h"
-#include "robust/filtered/detail/bounds.h"
-#include "robust/filtered/detail/frame.h"
+#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/polygon/frame.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 
-namespace touchstone::filtered::proofs::prepared_frame {
+namespace touchstone::proofs::prepared_frame {
 namespace {
 
 using workloads::Random;
@@ -233,4 +233,4 @@ TEST(PreparedFrame, LeavesAreasThatVanishToIntegers) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::prepared_frame
+}  // namespace touchstone::proofs::prepared_frame

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 
 inline mpq_class power(const mpq_class& base, std::size_t exponent) {
   mpq_class result = 1;
@@ -20,4 +20,4 @@ inline mpq_class root_above(const mpq_class& square) {
   return mpq_class(sqrt(scaled) + 1, mpz_class(1) << kBits);
 }
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -13,14 +13,14 @@
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs::rounded_plane {
+namespace touchstone::proofs::rounded_plane {
 namespace {
 
-using scene::rounded_plane::Plane;
+using scene::detail::rounded_plane::Plane;
 
 const mpq_class kU = 0x1p-53;  // round to nearest
 /// Against the smallest product of lengths, of three.
-const mpq_class kUnderflow = power(mpq_class(1, 2), 1074) / power(mpq_class(scene::rounded_plane::kSmallestSize), 3);
+const mpq_class kUnderflow = power(mpq_class(1, 2), 1074) / power(mpq_class(scene::detail::rounded_plane::kSmallestSize), 3);
 const ErrorModel kNearest{kU, kUnderflow, true};
 const ErrorBound kZero{&kNearest, 0, 0, 0};
 
@@ -30,7 +30,7 @@ Vector3<ErrorBound> vertex() {
 }
 
 Plane<ErrorBound> plane_as_compiled(std::size_t n) {
-  return scene::rounded_plane::plane_of(n, kZero, [](std::size_t) { return vertex(); });
+  return scene::detail::rounded_plane::plane_of(n, kZero, [](std::size_t) { return vertex(); });
 }
 
 /// The sum of n equal terms: the first k of them are at most k times as large, except for k roundings, each of which is
@@ -57,7 +57,7 @@ struct Needs {
     // largest - error is rounded, and so is largest - 2 error, from which on axes may be the dropped one.
     normal = (plane.normal.x.error + kU * plane.normal.x.magnitude()) / unit;
     // (height + height_error) / (largest - error) is rounded twice.
-    const ErrorBound off_plane = scene::rounded_plane::height(plane, vertex());
+    const ErrorBound off_plane = scene::detail::rounded_plane::height(plane, vertex());
     height = (off_plane.error + 2 * kU * off_plane.magnitude()) / unit;
   }
 };
@@ -65,8 +65,8 @@ struct Needs {
 /// The least that kNormal unit size^2 and kHeight unit size^3 may be as computed, where two roundings more pay for
 /// those above of the errors themselves.
 mpq_class as_computed(double constant) { return mpq_class(constant) * power(1 - kU, 6); }
-const mpq_class kNormal = as_computed(scene::rounded_plane::kNormal),
-                kHeight = as_computed(scene::rounded_plane::kHeight);
+const mpq_class kNormal = as_computed(scene::detail::rounded_plane::kNormal),
+                kHeight = as_computed(scene::detail::rounded_plane::kHeight);
 
 TEST(RoundedPlane, IsKnownForLoopsOfFewVertices) {
   for (std::size_t n = 3; n <= 64; ++n) {
@@ -83,7 +83,7 @@ TEST(RoundedPlane, IsAllowedNotMuchMoreThanTrianglesNeed) {
 }
 
 TEST(RoundedPlane, IsKnownForLoopsOfManyVertices) {
-  constexpr auto kMost = static_cast<std::size_t>(scene::rounded_plane::kMostVertices);
+  constexpr auto kMost = static_cast<std::size_t>(scene::detail::rounded_plane::kMostVertices);
   for (std::size_t n = 64; n < kMost; n *= 2) {
     const Needs needs(plane_as_a_whole(2 * n), n);
     EXPECT_LE(needs.normal, kNormal) << n << " vertices";
@@ -102,4 +102,4 @@ TEST(RoundedPlane, HasSumsThatAreNoWorseThanTheyAreAsAWhole) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::rounded_plane
+}  // namespace touchstone::proofs::rounded_plane

@@ -8,7 +8,7 @@
 #include "tests/robust/proofs/permanent_inputs.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs::rounded_sum {
+namespace touchstone::proofs::rounded_sum {
 namespace {
 
 const mpq_class kU = 0x1p-53;  // round to nearest
@@ -17,7 +17,7 @@ const mpq_class kU = 0x1p-53;  // round to nearest
 /// upper - 1, and so are the magnitudes as computed.
 constexpr int kRoundings = [] {
   constexpr Permanent<0> d{0, 0};
-  return roundings_of<decltype(scene::added_up(d, d, d, d, d, d))>;
+  return roundings_of<decltype(scene::detail::added_up(d, d, d, d, d, d))>;
 }();
 const mpq_class kUpper = power(1 + kU, kRoundings), kLower = 2 - kUpper;
 
@@ -29,17 +29,17 @@ mpq_class needed(const mpq_class& sum_error) { return (kUpper - 1) + kU * (kUppe
 
 TEST(RoundedSum, CoversItsRoundings) {
   EXPECT_EQ(kRoundings, 5);
-  EXPECT_LE(needed(scene::kSumError), allowed(scene::kSumError));
-  const mpq_class smaller = mpq_class(scene::kSumError) * 3 / 4;
+  EXPECT_LE(needed(scene::detail::kSumError), allowed(scene::detail::kSumError));
+  const mpq_class smaller = mpq_class(scene::detail::kSumError) * 3 / 4;
   EXPECT_GT(needed(smaller), allowed(smaller)) << "it is loose";
 }
 
 // Magnitudes above 2^-1021: what the product may lose is a sixteenth of it. Others are of at most 53 bits.
 TEST(RoundedSum, LosesASixteenthToUnderflow) {
   const mpq_class smallest(1, mpz_class(1) << 1074), magnitudes(1, mpz_class(1) << 1021);
-  EXPECT_LE(smallest / 2, mpq_class(scene::kSumError) * magnitudes / 16);
+  EXPECT_LE(smallest / 2, mpq_class(scene::detail::kSumError) * magnitudes / 16);
   EXPECT_LE(magnitudes / smallest, mpq_class(mpz_class(1) << 53));
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs::rounded_sum
+}  // namespace touchstone::proofs::rounded_sum

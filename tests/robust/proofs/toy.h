@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 
 enum class Rounding { Nearest, Down, Up, TowardZero };
 
@@ -78,4 +78,4 @@ struct WithPermanent {
   }
 };
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -10,7 +10,7 @@
 #include "robust/proofs/error_bound.h"
 #include "robust/proofs/expressions.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 
 /// Inputs for maxima of 1 at a unit so large that products of units count: normal and foot carry what was computed to
 /// find them. At such units the computed components of a normal may exceed m_N = 2 m_u m_v by much.
@@ -35,4 +35,4 @@ inline std::vector<double> bounds_at(const mpq_class& unit) {
   return result;
 }
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

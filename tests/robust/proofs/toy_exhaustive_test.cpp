@@ -13,7 +13,7 @@
 #include "tests/robust/proofs/toy_bounds.h"
 #include "tests/robust/proofs/toy_sample.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 constexpr int kBits = 4;
@@ -127,4 +127,4 @@ TEST(AllToys, LineStaysWithinItsBoundInThePlane) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

@@ -13,7 +13,7 @@
 #include "tests/robust/proofs/toy.h"
 #include "tests/robust/proofs/toy_sample.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 constexpr std::uint64_t kPermanents = std::uint64_t{300} * TOUCHSTONE_SAMPLES;
@@ -82,4 +82,4 @@ TEST(ToyPermanent, BoundsErrorsWithoutBeingFarFromThem) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

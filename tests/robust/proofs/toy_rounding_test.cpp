@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/signs/closest_point.h"
 #include "tests/robust/proofs/toy.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 /// All numbers of `bits` bits from 0 to `last`.
@@ -82,4 +82,4 @@ TEST(ToyRounding, IsSureWhereTwiceTheErrorLeavesTheNearestDouble) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

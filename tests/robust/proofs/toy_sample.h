@@ -12,7 +12,7 @@
 #include "robust/proofs/expressions.h"
 #include "tests/robust/proofs/toy.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 
 using Exact = std::int64_t;
 
@@ -141,4 +141,4 @@ ToySample<Number> sample_of(const Inputs<Exact>& exact) {
   return sample;
 }
 
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

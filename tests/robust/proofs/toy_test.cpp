@@ -15,7 +15,7 @@
 #include "tests/robust/proofs/toy_bounds.h"
 #include "tests/robust/proofs/toy_sample.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::proofs {
 namespace {
 
 using workloads::Random;
@@ -116,4 +116,4 @@ TEST(Toy, ErrorsThatAreDrivenUpStayWithinTheBoundsAndShowThemNotLoose) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::proofs

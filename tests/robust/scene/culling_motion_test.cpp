@@ -83,7 +83,7 @@ Sample draw_sample(std::uint64_t index) {
 }
 
 /// Is the only box of a tree kept, and at which time?
-bool keeps(const scene::CullingMotion& culling, const BoxTree& tree, double time) {
+bool keeps(const scene::detail::CullingMotion& culling, const BoxTree& tree, double time) {
   double earliest[BoxTree::kWidth];
   if ((culling.may_touch(tree.nodes().front(), earliest) & 1) == 0) return false;
   return earliest[0] <= time && culling.may_touch(earliest[0]);
@@ -98,14 +98,14 @@ TEST(CullingMotion, KeepsEveryBoxThatIsTouched) {
     const std::vector<Box> boxes{sample.box};
     const BoxTree tree(boxes);
     const double time = sample.eighths / 8.0;
-    scene::CullingMotion culling(sample.motion, tree);
+    scene::detail::CullingMotion culling(sample.motion, tree);
     EXPECT_TRUE(keeps(culling, tree, time)) << what;
     culling.end_at(time);
     EXPECT_TRUE(keeps(culling, tree, time)) << what << ", shortened";
     // A ball that is smaller is a miss more often than not.
     Motion smaller = sample.motion;
     smaller.ball.radius *= 0.5;
-    culled += keeps(scene::CullingMotion(smaller, tree), tree, 1) ? 0 : 1;
+    culled += keeps(scene::detail::CullingMotion(smaller, tree), tree, 1) ? 0 : 1;
   }
   EXPECT_GT(culled, all / 4) << "it is blind";
 }
@@ -121,11 +121,11 @@ TEST(CullingBall, KeepsEveryBoxThatIsTouched) {
     const std::vector<Box> boxes{sample.box};
     const BoxTree tree(boxes);
     double key[BoxTree::kWidth];
-    const scene::CullingBall culling(ball, tree);
+    const scene::detail::CullingBall culling(ball, tree);
     EXPECT_EQ(culling.may_touch(tree.nodes().front()), 1U) << "sample " << index;
     EXPECT_EQ(culling.may_touch(tree.nodes().front(), key), 1U) << "sample " << index;
     EXPECT_TRUE(culling.may_touch(key[0])) << "sample " << index;
-    scene::CullingBall smaller(ball, tree);
+    scene::detail::CullingBall smaller(ball, tree);
     smaller.set_radius(ball.radius / 2, tree);
     culled += smaller.may_touch(tree.nodes().front()) == 0 ? 1 : 0;
   }
@@ -136,8 +136,8 @@ TEST(CullingBall, KeepsEveryBoxThatIsTouched) {
 TEST(CullingBall, CullsFromFarAway) {
   const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}};
   const BoxTree tree(boxes);
-  EXPECT_EQ(scene::CullingBall({{0x1p30, 0.5, 0.5}, 0x1p30 - 1}, tree).may_touch(tree.nodes().front()), 1U);
-  EXPECT_EQ(scene::CullingBall({{0x1p30, 0.5, 0.5}, 0x1p30 - 2}, tree).may_touch(tree.nodes().front()), 0U);
+  EXPECT_EQ(scene::detail::CullingBall({{0x1p30, 0.5, 0.5}, 0x1p30 - 1}, tree).may_touch(tree.nodes().front()), 1U);
+  EXPECT_EQ(scene::detail::CullingBall({{0x1p30, 0.5, 0.5}, 0x1p30 - 2}, tree).may_touch(tree.nodes().front()), 0U);
 }
 
 TEST(CullingMotion, MeetsNoMissingBoxes) {
@@ -145,8 +145,8 @@ TEST(CullingMotion, MeetsNoMissingBoxes) {
   const BoxTree tree(boxes);
   for (const Motion& motion : {Motion({{0, 0, 0}, 1}, {1, 2, 3}), Motion({{0, 0, 0}, 1}, {-1, -2, -3}),
                                Motion({{0, 0, 0}, 1}, {0, 0, 0}), Motion({{0, 0, 0}, 0x1p1023}, {0x1p1023, 0, 0})}) {
-    EXPECT_EQ(scene::CullingMotion(motion, tree).may_touch(tree.nodes().front()), 1U);
-    EXPECT_EQ(scene::CullingBall(motion.ball, tree).may_touch(tree.nodes().front()), 1U);
+    EXPECT_EQ(scene::detail::CullingMotion(motion, tree).may_touch(tree.nodes().front()), 1U);
+    EXPECT_EQ(scene::detail::CullingBall(motion.ball, tree).may_touch(tree.nodes().front()), 1U);
   }
 }
 
@@ -156,7 +156,7 @@ TEST(CullingMotion, KnowsWhenItComes) {
   const BoxTree tree(boxes);
   const auto time = [&](const Motion& motion) {
     double earliest[BoxTree::kWidth];
-    const unsigned kept = scene::CullingMotion(motion, tree).may_touch(tree.nodes().front(), earliest);
+    const unsigned kept = scene::detail::CullingMotion(motion, tree).may_touch(tree.nodes().front(), earliest);
     return (kept & 1) != 0 ? earliest[0] : 2;
   };
   EXPECT_NEAR(time(Motion({{0, 0, 0}, 1}, {16, 0, 0})), 7.0 / 16, 1e-9);
@@ -174,13 +174,13 @@ TEST(Swept, MissesNoTriangleThatIsTouched) {
     if (find_fault(sample.motion)) continue;
     const std::string what = "sample " + std::to_string(index);
     const Triangle corners{sample.box.low, sample.box.high, sample.box.low};  // with the sample's box
-    scene::Swept swept(sample.motion);
+    scene::detail::Swept swept(sample.motion);
     EXPECT_FALSE(swept.misses({corners.a, corners.b, corners.c})) << what;
     swept.end_at(sample.eighths / 8.0);
     EXPECT_FALSE(swept.misses({corners.a, corners.b, corners.c})) << what << ", shortened";
     Motion smaller = sample.motion;
     smaller.ball.radius *= 0.5;
-    missed += scene::Swept(smaller).misses({corners.a, corners.b, corners.c}) ? 1 : 0;
+    missed += scene::detail::Swept(smaller).misses({corners.a, corners.b, corners.c}) ? 1 : 0;
   }
   EXPECT_GT(missed, all / 8) << "it is blind";
 }
@@ -189,7 +189,7 @@ TEST(Swept, MissesNoTriangleThatIsTouched) {
 TEST(Swept, IsNotShortenedBeyondTheLargestDouble) {
   const double far = 0x1.8p1023;
   const Motion motion({{-far, 0, 0}, 0}, {far, 0, 0});
-  scene::Swept swept(motion);
+  scene::detail::Swept swept(motion);
   swept.end_at(0.5);
   EXPECT_FALSE(swept.misses({{0, -1, -1}, {0, 1, -1}, {0, 0, 1}}));
 }

@@ -29,7 +29,7 @@ TEST(DistanceAtMost, IsAtLeastTheDistanceAndLittleMore) {
     // On it or beside it, nearly.
     if (random.coin())
       center = a + random.unit() * (b - a) + point(random, size * std::abs(random.log_uniform(-50, 0)));
-    const double bound = scene::distance_at_most(center, triangle);
+    const double bound = scene::detail::distance_at_most(center, triangle);
     EXPECT_TRUE(filtered::contact({center, bound}, triangle)) << "sample " << index;
     const double largest = 8 * size;
     const double slack = thin == 1 ? 0x1p-30 : 0x1p-4;  // a needle's closest point may be taken for another
@@ -42,11 +42,11 @@ TEST(DistanceAtMost, IsAtLeastTheDistanceAndLittleMore) {
 TEST(DistanceAtMost, IsUnknownForNumbersThatMayOverflowOrUnderflow) {
   const Triangle unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const auto times = [&](double s) { return Triangle{s * unit.a, s * unit.b, s * unit.c}; };
-  EXPECT_NEAR(scene::distance_at_most({0, 0, 1}, unit), 1, 0x1p-47);
-  EXPECT_TRUE(std::isinf(scene::distance_at_most({0, 0, 0x1p201}, unit)));
-  EXPECT_TRUE(std::isinf(scene::distance_at_most({0, 0, 0}, times(0x1p201))));
-  EXPECT_TRUE(std::isinf(scene::distance_at_most({0, 0, 0}, times(0x1p-201))));
-  EXPECT_TRUE(std::isinf(scene::distance_at_most({0, 0, 0}, times(0))));
+  EXPECT_NEAR(scene::detail::distance_at_most({0, 0, 1}, unit), 1, 0x1p-47);
+  EXPECT_TRUE(std::isinf(scene::detail::distance_at_most({0, 0, 0x1p201}, unit)));
+  EXPECT_TRUE(std::isinf(scene::detail::distance_at_most({0, 0, 0}, times(0x1p201))));
+  EXPECT_TRUE(std::isinf(scene::detail::distance_at_most({0, 0, 0}, times(0x1p-201))));
+  EXPECT_TRUE(std::isinf(scene::detail::distance_at_most({0, 0, 0}, times(0))));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every engine that this machine can run finds the same faces, counting or not.
+// Every engine that this machine can run finds the same faces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,36 +25,34 @@ struct Found {
 };
 
 /// Asks about contact; tells whether there is any, and adds the faces.
-template <class Query, class T>
-bool ask(const scene::ContactWalks<Query, T>& walks, const Query& query, const scene::TriangleSet& triangles,
-         const scene::PolygonSet& polygons, T tally, std::vector<FaceId>& all) {
-  const bool any = walks.touches_triangle(query, triangles, tally) || walks.touches_polygon(query, polygons, tally) ||
-                   tally.answered();
-  walks.touched_triangles(query, triangles, {0, 0}, all, tally);
-  walks.touched_polygons(query, polygons, {1, 0}, all, tally);
+template <class Query>
+bool ask(const scene::detail::ContactWalks<Query>& walks, const Query& query, const scene::detail::TriangleSet& triangles,
+         const scene::detail::PolygonSet& polygons, std::vector<FaceId>& all) {
+  const bool any = walks.touches_triangle(query, triangles) || walks.touches_polygon(query, polygons);
+  walks.touched_triangles(query, triangles, {0, 0}, all);
+  walks.touched_polygons(query, polygons, {1, 0}, all);
   std::sort(all.begin(), all.end());
   return any;
 }
 
-template <class T>
-Found ask(const scene::Walks<T>& walks, const Motion& motion, const scene::TriangleSet& triangles,
-          const scene::PolygonSet& polygons, T tally) {
+Found ask(const scene::detail::Walks& walks, const Motion& motion, const scene::detail::TriangleSet& triangles,
+          const scene::detail::PolygonSet& polygons) {
   const FloatingPointState nearest_mode;
   Found found;
   const Ball& ball = motion.ball;
-  found.any = ask(walks.ball, ball, triangles, polygons, tally, found.all);
-  found.any_on_way = ask(walks.motion, motion, triangles, polygons, tally, found.all_on_way);
-  scene::FirstContactSearch first(motion);
+  found.any = ask(walks.ball, ball, triangles, polygons, found.all);
+  found.any_on_way = ask(walks.motion, motion, triangles, polygons, found.all_on_way);
+  scene::detail::FirstContactSearch first(motion);
   first.enter({0, 0});
-  walks.first_triangle(triangles, first, tally);
+  walks.first_triangle(triangles, first);
   first.enter({1, 0});
-  walks.first_polygon(polygons, first, tally);
+  walks.first_polygon(polygons, first);
   found.first = first.first();
-  scene::NearestSearch search(ball.center);
+  scene::detail::NearestSearch search(ball.center);
   search.enter({0, 0});
-  walks.nearest_triangle(triangles, search, tally);
+  walks.nearest_triangle(triangles, search);
   search.enter({1, 0});
-  walks.nearest_polygon(polygons, search, tally);
+  walks.nearest_polygon(polygons, search);
   found.nearest = search.nearest();
   return found;
 }
@@ -76,26 +74,22 @@ void expect_equal(const Found& found, const Found& expected, const std::string& 
   EXPECT_EQ(found.nearest->distance, expected.nearest->distance) << what;
 }
 
-/// Asks every engine, counting or not.
-void expect_the_same_faces(const Motion& motion, const scene::TriangleSet& triangles, const scene::PolygonSet& polygons,
+/// Asks every engine.
+void expect_the_same_faces(const Motion& motion, const scene::detail::TriangleSet& triangles, const scene::detail::PolygonSet& polygons,
                            const std::string& what) {
-  scene::FaceCounts counts;
-  const Found expected = ask(scene::baseline_walks(), motion, triangles, polygons, scene::NoTally());
+  const Found expected = ask(scene::detail::baseline_walks(), motion, triangles, polygons);
   EXPECT_EQ(expected.any, !expected.all.empty()) << what;
   EXPECT_EQ(expected.any_on_way, !expected.all_on_way.empty()) << what;
   EXPECT_EQ(expected.first.has_value(), expected.any_on_way) << what;
-  expect_equal(ask(scene::fastest_walks(scene::NoTally()), motion, triangles, polygons, scene::NoTally()), expected,
-               what);
-  expect_equal(ask(scene::baseline_counted_walks(), motion, triangles, polygons, scene::Tally(counts)), expected,
-               what + ", counted");
+  expect_equal(ask(scene::detail::fastest_walks(), motion, triangles, polygons), expected, what);
 }
 
 TEST(SceneEngines, FindTheSameFaces) {
   for (const Kind kind : all_kinds())
     for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES / 10; ++index) {
       const auto objects = draw_objects(kind, 2027, index);
-      const scene::TriangleSet triangles(objects.front().triangles);
-      const scene::PolygonSet polygons(objects.front().polygons);
+      const scene::detail::TriangleSet triangles(objects.front().triangles);
+      const scene::detail::PolygonSet polygons(objects.front().polygons);
       for (std::uint64_t i = 0; i < 10; ++i)
         expect_the_same_faces(draw_motion(all_polygons(objects), 2027, 1000 * index + i), triangles, polygons,
                               name(kind) + ", scene " + std::to_string(index) + ", motion " + std::to_string(i));
@@ -105,18 +99,18 @@ TEST(SceneEngines, FindTheSameFaces) {
 // In their own frame where it can hold them; motions are about the posed faces.
 TEST(SceneEngines, FindTheSameFacesUnderPoses) {
   std::size_t held = 0;
-  const scene::PolygonSet none(std::vector<Polygon>{});
+  const scene::detail::PolygonSet none(std::vector<Polygon>{});
   for (const Kind kind : {Kind::Soup, Kind::Coplanar, Kind::Needles, Kind::Duplicates, Kind::FarAway})
     for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES / 5; ++index) {
       const scene::Faces model{draw_objects(kind, 2027, index).front().triangles, {}};
       const Pose pose = draw_pose({model}, 2027, index);
-      std::optional<scene::TriangleSet> triangles;
+      std::optional<scene::detail::TriangleSet> triangles;
       scene::Faces posed;
       try {
         const FloatingPointState nearest_mode;
-        triangles.emplace(scene::TriangleSet(model.triangles), pose);
+        triangles.emplace(scene::detail::TriangleSet(model.triangles), pose);
         for (const Triangle& t : model.triangles) posed.triangles.push_back(scene::posed(pose, t));
-      } catch (const scene::FaceRejected&) {
+      } catch (const scene::detail::FaceRejected&) {
         continue;
       }
       held += triangles->frame.has_value();

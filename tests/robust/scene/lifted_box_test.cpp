@@ -76,8 +76,8 @@ TEST(LiftedBox, HoldsEveryLiftedVertexTightly) {
   for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
     const auto polygon = draw_polygon(index);
     if (!polygon) continue;
-    const Box exact = scene::lifted_box(*polygon, filtered::PreparedPolygon(*polygon));
-    const auto quick = scene::quick_lifted_box(*polygon);
+    const Box exact = scene::detail::lifted_box(*polygon, filtered::PreparedPolygon(*polygon));
+    const auto quick = scene::detail::quick_lifted_box(*polygon);
     ++all, quick_ones += quick.has_value();
     const auto [axis, coordinates] = lifted(*polygon);
     for (const Box& box : {exact, quick.value_or(exact)}) {
@@ -102,7 +102,7 @@ TEST(LiftedBox, HoldsEveryLiftedVertexTightly) {
 // Between two axes neither may be left out: the exact normal decides by less than doubles see.
 TEST(LiftedBox, IsWideAlongEveryAxisThatMayBeTheDroppedOne) {
   const Polygon polygon({{0, 0, 0}, {1, 0, 0x1p-54}, {1, 1, 1}, {0, 1, 1.25}});
-  const auto box = scene::quick_lifted_box(polygon);
+  const auto box = scene::detail::quick_lifted_box(polygon);
   ASSERT_TRUE(box);
   const auto [axis, coordinates] = lifted(polygon);
   for (const mpq_class& x : coordinates) {
@@ -112,9 +112,9 @@ TEST(LiftedBox, IsWideAlongEveryAxisThatMayBeTheDroppedOne) {
 }
 
 TEST(LiftedBox, IsLeftToTheExactPathWhereDoublesCannotTell) {
-  EXPECT_FALSE(scene::quick_lifted_box(Polygon({{0, 0, 0}, {1, 0, 0}, {2, 0x1p-52, 0}})));
-  EXPECT_FALSE(scene::quick_lifted_box(Polygon({{0, 0, 0}, {0x1p-400, 0, 0}, {0, 0x1p-400, 0}})));
-  EXPECT_FALSE(scene::quick_lifted_box(Polygon({{-0x1p1023, 0, 0}, {0x1p1023, 0, 0}, {0, 1, 0}})));
+  EXPECT_FALSE(scene::detail::quick_lifted_box(Polygon({{0, 0, 0}, {1, 0, 0}, {2, 0x1p-52, 0}})));
+  EXPECT_FALSE(scene::detail::quick_lifted_box(Polygon({{0, 0, 0}, {0x1p-400, 0, 0}, {0, 0x1p-400, 0}})));
+  EXPECT_FALSE(scene::detail::quick_lifted_box(Polygon({{-0x1p1023, 0, 0}, {0x1p1023, 0, 0}, {0, 1, 0}})));
 }
 
 }  // namespace

@@ -368,7 +368,7 @@ TEST(FirstContactSearch, EndsNoEarlierThanTheFirstContact) {
   const Triangle floor{{-4, -4, 0}, {4, -4, 0}, {0, 8, 0}};
   const filtered::PreparedPolygon polygon(Polygon({floor.a, floor.b, floor.c}));
   for (const bool as_polygon : {false, true}) {
-    scene::FirstContactSearch search(falls);
+    scene::detail::FirstContactSearch search(falls);
     EXPECT_EQ(search.end(), 1);
     const FirstContact contact = filtered::first_contact(falls, polygon);
     as_polygon ? search.meet(polygon, 0, contact) : search.meet(floor, 0, contact);

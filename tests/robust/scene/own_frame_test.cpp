@@ -16,7 +16,7 @@
 namespace touchstone::scene_tests {
 namespace {
 
-using scene::OwnFrame;
+using scene::detail::OwnFrame;
 using workloads::Random;
 
 mpq_class difference(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int axis) {
@@ -68,7 +68,7 @@ void expect_sound(const OwnFrame& frame, const Seen& seen, const Eigen::Vector3d
   const double near = std::sqrt(squared.get_d());
   for (int doubles = -2; doubles <= 2; ++doubles) {
     const double radius = std::max(0.0, workloads::move_by_doubles(near, doubles));
-    const scene::SeenBall ball = frame.seen({center, radius});
+    const scene::detail::SeenBall ball = frame.seen({center, radius});
     const mpq_class own_squared = squared_distance(seen.own, ball.outer.center);
     if (within(squared, radius)) {
       EXPECT_TRUE(within(own_squared, ball.outer.radius)) << what;
@@ -81,7 +81,7 @@ void expect_sound(const OwnFrame& frame, const Seen& seen, const Eigen::Vector3d
     EXPECT_TRUE(within(squared, frame.radius_under_pose(center, own_radius))) << what;
   }
   // Whatever lies between the two radii has to be posed.
-  const scene::SeenBall around = frame.seen({center, 2 * near});
+  const scene::detail::SeenBall around = frame.seen({center, 2 * near});
   const double all = (near + center.norm() + seen.pose.translation.norm()) / seen.pose.rotation.norm() + seen.reach;
   EXPECT_LE(around.outer.radius - std::max(around.inner, 0.0), 0x1p-17 * all) << what;
 }
@@ -119,7 +119,7 @@ void expect_sound(const OwnFrame& frame, const Seen& seen, const Eigen::Vector3d
     const double near = std::sqrt(squared.get_d());
     for (int doubles = -2; doubles <= 2; ++doubles) {
       const double radius = std::max(0.0, workloads::move_by_doubles(near, doubles));
-      const scene::SeenMotion motion = frame.seen(Motion({first, radius}, last));
+      const scene::detail::SeenMotion motion = frame.seen(Motion({first, radius}, last));
       const mpq_class own_squared = squared_at(seen.own, motion.outer.ball.center, motion.outer.to);
       if (within(squared, radius)) {
         EXPECT_TRUE(within(own_squared, motion.outer.ball.radius)) << what << ", time " << time;
@@ -147,7 +147,7 @@ TEST(OwnFrame, SeesEveryMotionThatTouchesAndNoOther) {
     expect_sound(*frame, seen, first, random.coin() ? end() : first, "sample " + std::to_string(index));
   }
   const auto frame = OwnFrame::of({}, 1, 1);
-  const scene::SeenMotion far = frame->seen(Motion({{0, 0, 0}, 1}, {0x1p501, 0, 0}));
+  const scene::detail::SeenMotion far = frame->seen(Motion({{0, 0, 0}, 1}, {0x1p501, 0, 0}));
   EXPECT_EQ(far.outer.ball.radius, std::numeric_limits<double>::infinity());
   EXPECT_LT(far.inner, 0);
 }
@@ -160,11 +160,11 @@ TEST(OwnFrame, SeesAMotionAsTheWorseOfItsEnds) {
   const auto frame = OwnFrame::of(pose, 1, 1);
   ASSERT_TRUE(frame);
   const Eigen::Vector3d near(0.5, 0, 0), far(0, 0x1p20, 0x1p10);
-  const scene::SeenBall at_near = frame->seen(Ball{near, 2}), at_far = frame->seen(Ball{far, 2});
+  const scene::detail::SeenBall at_near = frame->seen(Ball{near, 2}), at_far = frame->seen(Ball{far, 2});
   ASSERT_LT(at_near.outer.radius, at_far.outer.radius);
   ASSERT_GT(at_near.inner, at_far.inner);
   for (const Motion& motion : {Motion({near, 2}, far), Motion({far, 2}, near)}) {
-    const scene::SeenMotion seen = frame->seen(motion);
+    const scene::detail::SeenMotion seen = frame->seen(motion);
     EXPECT_EQ(seen.outer.ball.radius, at_far.outer.radius);
     EXPECT_EQ(seen.inner, at_far.inner);
   }
@@ -224,7 +224,7 @@ TEST(OwnFrame, HoldsNoTriangleThatRoundingBreaks) {
   const Triangle triangle{along - half * all, -along - half * all, half * all};
   const Pose pose{Eigen::Matrix3d::Identity(), (1 + 4 * length) * all};
   EXPECT_THROW((void)scene::posed(pose, triangle), Rejected);
-  const double altitude = scene::least_altitude(triangle);
+  const double altitude = scene::detail::least_altitude(triangle);
   EXPECT_NEAR(altitude / (2 * std::sqrt(3.0) * half), 1, 1e-4);
   EXPECT_FALSE(OwnFrame::of(pose, 2 * length, altitude));
   EXPECT_TRUE(OwnFrame::of(pose, 2 * length, 1.05 * altitude));
@@ -239,7 +239,7 @@ TEST(OwnFrame, HoldsOnlyTrianglesThatStayTriangles) {
     const Triangle triangle{a, b, a + random.unit() * (b - a) + point(random, thin)};
     if (exact::validate(Polygon({triangle.a, triangle.b, triangle.c}))) continue;
     const Pose pose{draw_rotation(random), point(random, std::ldexp(1.0, static_cast<int>(random.integer(-3, 12))))};
-    if (!OwnFrame::of(pose, 2, scene::least_altitude(triangle))) continue;
+    if (!OwnFrame::of(pose, 2, scene::detail::least_altitude(triangle))) continue;
     ++held;
     EXPECT_NO_THROW((void)scene::posed(pose, triangle)) << "sample " << index;
   }
@@ -253,7 +253,7 @@ TEST(LeastAltitude, IsAtMostTheLeastAltitude) {
     const double thin = std::ldexp(1.0, -static_cast<int>(random.integer(0, 56)));
     const Eigen::Vector3d a = point(random, size), b = point(random, size);
     const Triangle t{a, b, a + random.unit() * (b - a) + point(random, thin * size)};
-    const mpq_class altitude = scene::least_altitude(t);
+    const mpq_class altitude = scene::detail::least_altitude(t);
     ASSERT_GE(altitude, 0);
     // (twice the area)^2 >= altitude^2 edge^2 for each edge
     mpq_class normal_sq = 0;

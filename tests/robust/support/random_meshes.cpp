@@ -93,7 +93,7 @@ Mesh from_first_vertex(Mesh mesh) {
   const Vector3d first = mesh.vertices.front();
   const bool exact = std::ranges::all_of(mesh.vertices, [&](const Vector3d& vertex) {
     for (int k = 0; k < 3; ++k)
-      if (filtered::two_difference(vertex[k], first[k]).low != 0) return false;  // exact
+      if (filtered::detail::two_difference(vertex[k], first[k]).low != 0) return false;  // exact
     return true;
   });
   if (exact)

@@ -29,7 +29,7 @@ FOREIGN = "aarch64-linux-gnu-g++"
 BUILDS = [(compiler, flags) for compiler in ("g++", "clang++") for flags in FLAGS] + [("g++", THREADS)]
 BUILDS += [(FOREIGN, ["-O2", "-static", "-Wno-psabi", contraction]) for contraction in ("-ffp-contract=off", "-ffp-contract=fast")]
 FOLDERS = ["geometry/shapes", "geometry/contact", "robust/detail", "robust/exact", "robust/exact/detail", "robust/filtered",
-           "robust/filtered/detail", "robust/filtered/detail/motion"]
+           "robust/filtered/detail", "robust/filtered/detail/*"]
 COMMON = ["-std=c++20", "-w", "-DCGAL_USE_GMP", "-DCGAL_USE_MPFR", "-isystem", "/usr/include/eigen3"]
 
 

@@ -4,7 +4,8 @@
 A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file; translation
 units that see it are compiled again and linked before the libraries into a program of tests, which is run: it must
 fail. A program that crashes has noticed the bug only if it passes with the unchanged file compiled and linked the same
-way. Exit status 1 if a mutant survives, or if its text is not found exactly once.
+way. Exit status 1 if a mutant survives. Before any is planted, exit status 2 if the text of one, asked for or not,
+is not found exactly once in its file, or one of its files is missing.
 
 With --one-in N only about one mutant in N is planted; the hash of the commit draws them, so that every commit plants
 others, and the same commit the same ones. --part I/N plants the I-th of N parts, which together are all.
@@ -73,8 +74,6 @@ class Workshop:
 
     def plant(self, mutant):
         text = (self.source / mutant["file"]).read_text()
-        if text.count(mutant["old"]) != 1:
-            raise ValueError(f"its text stands {text.count(mutant['old'])} times in {mutant['file']}")
         return self.program_with(mutant, text.replace(mutant["old"], mutant["new"]))
 
     def control(self, mutant):
@@ -164,6 +163,16 @@ def first_failure(program, folder, suites):
     return f"{name}, case {case.group(1)} of {case.group(2)}" if case else name
 
 
+def misplaced(source, mutants):
+    """A sentence for each mutant that the sources have no place for."""
+    for mutant in mutants:
+        missing = [file for file in {mutant["file"], *units(mutant)} if not (pathlib.Path(source) / file).is_file()]
+        if missing:
+            yield f"{mutant['name']}: there is no {', '.join(sorted(missing))}"
+        elif (count := (pathlib.Path(source) / mutant["file"]).read_text().count(mutant["old"])) != 1:
+            yield f"{mutant['name']}: its text stands {count} times in {mutant['file']}"
+
+
 def judge(workshop, mutant):
     """(killed, sentence) of one mutant."""
     try:
@@ -226,7 +235,13 @@ def parsed(arguments):
 def main(*arguments):
     options = parsed(list(arguments))
     source, build, corpus = options.source, options.build, options.corpus
-    mutants = [mutant for mutant in read_mutants(source, corpus) if not options.names or mutant["name"] in options.names]
+    known = read_mutants(source, corpus)
+    faults = [*misplaced(source, known), *(f"{name}: there is no such mutant" for name in
+                                           set(options.names) - {mutant["name"] for mutant in known})]
+    if faults:
+        print("\n".join(faults))
+        return 2
+    mutants = [mutant for mutant in known if not options.names or mutant["name"] in options.names]
     if options.one_in > 1:
         commit = commit_of(source)
         print(f"One in {options.one_in} of {len(mutants)}, drawn by commit {commit or '(none)'}")

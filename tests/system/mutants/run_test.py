@@ -7,6 +7,7 @@ import unittest
 
 import run
 
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
 COMMANDS = [
     "/usr/bin/c++ -O2 -o lib/a.cpp.o -c /source/a.cpp",
     "/usr/bin/cmake -E env SLOPPY=1 /usr/bin/ccache /usr/bin/c++ -O2 -o lib/b.cpp.o -c /source/b.cpp",
@@ -39,6 +40,28 @@ class Parts(unittest.TestCase):
     def test_parts_hold_each_mutant_once(self):
         parts = [run.part_of(list(range(10)), f"{i}/3") for i in (1, 2, 3)]
         self.assertEqual(sorted(sum(parts, [])), list(range(10)))
+
+
+class Places(unittest.TestCase):
+    def faults(self, **changes):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "a.cpp").write_text("one two two")
+            return list(run.misplaced(folder, [{**MUTANT, "old": "one", **changes}]))
+
+    def test_a_text_that_is_found_once_is_in_place(self):
+        self.assertEqual(self.faults(), [])
+
+    def test_a_text_that_is_found_twice_or_never_is_an_error(self):
+        self.assertEqual(self.faults(old="two"), ["planted: its text stands 2 times in a.cpp"])
+        self.assertEqual(self.faults(old="three"), ["planted: its text stands 0 times in a.cpp"])
+
+    def test_a_file_or_unit_that_is_missing_is_an_error(self):
+        self.assertEqual(self.faults(file="b.cpp"), ["planted: there is no b.cpp"])
+        self.assertEqual(self.faults(units=["c.cpp"]), ["planted: there is no c.cpp"])
+
+    def test_all_that_are_listed_are_in_place(self):
+        for corpus in False, True:
+            self.assertEqual(list(run.misplaced(SOURCE, run.read_mutants(SOURCE, corpus))), [])
 
 
 class Fake(run.Workshop):

@@ -7,7 +7,7 @@
 #include "geometry/contact/answer.h"
 #include "robust/filtered/detail/numbers/bounded.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Finds the first of several events, if it is certain which one that is. Times are doubles or double-doubles.
@@ -55,4 +55,4 @@ class FirstCandidate {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

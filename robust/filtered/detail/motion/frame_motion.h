@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/detail/frame_query.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
 
 /// The first stage for a moving ball and a prepared polygon: computes in the polygon's frame, in doubles.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// A motion in a polygon's frame.
@@ -125,4 +125,4 @@ class SweptDisc {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -1,11 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/detail/motion/entry.h"
+#include "robust/filtered/detail/numbers/bounded.h"
 
 /// The events of a moving ball at edges and their starts, over lanes of doubles and over double-doubles alike.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
+
+// The time at which a moving centre comes within distance r of a plane, a line or a point, from the certain signs of
+// numbers that carry their error.
+
+/// Whether and when an event happens in (0, 1], one bit a lane.
+template <class Number>
+struct Entry {
+  unsigned none, certain;  ///< it certainly does not happen, or certainly does; neither: not known
+  Bounded<Number> time;    ///< where it certainly does
+
+  /// The lanes in which the event may happen, but does not certainly.
+  [[nodiscard]] unsigned unsure(unsigned lanes) const { return lanes & ~(none | certain); }
+};
+
+/// The coefficients of a t^2 + 2 b t + c, which is the squared distance at time t less r^2, times a positive factor;
+/// and the discriminant b^2 - a c, computed so that it loses little where it is small.
+template <class Number>
+struct EntryQuadratic {
+  Bounded<Number> a, b, c, discriminant;
+};
+
+/// Returns the smaller root, at which the distance falls to r.
+///
+/// It is in (0, 1] if and only if c > 0, b < 0, the discriminant is at least 0, and the value at 1 is at most 0 or the
+/// vertex -b / a at most 1. A double root is never certain. If `starts_outside`, c is known to be positive.
+template <class Number>
+TOUCHSTONE_INLINE Entry<Number> entry(const EntryQuadratic<Number>& quadratic, bool starts_outside) {
+  const auto& [a, b, c, discriminant] = quadratic;
+  const Bounded<Number> slope_at_end = a + b, at_end = (slope_at_end + b) + c;
+  const unsigned approaches = negative(b), meets = positive(discriminant);
+  const unsigned ends_before = negative(slope_at_end) & positive(at_end);
+  // a t^2 >= 0, also where a is so small that its sign is not certain.
+  const unsigned stays_outside = positive(c) & positive((b + b) + c);
+  const unsigned reaches = positive(slope_at_end) | negative(at_end);
+  const unsigned outside = starts_outside ? ~0U : positive(c), inside = starts_outside ? 0U : negative(c);
+  return {positive(b) | negative(discriminant) | inside | ends_before | stays_outside,
+          approaches & meets & outside & reaches, quotient(c, root(discriminant) - b)};
+}
+
+/// The same for a plane, and the lanes in which the centre certainly stays farther from it than r, on one side.
+template <class Number>
+struct PlaneEntry {
+  Entry<Number> entry;
+  unsigned misses;
+};
+
+/// Returns when the height above a plane, h at time 0 and h + change at time 1, falls to `reach` in magnitude: all
+/// three are multiplied by the length of the plane's normal. A point, whose reach is 0, then passes through the plane.
+template <class Number>
+TOUCHSTONE_INLINE PlaneEntry<Number> plane_entry(const Bounded<Number>& height, const Bounded<Number>& change,
+                                                 const Bounded<Number>& reach) {
+  const Bounded<Number> end = height + change, approach = height * change, departure = end * change;
+  const Bounded<Number> outside = (height - reach) * (height + reach), outside_at_end = (end - reach) * (end + reach);
+  const Bounded<Number> product = change * reach;
+  const Bounded<Number> root{magnitude_of(product.value), product.error};
+  const unsigned starts_outside = positive(outside), ends_outside = positive(outside_at_end);
+  return {{positive(approach) | negative(outside) | (negative(departure) & ends_outside),
+           negative(approach) & starts_outside & (positive(departure) | negative(outside_at_end)),
+           quotient(outside, root - approach)},
+          starts_outside & ends_outside & positive(height * end)};
+}
 
 /// An edge as seen from a motion, along any orthonormal axes.
 template <class Number>
@@ -55,4 +116,5 @@ TOUCHSTONE_INLINE Entry<Number> interior_event(const MovingEdge<Number>& moving)
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+
+}  // namespace touchstone::filtered::detail

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "robust/filtered/detail/closest_point.h"
-#include "robust/filtered/detail/exact_edges.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
+#include "robust/filtered/detail/polygon/exact_edges.h"
+#include "robust/filtered/detail/signs/closest_point.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// A motion and a prepared polygon in double-doubles, in the frame's unit of length but along the axes of the input,
@@ -93,4 +93,4 @@ class PolygonMotionDoubles {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

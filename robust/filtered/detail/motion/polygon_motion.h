@@ -9,10 +9,10 @@
 #include "robust/filtered/detail/motion/frame_motion.h"
 #include "robust/filtered/detail/motion/polygon_doubles.h"
 #include "robust/filtered/detail/motion/touched_point.h"
-#include "robust/filtered/detail/polygon_stages.h"
+#include "robust/filtered/detail/polygon/polygon_query.h"
 
 /// All stages for a moving ball and a prepared polygon.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Calls visit(leaf) for all leaves with edges that the swept disc may touch. The visitor may shorten the disc's way.
@@ -281,4 +281,4 @@ bool polygon_motion_contact(const Motion& motion, const PreparedPolygon::Parts& 
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -5,15 +5,15 @@
 #include <optional>
 
 #include "geometry/contact/first_contact.h"
-#include "robust/filtered/detail/closest_point.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
+#include "robust/filtered/detail/signs/closest_point.h"
 
 /// The time and the point of an event, correctly rounded, in double-doubles with a rounding test.
 ///
 /// `Doubles` are a motion and a polygon or triangle in double-doubles: `moving(i)`, `normal()` and its
 /// `normal_length()`, `center(axis)`, `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices
 /// have the same coordinate, `lifts(axis)`, and `unscaled(length)`, which converts to the caller's unit of length.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The unit of times.
@@ -99,4 +99,4 @@ class TouchedPoint {
 };
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

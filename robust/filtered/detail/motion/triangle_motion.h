@@ -4,16 +4,15 @@
 #include <limits>
 #include <optional>
 
-#include "robust/filtered/detail/motion/exact_triangle.h"
+#include "robust/filtered/detail/motion/capsule.h"
 #include "robust/filtered/detail/motion/first_candidate.h"
-#include "robust/filtered/detail/motion/triangle_doubles.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
-#include "robust/filtered/detail/motion/unsure_capsule.h"
-#include "robust/filtered/detail/scaled_triangle.h"
-#include "robust/filtered/detail/triangle_closest.h"
+#include "robust/filtered/detail/triangle/exact_triangle.h"
+#include "robust/filtered/detail/triangle/scaled_triangle.h"
+#include "robust/filtered/detail/triangle/triangle_closest.h"
 
 /// All stages for a moving ball and a triangle.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Returns the first contact of a ball that touches at its start. Requires round to nearest.
@@ -213,4 +212,4 @@ bool triangle_motion_contact(MotionTriangleView view, Counts& counts) {
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

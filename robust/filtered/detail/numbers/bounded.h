@@ -4,9 +4,9 @@
 #include <cmath>
 #include <type_traits>
 
-#include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/numbers/lanes.h"
+#include "robust/filtered/detail/signs/bounds.h"
 
 /// Numbers that carry a bound of their error through any expression: doubles in lanes and double-doubles.
 ///
@@ -18,7 +18,7 @@
 /// Requires lengths of at most bounds::kLongestMotion, and vectors whose maximum is at least the inverse of that. Then
 /// nothing overflows in expressions of degree 8, and the error of every expression of vectors exceeds the effect of
 /// underflow by far. That need not be so for products of single exact numbers.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// The type of errors, the errors of operations in units of relative rounding, and a number below all divisors
@@ -172,4 +172,4 @@ TOUCHSTONE_INLINE BoundedVector<Number> cross(const BoundedVector<Number>& a, co
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geometry/floating_point.h"
-#include "robust/filtered/detail/target.h"
-#include "robust/filtered/detail/vector3.h"
+#include "robust/filtered/detail/numbers/target.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 #include "robust/filtered/stage.h"  // before DoubleDouble: g++ 12 warns that Stage::DoubleDouble shadows it
 
 #if defined(__clang__)
@@ -17,7 +17,7 @@
 ///
 /// Requires round to nearest and neither overflow nor underflow of any intermediate result; compiled without
 /// contraction. Source: [dekker1971], [joldes2017].
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 
 /// The number high + low, with |low| <= ulp(high) / 2. Words are doubles; robust/proofs runs the templates below over
 /// words that record the operations.
@@ -38,7 +38,7 @@ using DoubleDouble = DoubleWord<double>;
 inline namespace TOUCHSTONE_TARGET {
 
 /// @{
-/// What the functions below need of words. Packs of doubles (pack_pair.h) have the same.
+/// What the functions below need of words. Packs of doubles (lane_vector.h) have the same.
 __attribute__((always_inline)) inline double multiplied(double factor, double a) { return factor * a; }
 #if defined(__FMA__)
 __attribute__((always_inline)) inline double fused_multiply_subtract(double a, double b, double c) {
@@ -157,4 +157,4 @@ inline DoubleWord<Word> sqrt(const DoubleWord<Word>& a) {
 inline int sign(const DoubleDouble& value) { return (value.high > 0) - (value.high < 0); }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "robust/filtered/detail/target.h"
+#include "robust/filtered/detail/numbers/target.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 __extension__ using Int128 = __int128;
@@ -131,4 +131,4 @@ constexpr auto operator*(const Integer<A>& a, const Integer<B>& b) {
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

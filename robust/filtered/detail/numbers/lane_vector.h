@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/detail/numbers/pack_pair.h"
+#include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/lanes.h"
 
 /// Vectors of double-doubles whose components share a pack. Their products take a third of the instructions of those of
 /// Vector3<DoubleDouble>, and are made by the same operations of double_double.h: all its bounds hold.
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
+
+// Packs of doubles as the words of double_double.h.
+
+/// Four unevaluated sums high + low.
+using PackPair = DoubleWord<Pack>;
+
+TOUCHSTONE_INLINE Pack multiplied(double factor, const Pack& a) { return all_lanes(factor) * a; }
+#if defined(__FMA__)
+TOUCHSTONE_INLINE Pack fused_multiply_subtract(const Pack& a, const Pack& b, const Pack& c) {
+  return multiply_subtract(a, b, c);
+}
+#endif
 
 /// A vector; lane 3 does not matter.
 struct LaneVector {
@@ -52,4 +65,5 @@ TOUCHSTONE_INLINE double operator-(const DoubleDouble& a, const RadiusTerm& b) {
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+
+}  // namespace touchstone::filtered::detail

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "geometry/floating_point.h"
-#include "robust/filtered/detail/target.h"
+#include "robust/filtered/detail/numbers/target.h"
 
-namespace touchstone::filtered {
+namespace touchstone::filtered::detail {
 inline namespace TOUCHSTONE_TARGET {
 
 /// A double that carries its own error bound: the permanent, which is the value of the expression if every difference
@@ -51,4 +51,4 @@ int certain_sign(const Permanent<Roundings>& number, double tiny) {
 }
 
 }  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered
+}  // namespace touchstone::filtered::detail

@@ -16,7 +16,7 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/motion.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/robust/support/environment.h"
@@ -184,7 +184,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
 
     const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
     ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
-    const auto found_closest = filtered::closest(filtered::baseline_kernels().plain, ball.center, *triangle, none);
+    const auto found_closest = filtered::detail::closest(filtered::detail::baseline_kernels().plain, ball.center, *triangle, none);
     ASSERT_EQ(found_closest, closest) << stored;
     ASSERT_TRUE(zeros_are_positive(found_closest)) << stored;
   }
@@ -218,8 +218,8 @@ TEST(Corpus, FilteredMeetsEveryCaseByTheHierarchyOfEdges) {
   for (const Stored& stored : stored_cases()) {
     if (!stored.answer) continue;
     const Asked asked(stored);
-    const filtered::PreparedPolygon::Parts parts(stored.polygon(), filtered::EdgeIndex::Use::OftenByHierarchy);
-    for (const filtered::Kernels* kernels : {&filtered::baseline_kernels(), &filtered::kernels()}) {
+    const filtered::PreparedPolygon::Parts parts(stored.polygon(), filtered::detail::EdgeIndex::Use::OftenByHierarchy);
+    for (const filtered::detail::Kernels* kernels : {&filtered::detail::baseline_kernels(), &filtered::detail::kernels()}) {
       filtered::NoCounts none;
       ASSERT_EQ(kernels->plain.contact(stored.ball(), parts, none), stored.answer->contact()) << stored;
       ASSERT_EQ(kernels->plain.answer(stored.ball(), parts, none), *stored.answer) << stored;

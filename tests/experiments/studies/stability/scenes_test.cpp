@@ -101,9 +101,9 @@ TEST(StabilityScenes, AreAsBadAsTheirLevelSays) {
     const RationalVector a = exactly(polygon.vertex(0)), b = exactly(polygon.vertex(1)), c = exactly(polygon.vertex(2));
     mpq_class longest = 0;
     for (const RationalVector& side : {b - a, c - b, a - c})
-      longest = std::max(longest, filtered::dot(side, side).value);
-    const RationalVector area = filtered::cross(b - a, c - a);
-    const mpf_class double_area = sqrt(real(filtered::dot(area, area)));
+      longest = std::max(longest, filtered::detail::dot(side, side).value);
+    const RationalVector area = filtered::detail::cross(b - a, c - a);
+    const mpf_class double_area = sqrt(real(filtered::detail::dot(area, area)));
     EXPECT_NEAR(mpf_class(mpf_class(longest, 512) / double_area).get_d() / aspect_ratio(polygon), 1, 1e-12);
   });
   for_each_scene(Axis::Parallel, [&](const Level& level, std::uint64_t, const Scene& scene) {
@@ -173,16 +173,16 @@ TEST(StabilityScenes, AreOffTheirPlaneByWholeUlps) {
     std::vector<RationalVector> others;
     for (std::size_t i = 0; i < polygon.vertex_count(); ++i)
       if (i != moved) others.push_back(exactly(polygon.vertex(i)));
-    RationalVector normal = filtered::cross(others[1] - others[0], others[2] - others[0]);
-    for (std::size_t i = 3; i < others.size() && filtered::dot(normal, normal).value == 0; ++i)
-      normal = filtered::cross(others[1] - others[0], others[i] - others[0]);
-    ASSERT_NE(filtered::dot(normal, normal).value, 0);
-    for (const RationalVector& point : others) EXPECT_EQ(filtered::dot(normal, point - others[0]).value, 0);
+    RationalVector normal = filtered::detail::cross(others[1] - others[0], others[2] - others[0]);
+    for (std::size_t i = 3; i < others.size() && filtered::detail::dot(normal, normal).value == 0; ++i)
+      normal = filtered::detail::cross(others[1] - others[0], others[i] - others[0]);
+    ASSERT_NE(filtered::detail::dot(normal, normal).value, 0);
+    for (const RationalVector& point : others) EXPECT_EQ(filtered::detail::dot(normal, point - others[0]).value, 0);
     int axis = 0;
     for (const int k : {1, 2})
       if (abs(normal[k].value) > abs(normal[axis].value)) axis = k;
     const mpq_class height =
-        filtered::dot(normal, exactly(polygon.vertex(moved)) - others[0]).value / normal[axis].value;
+        filtered::detail::dot(normal, exactly(polygon.vertex(moved)) - others[0]).value / normal[axis].value;
     EXPECT_EQ(abs(height), mpq_class(level.value * std::ldexp(1.0, largest_exponent(polygon) - 52)));
   });
 }

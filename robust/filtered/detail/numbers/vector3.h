@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/filtered/detail/numbers/target.h"
+
+namespace touchstone::filtered::detail {
+
+/// Three numbers of any type that has + - *. The result type is that of the operations.
+template <class Number>
+struct Vector3 {
+  Number x, y, z;
+
+  constexpr const Number& operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+template <class Number>
+Vector3(Number, Number, Number) -> Vector3<Number>;
+
+inline namespace TOUCHSTONE_TARGET {
+
+/// @{
+/// Returns a b + c, or a b - c. Numbers whose operations can be fused overload these functions.
+template <class A, class B, class C>
+constexpr auto multiply_add(const A& a, const B& b, const C& c) {
+  return a * b + c;
+}
+template <class A, class B, class C>
+constexpr auto multiply_subtract(const A& a, const B& b, const C& c) {
+  return a * b - c;
+}
+/// @}
+
+template <class A, class B>
+constexpr auto dot(const Vector3<A>& a, const Vector3<B>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class A, class B>
+constexpr auto cross(const Vector3<A>& a, const Vector3<B>& b) {
+  return Vector3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered::detail

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "robust/filtered/detail/numbers/lanes.h"
+#include "robust/filtered/detail/polygon/frame_query.h"
+
+/// The first stage of contact for four balls and one polygon: a lane of each Pack belongs to a ball.
+namespace touchstone::filtered::detail {
+inline namespace TOUCHSTONE_TARGET {
+
+/// A bit for each ball; neither for a ball whose contact is not certain.
+struct CertainContacts {
+  unsigned touching, separate;
+};
+
+/// HeightQuery and FrameQuery of four balls.
+struct BallLanes {
+  Pack radius, above, height_error;
+  Pack x, y;                                          ///< the feet
+  Pack certain_hit_sq, certain_miss_sq, boundary_sq;  ///< as in FrameQuery; the first only for balls that may hit
+  unsigned missed_plane, cut_plane, may_hit;          ///< a bit a ball
+
+  BallLanes(const Ball* four, const Frame& frame) {
+    using bounds::kDistance, bounds::kHeight, bounds::kNarrow, bounds::kNear, bounds::kUnit, bounds::kWide;
+    const Pack zero = all_lanes(0), one = all_lanes(1);
+    const auto lanes = [four](int axis) {
+      return pack(four[0].center[axis], four[1].center[axis], four[2].center[axis], four[3].center[axis]);
+    };
+    const Pack given[] = {lanes(0), lanes(1), lanes(2),
+                          pack(four[0].radius, four[1].radius, four[2].radius, four[3].radius)};
+    const Pack scale[] = {all_lanes(frame.unit.down[0]), all_lanes(frame.unit.down[1])};
+    const auto scaled = [&scale](const Pack& length) { return length * scale[0] * scale[1]; };
+    const Vector3<Pack> to_center{scaled(given[0]) - all_lanes(frame.origin.x),
+                                  scaled(given[1]) - all_lanes(frame.origin.y),
+                                  scaled(given[2]) - all_lanes(frame.origin.z)};
+    radius = scaled(given[3]);
+    const auto everywhere = [](const Vector3<double>& v) {
+      return Vector3<Pack>{all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)};
+    };
+    above = magnitude(frame::height(everywhere(frame.normal), to_center, all_lanes(frame.plane_height)));
+    const Pack widest = maximum(maximum(magnitude(to_center.x), magnitude(to_center.y)), magnitude(to_center.z));
+    const Pack size = all_lanes(2) * maximum(widest, one);
+    height_error = all_lanes(kHeight * kUnit) * size;
+    missed_plane = negative_lanes(radius - (above - height_error));
+    cut_plane = negative_lanes((above + height_error) - radius);
+
+    x = frame::coordinate(everywhere(frame.x), to_center);
+    y = frame::coordinate(everywhere(frame.y), to_center);
+    const Pack error = all_lanes(kDistance * kUnit) * size;
+    const Pack low = maximum(above - height_error, zero), high = above + height_error;
+    const auto disc = [&](const Pack& distance) {
+      return square_root(maximum((radius - distance) * (radius + distance), zero));
+    };
+    const Pack outer = disc(low) * all_lanes(kWide) + error;
+    const Pack inner = disc(high) * all_lanes(kNarrow) - error;
+    may_hit = negative_lanes(zero - inner);
+    certain_miss_sq = outer * outer * all_lanes(kWide);
+    certain_hit_sq = inner * inner * all_lanes(kNarrow);
+    boundary_sq = (all_lanes(kNear) * error) * (all_lanes(kNear) * error);
+  }
+
+  /// Returns the balls whose plane is not missed.
+  [[nodiscard]] unsigned met_plane() const { return ~missed_plane & 0xF; }
+  /// Writes the query of each ball.
+  void write_queries(FrameQuery (&queries)[kLanes]) const {
+    double all_x[kLanes], all_y[kLanes], hit[kLanes], miss[kLanes], boundary[kLanes];
+    store(all_x, x), store(all_y, y);
+    store(hit, certain_hit_sq), store(miss, certain_miss_sq), store(boundary, boundary_sq);
+    for (int ball = 0; ball < kLanes; ++ball) {
+      FrameQuery& query = queries[ball];
+      query.x = all_x[ball], query.y = all_y[ball];
+      query.certain_hit_sq = (may_hit >> ball & 1) != 0 ? hit[ball] : -1;
+      query.certain_miss_sq = miss[ball], query.boundary_sq = boundary[ball];
+    }
+  }
+};
+
+/// The feet as seen from the edges that were added.
+struct EdgesInView {
+  Pack nearest_sq = all_lanes(0x1p500);  ///< the least rho^2; larger than any without an edge, and finite
+  Pack crossed = all_lanes(0);           ///< negative: the ray to the right crosses an odd number of edges
+
+  void add(const EdgeTree::Leaf& leaf, std::uint32_t lane, const BallLanes& balls) {
+    const auto number = [lane](const double(&numbers)[EdgeTree::kWidth]) { return all_lanes(numbers[lane]); };
+    const Pack start_x = number(leaf.start_x), start_y = number(leaf.start_y);
+    const Pack end_x = number(leaf.end_x), end_y = number(leaf.end_y);
+    const Pack direction_x = number(leaf.direction_x), direction_y = number(leaf.direction_y);
+    const Pack &x = balls.x, &y = balls.y, zero = all_lanes(0);
+    const Pack along = frame::along(x, y, start_x, start_y, direction_x, direction_y);
+    const Pack across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
+    nearest_sq = minimum(nearest_sq, frame::squared_length(across, frame::overshoot(along, number(leaf.length), zero)));
+    // As in LeafView.
+    const Pack start_above = y - start_y, end_above = y - end_y;
+    const Pack all_right = (x - start_x) & (x - end_x), all_left = (start_x - x) & (end_x - x);
+    const Pack left_of_it = across ^ end_above;
+    crossed = crossed ^ ((start_above ^ end_above) & (all_right | (left_of_it ^ (left_of_it & all_left))));
+  }
+};
+
+/// Returns which of four balls certainly touch the polygon, and which certainly do not, by all of its edges.
+inline CertainContacts scan_for(const BallLanes& balls, const EdgeIndex& edges) {
+  EdgesInView view;
+  for (const EdgeTree::Leaf& leaf : edges.leaves())
+    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) view.add(leaf, lane, balls);
+
+  const auto above = [&](const Pack& limit_sq) { return negative_lanes(limit_sq - view.nearest_sq); };
+  // Without `may_hit`, 0 - 0 would report a hit where rounding is downward.
+  const unsigned hit = negative_lanes(view.nearest_sq - balls.certain_hit_sq) & balls.may_hit;
+  const unsigned inside = negative_lanes(view.crossed), off_boundary = above(balls.boundary_sq);
+  const unsigned misses_edges = off_boundary & ~inside & above(balls.certain_miss_sq);
+  const unsigned touching = ~balls.missed_plane & (hit | (off_boundary & inside & balls.cut_plane));
+  const unsigned separate = balls.missed_plane | (misses_edges & ~hit);
+  return {touching, separate};
+}
+
+/// The same by the hierarchy of edges, for one ball after the other.
+inline CertainContacts walk_for(const BallLanes& balls, const EdgeIndex& edges) {
+  CertainContacts certain{0, balls.missed_plane};
+  FrameQuery queries[kLanes];
+  balls.write_queries(queries);
+  for (unsigned met = balls.met_plane(); met != 0; met &= met - 1) {
+    const int ball = __builtin_ctz(met);
+    const unsigned bit = 1U << ball;
+    const int sign = certain_distance_sign((balls.cut_plane & bit) != 0 ? -1 : 0, queries[ball], edges);
+    if (sign != 0) (sign < 0 ? certain.touching : certain.separate) |= bit;
+  }
+  return certain;
+}
+
+/// A walk of a hierarchy of edges with four balls at once, boxes before edges. No ball waits for the boxes of
+/// another, and few branches depend on the balls. Gives up if the balls meet many boxes: then a walk with each alone
+/// is quicker, because it ends at the first edge that is surely touched.
+class WalkTogether {
+ public:
+  WalkTogether(const BallLanes& balls, const EdgeIndex& edges) : balls_(balls), tree_(edges.tree()) {
+    balls.write_queries(queries_);
+    for (unsigned met = balls.met_plane(); met != 0; met &= met - 1)
+      nodes_[node_count_++] = {tree_.root(), __builtin_ctz(met)};
+    for (std::size_t i = 0; i < node_count_ && !gave_up(); ++i) look_at(nodes_[i]);
+  }
+
+  [[nodiscard]] bool gave_up() const { return node_count_ > kMost || leaf_count_ > kMost; }
+
+  /// Returns which balls certainly touch the polygon, and which certainly do not. Requires that the walk did not give
+  /// up.
+  [[nodiscard]] CertainContacts contacts() {
+    unsigned hit = 0, near_boundary = 0, unsure = 0, inside = 0;
+    for (std::size_t i = 0; i < leaf_count_; ++i) {
+      const auto [number, ball] = leaves_[i];
+      const EdgeTree::Leaf& leaf = tree_.leaves()[static_cast<std::uint32_t>(~number)];
+      const LeafView view(leaf, queries_[ball]);
+      crossings_[ball] ^= view.crossed;
+      const EdgeMarks marks(leaf, view, queries_[ball]);
+      hit |= (marks.hit != 0 ? 1U : 0U) << ball;
+      near_boundary |= (marks.near_boundary != 0 ? 1U : 0U) << ball;
+      unsure |= (marks.unsure != 0 ? 1U : 0U) << ball;
+    }
+    for (int ball = 0; ball < kLanes; ++ball)
+      inside |= (static_cast<unsigned>(__builtin_popcount(crossings_[ball])) & 1) << ball;
+    // As in certain_distance_sign.
+    const unsigned met = balls_.met_plane(), clear = met & ~hit & ~near_boundary;
+    return {(met & hit) | (clear & inside & balls_.cut_plane), balls_.missed_plane | (clear & ~inside & ~unsure)};
+  }
+
+ private:
+  struct Open {
+    std::int32_t number;  ///< as EdgeTree::Node::child
+    int ball;
+  };
+  static constexpr std::size_t kMost = 20;
+
+  void look_at(const Open& open) {
+    const FrameQuery& query = queries_[open.ball];
+    const EdgeTree::Node& node = tree_.nodes()[static_cast<std::size_t>(open.number)];
+    const NodeStep step(tree_, node, query, larger(query.certain_miss_sq, query.boundary_sq));
+    crossings_[open.ball] ^= step.crossings;
+    for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane) {
+      const Open child{node.child[lane], open.ball};
+      const std::size_t near = ~step.far >> lane & 1, is_leaf = child.number < 0;
+      nodes_[node_count_] = child, leaves_[leaf_count_] = child;
+      node_count_ += near & (is_leaf ^ 1);
+      leaf_count_ += near & is_leaf;
+    }
+  }
+
+  const BallLanes& balls_;
+  const EdgeTree& tree_;
+  FrameQuery queries_[kLanes];
+  unsigned crossings_[kLanes] = {};
+  Open nodes_[kMost + EdgeTree::kWidth + 1], leaves_[kMost + EdgeTree::kWidth + 1];
+  std::size_t node_count_ = 0, leaf_count_ = 0;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+
+}  // namespace touchstone::filtered::detail

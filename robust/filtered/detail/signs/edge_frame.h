@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/filtered/detail/numbers/target.h"
+#include "robust/filtered/detail/numbers/vector3.h"
+
+/// The operations in the isometric frame of a prepared polygon: origin, two orthonormal axes in the supporting plane,
+/// and the unit normal. All lengths are in units of the polygon's size, so that bounds of magnitudes and errors are
+/// absolute.
+namespace touchstone::filtered::detail {
+inline namespace TOUCHSTONE_TARGET {
+namespace frame {
+
+/// Returns axis.(c - origin): a coordinate of the centre in the frame, in the plane or above it.
+template <class A, class V>
+constexpr auto coordinate(const Vector3<A>& axis, const Vector3<V>& from_origin) {
+  return dot(axis, from_origin);
+}
+
+/// Returns the height of the centre above a plane that lies plane_height above the origin.
+template <class A, class V, class T>
+constexpr auto height(const Vector3<A>& normal, const Vector3<V>& from_origin, const T& plane_height) {
+  return coordinate(normal, from_origin) - plane_height;
+}
+
+/// Returns how far the foot (x, y) lies along the direction of an edge that starts at (start_x, start_y).
+template <class T>
+constexpr auto along(const T& x, const T& y, const T& start_x, const T& start_y, const T& direction_x,
+                     const T& direction_y) {
+  return (x - start_x) * direction_x + (y - start_y) * direction_y;
+}
+
+/// Returns how far the foot lies to the left of the edge's line.
+template <class T>
+constexpr auto across(const T& x, const T& y, const T& start_x, const T& start_y, const T& direction_x,
+                      const T& direction_y) {
+  return (y - start_y) * direction_x - (x - start_x) * direction_y;
+}
+
+/// Returns how far the foot lies beyond the ends of an edge; 0 between them.
+template <class T>
+constexpr auto overshoot(const T& along, const T& length, const T& zero) {
+  return maximum(maximum(zero - along, along - length), zero);
+}
+
+/// Returns how far a coordinate lies beyond the half size of a box centred at 0; negative within the box.
+template <class T>
+constexpr auto beyond(const T& coordinate, const T& half) {
+  return magnitude(coordinate) - half;
+}
+
+/// Returns |(x, y)|^2.
+template <class T>
+constexpr auto squared_length(const T& x, const T& y) {
+  return x * x + y * y;
+}
+
+/// Returns a point's coordinate along a unit axis, and across it to its left.
+template <class T>
+constexpr auto turned_along(const T& x, const T& y, const T& axis_x, const T& axis_y) {
+  return x * axis_x + y * axis_y;
+}
+template <class T>
+constexpr auto turned_across(const T& x, const T& y, const T& axis_x, const T& axis_y) {
+  return y * axis_x - x * axis_y;
+}
+
+}  // namespace frame
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered::detail

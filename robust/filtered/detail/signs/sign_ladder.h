@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/integer.h"
+#include "robust/filtered/detail/numbers/length_unit.h"
+#include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/filtered/detail/signs/signs.h"
+#include "robust/filtered/stage.h"
+
+/// One sign, decided by one stage after another: permanent, short integers, double-double, long integers, integers of
+/// any size.
+namespace touchstone::filtered::detail {
+inline namespace TOUCHSTONE_TARGET {
+
+/// The operands of the signs of one edge, relative to a ball, in double-doubles.
+///
+/// Differences of doubles are exact. Those of lifted vertices are known to 2^-103 of the maxima, and the normal to
+/// bounds::kNormal times that, as bounds.h requires.
+struct EdgeOperands {
+  const Vector3<DoubleDouble>&to_center, &edge, &normal;
+  double radius;
+  int axis;       ///< for SignKind::Above
+  Maxima maxima;  ///< each at most bounds::kLargest
+  bool lifted;    ///< whether vertices are lifted
+  /// The two edges from which the normal was computed, if it is that of a triangle; else null, and either `normal`
+  /// holds all bits of the normal or `exact_normal` is false.
+  const Vector3<DoubleDouble>* normal_edges;
+  bool exact_normal;
+};
+
+struct DoubleDoubleView {
+  const EdgeOperands& operands;
+  [[nodiscard]] const Vector3<DoubleDouble>& to_center() const { return operands.to_center; }
+  [[nodiscard]] const Vector3<DoubleDouble>& edge() const { return operands.edge; }
+  [[nodiscard]] const Vector3<DoubleDouble>& normal() const { return operands.normal; }
+  [[nodiscard]] DoubleDouble radius() const { return operands.radius; }
+  [[nodiscard]] int axis() const { return operands.axis; }
+};
+
+/// The doubles nearest to the differences and to the normal.
+struct PermanentView {
+  const EdgeOperands& operands;
+  using Vector = Vector3<Permanent<1>>;
+
+  /// Half a unit in the last place is u |high|; the error of a double-double is far below u 2^-40 of its maximum.
+  static Vector rounded(const Vector3<DoubleDouble>& v, double maximum) {
+    const auto component = [slack = 0x1p-40 * maximum](const DoubleDouble& x) {
+      return Permanent<1>{x.high, std::abs(x.high) + slack};
+    };
+    return {component(v.x), component(v.y), component(v.z)};
+  }
+  [[nodiscard]] Vector to_center() const {
+    return rounded(operands.to_center, operands.lifted ? operands.maxima.to_center : 0);
+  }
+  [[nodiscard]] Vector edge() const { return rounded(operands.edge, operands.lifted ? operands.maxima.edge : 0); }
+  [[nodiscard]] Vector normal() const { return rounded(operands.normal, operands.maxima.normal); }
+  [[nodiscard]] Permanent<0> radius() const { return exact_double(operands.radius); }
+  [[nodiscard]] int axis() const { return operands.axis; }
+};
+
+/// Everything times a power of two, as integers of at most Bits bits (the normal: 2 Bits + 1).
+template <int Bits>
+class IntegerView {
+ public:
+  /// Requires that no vertex is lifted.
+  explicit IntegerView(const EdgeOperands& operands) : operands_(operands), scale_(0), fits_(false) {
+    if (!short_enough(operands.to_center) || !short_enough(operands.edge)) return;
+    // Then every difference is below 2^Bits, and the normal below 2^(2 Bits + 1).
+    int shift = Bits - 1 - exponent(std::max(operands.maxima.to_center, operands.maxima.edge));
+    if (operands.normal_edges == nullptr) shift = std::min(shift, (2 * Bits - exponent(operands.maxima.normal)) >> 1);
+    if (shift > 400) return;
+    scale_ = power_of_two(shift);
+    fits_ = whole(operands.to_center) && whole(operands.edge) && whole(operands.radius, scale_) && whole_normal();
+  }
+
+  /// Returns whether all numbers are integers after the scaling.
+  [[nodiscard]] bool fits() const { return fits_; }
+
+  using Vector = Vector3<Integer<Bits>>;
+  using Normal = Vector3<Integer<2 * Bits + 1>>;
+  [[nodiscard]] Vector to_center() const { return integers(operands_.to_center); }
+  [[nodiscard]] Vector edge() const { return integers(operands_.edge); }
+  [[nodiscard]] Normal normal() const {
+    if (operands_.normal_edges != nullptr)
+      return signs::normal(integers(operands_.normal_edges[0]), integers(operands_.normal_edges[1]));
+    const auto integer = [scale = scale_ * scale_](const DoubleDouble& x) {
+      using Storage = typename Integer<2 * Bits + 1>::Storage;
+      return Integer<2 * Bits + 1>(static_cast<Storage>(x.high * scale) + static_cast<Storage>(x.low * scale));
+    };
+    return {integer(operands_.normal.x), integer(operands_.normal.y), integer(operands_.normal.z)};
+  }
+  [[nodiscard]] Integer<Bits> radius() const { return integer(operands_.radius); }
+  [[nodiscard]] int axis() const { return operands_.axis; }
+
+ private:
+  static int exponent(double normal) {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(normal) >> 52 & 0x7ff) - 1023;
+  }
+  /// Returns whether no component has more than Bits bits or a tail. Most numbers fail this test at once.
+  static bool short_enough(const Vector3<DoubleDouble>& v) {
+    if (v.x.low != 0 || v.y.low != 0 || v.z.low != 0) return false;  // exact: tails of error-free differences
+    constexpr std::uint64_t rest = Bits < 53 ? (std::uint64_t{1} << (53 - std::min(Bits, 53))) - 1 : 0;
+    const auto bits = [](const DoubleDouble& x) { return std::bit_cast<std::uint64_t>(x.high); };
+    return ((bits(v.x) | bits(v.y) | bits(v.z)) & rest) == 0;
+  }
+  /// Returns whether the number is an integer after the scaling, which must not have made it zero.
+  static bool whole(double length, double scale) {
+    const double scaled = length * scale;
+    return is_integer(scaled) && (scaled != 0 || length == 0);  // exact
+  }
+  [[nodiscard]] bool whole(const Vector3<DoubleDouble>& v) const {
+    return whole(v.x.high, scale_) && whole(v.y.high, scale_) && whole(v.z.high, scale_);
+  }
+  [[nodiscard]] bool whole_normal() const {
+    if (operands_.normal_edges != nullptr) {
+      const auto &u = operands_.normal_edges[0], &v = operands_.normal_edges[1];
+      return short_enough(u) && short_enough(v) && whole(u) && whole(v);
+    }
+    const double scale = scale_ * scale_;
+    const auto component = [scale](const DoubleDouble& x) { return whole(x.high, scale) && whole(x.low, scale); };
+    return operands_.exact_normal && component(operands_.normal.x) && component(operands_.normal.y) &&
+           component(operands_.normal.z);
+  }
+  [[nodiscard]] Integer<Bits> integer(double value) const {
+    return Integer<Bits>(static_cast<std::int64_t>(value * scale_));
+  }
+  [[nodiscard]] Vector integers(const Vector3<DoubleDouble>& v) const {
+    return {integer(v.x.high), integer(v.y.high), integer(v.z.high)};
+  }
+
+  const EdgeOperands& operands_;
+  double scale_;
+  bool fits_;
+};
+
+/// Returns the sign of the expression in double-doubles if their error bound makes it certain, else 0.
+template <SignKind kind>
+int certain_sign(const EdgeOperands& operands) {
+  const double value = expression<kind>(DoubleDoubleView{operands}).high;
+  // `high` differs from the double-double by at most half a unit in its last place and has the same sign; each constant
+  // covers that and the rounding of the bound.
+  const double largest = bounds::kDoubleDoubleUnit * bound<kind>(operands.maxima) + bounds::kTiny;
+  return (value > largest) - (value < -largest);
+}
+
+[[nodiscard]] inline bool is_zero(const Vector3<DoubleDouble>& v) {
+  return v.x.high == 0 && v.y.high == 0 && v.z.high == 0;  // exact: the tails are zero with them
+}
+
+/// Returns whether the sign is 0 because the centre is the edge's start, so that every product has a factor 0.
+template <SignKind kind>
+bool vanishes(const EdgeOperands& operands) {
+  if (operands.lifted || !is_zero(operands.to_center)) return false;
+  constexpr bool linear =
+      kind == SignKind::Along || kind == SignKind::Front || kind == SignKind::Side || kind == SignKind::Above;
+  return linear || (kind != SignKind::Beyond && operands.radius == 0);
+}
+
+/// Returns whether a stage takes part. All do, unless Counts has a function `uses` that leaves some out: so benchmarks
+/// measure what a stage saves. The last one always takes part.
+template <class Counts>
+constexpr bool uses([[maybe_unused]] Stage stage) {
+  if constexpr (requires { Counts::uses(stage); })
+    return Counts::uses(stage);
+  else
+    return true;
+}
+
+/// Returns the exact sign. Calls `bigint()` only if no other stage decides. Leaves out the stages before `first`.
+/// Requires round to nearest, without flush-to-zero.
+template <SignKind kind, Stage first = Stage::Permanent, class BigInteger, class Counts>
+int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& bigint) {
+  constexpr bool permanent = first <= Stage::Permanent && uses<Counts>(Stage::Permanent);
+  constexpr bool double_double = first <= Stage::DoubleDouble && uses<Counts>(Stage::DoubleDouble);
+  constexpr bool fixed_integer = uses<Counts>(Stage::FixedInteger);
+  if (const int sign = permanent ? certain_sign(expression<kind>(PermanentView{operands}), bounds::kTiny) : 0) {
+    counts.count(Stage::Permanent);
+    return sign;
+  }
+  if (vanishes<kind>(operands)) {
+    counts.count(Stage::DoubleDouble);
+    return 0;
+  }
+  if (fixed_integer && !operands.lifted) {
+    if (const IntegerView<30> view(operands); view.fits()) {
+      counts.count(Stage::FixedInteger);
+      return expression<kind>(view).sign();
+    }
+  }
+  if (const int sign = double_double ? certain_sign<kind>(operands) : 0) {
+    counts.count(Stage::DoubleDouble);
+    return sign;
+  }
+  if (fixed_integer && !operands.lifted) {
+    if (const IntegerView<62> view(operands); view.fits()) {
+      counts.count(Stage::FixedInteger);
+      return expression<kind>(view).sign();
+    }
+  }
+  counts.count(Stage::BigInteger);
+  return bigint();
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered::detail

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/filtered/detail/triangle/exact_triangle.h"
+
+#include <utility>
+
+#include "geometry/shapes/polygon.h"
+#include "robust/detail/exact_kernel.h"
+#include "robust/exact/motion.h"
+#include "robust/exact/validate.h"
+#include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/filtered/detail/signs/bigint_polygon.h"
+#include "robust/filtered/detail/signs/bounds.h"
+
+namespace touchstone::filtered::detail {
+
+namespace {
+
+using Number = kernel::Mpzf;  // integers times powers of two: the signs need no division
+
+Vector3<Number> difference(const double* a, const double* b) {
+  return {Number(a[0]) - Number(b[0]), Number(a[1]) - Number(b[1]), Number(a[2]) - Number(b[2])};
+}
+
+struct View {
+  const BallTriangleView& view;
+  int i;
+
+  [[nodiscard]] Vector3<Number> to_center() const { return difference(view.center, view.vertex[i]); }
+  [[nodiscard]] Vector3<Number> edge() const { return difference(view.vertex[(i + 1) % 3], view.vertex[i]); }
+  [[nodiscard]] Vector3<Number> normal() const {
+    return signs::normal(difference(view.vertex[1], view.vertex[0]), difference(view.vertex[2], view.vertex[1]));
+  }
+  [[nodiscard]] Number radius() const { return Number(view.radius()); }
+  [[nodiscard]] static int axis() { return 0; }
+};
+
+}  // namespace
+
+int bigint_sign(SignKind kind, const BallTriangleView& view, int edge) {
+  return expression_sign(kind, View{view, edge});
+}
+
+namespace {
+
+Eigen::Vector3d vector(const double* p) { return {p[0], p[1], p[2]}; }
+
+Polygon polygon(const BallTriangleView& view) {
+  return Polygon({vector(view.vertex[0]), vector(view.vertex[1]), vector(view.vertex[2])});
+}
+
+Ball ball(const BallTriangleView& view) { return {vector(view.center), view.radius()}; }
+
+}  // namespace
+
+Feature bigint_nearest(const BallTriangleView& view) {
+  const auto sign = [&view](SignKind kind, std::size_t i) { return bigint_sign(kind, view, static_cast<int>(i)); };
+  bool inside = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (sign(SignKind::Side, i) > 0) continue;
+    inside = false;
+    if (sign(SignKind::Along, i) > 0 && sign(SignKind::Beyond, i) < 0) return {Feature::Kind::Edge, i};
+  }
+  if (inside) return {Feature::Kind::Face, 0};
+  for (std::size_t i = 0; i < 2; ++i)
+    if (sign(SignKind::Along, i) <= 0 && sign(SignKind::Beyond, (i + 2) % 3) >= 0) return {Feature::Kind::Vertex, i};
+  return {Feature::Kind::Vertex, 2};
+}
+
+double bigint_point(const BallTriangleView& view, const Feature& feature, int axis) {
+  const Polygon triangle = polygon(view);
+  return BigIntPolygon(triangle).point(ball(view), feature, axis);
+}
+
+double bigint_distance(const BallTriangleView& view, const Feature& feature) {
+  const Polygon triangle = polygon(view);
+  return BigIntPolygon(triangle).distance(ball(view), feature);
+}
+
+namespace {
+
+Eigen::Vector3d point(const double* p) { return {p[0], p[1], p[2]}; }
+
+Motion motion_of(const MotionTriangleView& view) {
+  return {{point(view.motion), view.radius()}, point(view.motion + 4)};
+}
+Polygon polygon_of(const MotionTriangleView& view) {
+  return Polygon({point(view.vertex[0]), point(view.vertex[1]), point(view.vertex[2])});
+}
+
+}  // namespace
+
+bool exact_motion_contact(const MotionTriangleView& view) { return exact::contact(motion_of(view), polygon_of(view)); }
+FirstContact exact_first_contact(const MotionTriangleView& view) {
+  return exact::first_contact(motion_of(view), polygon_of(view));
+}
+
+namespace {
+
+/// Returns whether some component of the normal is certainly not zero. A finite triangle is then valid.
+bool has_surely_normal(const Triangle& t) {
+  const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
+  const auto known = [](double difference) { return rounded_double(difference); };
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    if (certain_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), bounds::kTiny) != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void expect_valid(const Triangle& t) {
+  if (t.a.allFinite() && t.b.allFinite() && t.c.allFinite() && has_surely_normal(t)) return;
+  if (auto rejection = exact::validate(Polygon({t.a, t.b, t.c}))) throw Rejected(std::move(*rejection));
+}
+
+}  // namespace touchstone::filtered::detail

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/contact/answer.h"
+#include "geometry/contact/first_contact.h"
+#include "geometry/shapes/triangle.h"
+#include "robust/filtered/detail/signs/signs.h"
+#include "robust/filtered/detail/triangle/ball_triangle_view.h"
+
+/// What queries about a triangle ask of integers of any size and of `exact`, for every finite input. Apart from the
+/// kernels: what is compiled for one machine must not be linked into code for another, and a polygon is not of any
+/// target. Requires round to nearest.
+namespace touchstone::filtered::detail {
+
+/// Returns the exact sign for an edge. Requires a kind other than Above. Cost: 1 to 10 us.
+[[nodiscard]] int bigint_sign(SignKind kind, const BallTriangleView& view, int edge);
+
+/// @{
+/// Returns the feature that contains the point closest to the centre; a coordinate of the feature's point closest to
+/// the centre, or its distance, as the nearest double. Cost: about 10 us.
+[[nodiscard]] Feature bigint_nearest(const BallTriangleView& view);
+[[nodiscard]] double bigint_point(const BallTriangleView& view, const Feature& feature, int axis);
+[[nodiscard]] double bigint_distance(const BallTriangleView& view, const Feature& feature);
+/// @}
+
+/// @{
+/// Returns the contact, or the first contact, of a moving ball with a triangle, computed by `exact`.
+[[nodiscard]] bool exact_motion_contact(const MotionTriangleView& view);
+[[nodiscard]] FirstContact exact_first_contact(const MotionTriangleView& view);
+/// @}
+
+/// Throws Rejected if exact::validate rejects the triangle as a polygon. Requires round to nearest, without
+/// flush-to-zero. Cost: about 10 ns; 2 us if doubles do not find a component of the normal that is certainly not zero.
+void expect_valid(const Triangle& triangle);
+
+}  // namespace touchstone::filtered::detail

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/filtered/detail/numbers/target.h"
+#include "robust/filtered/detail/numbers/vector3.h"
+
+/// The distance from a centre to a triangle of a TriangleSet, certified from both sides by one point of the triangle
+/// that is nearly the closest. All points are seen from the centre.
+///
+/// No triangle is farther than any of its points. And for any direction d, a triangle is at least as far as the least
+/// product of d with a vertex, divided by the length of d. Both hold wherever the point lies; the nearer it is to the
+/// closest one, the less the two differ. So nothing has to be proved of how the point is found.
+///
+/// Each operation is written once, over any number type. robust/proofs records the operations on coordinates, and
+/// proves their constants of bounds.h.
+namespace touchstone::filtered::detail {
+inline namespace TOUCHSTONE_TARGET {
+namespace lane {
+
+/// A vertex and the two edges that begin there.
+template <class T>
+struct Corner {
+  Vector3<T> vertex, first, second;
+};
+
+/// The point vertex + s first + t second of a corner's triangle.
+template <class T>
+struct Weights {
+  T s, t;
+};
+
+/// Returns a coordinate of the point with the weights s and t.
+template <class Weight, class Vertex, class Edge>
+constexpr auto coordinate(const Weight& s, const Weight& t, const Vertex& vertex, const Edge& first,
+                          const Edge& second) {
+  return multiply_add(s, first, multiply_add(t, second, vertex));
+}
+
+/// Returns a product of a direction with the vertex or with an edge.
+template <class A, class B>
+constexpr auto product(const Vector3<A>& direction, const Vector3<B>& other) {
+  return multiply_add(direction.x, other.x, multiply_add(direction.y, other.y, direction.z * other.z));
+}
+
+/// Returns the least product of a direction with a vertex of the triangle.
+template <class T>
+constexpr auto support(const Vector3<T>& direction, const Corner<T>& corner, const T& zero) {
+  const T least = minimum(product(direction, corner.first), product(direction, corner.second));
+  return product(direction, corner.vertex) + minimum(least, zero);
+}
+
+/// Returns the weights of a point that is nearly the closest: the foot, if it is inside; else the closest point of an
+/// edge that the foot lies beyond. Lengths are in steps. The weights are at least 0, their sum is at most 1 up to one
+/// rounding, whatever the numbers are; also for a triangle without an area.
+template <class T>
+constexpr Weights<T> nearly_closest(const Corner<T>& corner, const T& zero, const T& one) {
+  const auto within = [&](const T& weight, const T& most) { return maximum(minimum(weight, most), zero); };
+  const Vector3<T>&u = corner.first, &v = corner.second;
+  const T uu = product(u, u), vv = product(v, v), uv = product(u, v);
+  // How far the centre lies along an edge from its first vertex, times the edge's length. The third edge runs from the
+  // second vertex to the third.
+  const T along_u = zero - product(u, corner.vertex), along_v = zero - product(v, corner.vertex);
+  const T along_w = (along_v - along_u) + (uu - uv), ww = (uu - uv) + (vv - uv);
+  // The foot's weights, times a positive number.
+  const T all = multiply_subtract(uu, vv, uv * uv);
+  const T s = multiply_subtract(vv, along_u, uv * along_v), t = multiply_subtract(uu, along_v, uv * along_u);
+  const T rest = (all - s) - t;
+  // Of two edges that the foot lies beyond, the closest point is on the one along which the foot comes after their
+  // common vertex. A number is negative where the least of two is; where the greatest is, both are.
+  const T before_w = minimum(maximum(t, along_w), maximum(s, ww - along_w));
+  const T on_w = select(before_w, one, rest);
+  const T on_v = select(maximum(t, zero - along_u), one, s);
+  const T along = select(on_w, along_w, select(on_v, along_v, along_u));
+  const T length_sq = select(on_w, ww, select(on_v, vv, uu));
+  // Squares of steps are integers: only those of lengths and areas that are zero, up to rounding, are less than 1.
+  const T part = within(along / maximum(length_sq, one), one);
+  const T outside = minimum(minimum(s, t), rest);
+  const T inverse = one / maximum(all, one), inside_s = within(s * inverse, one);
+  return {select(outside, select(on_w, one - part, select(on_v, zero, part)), inside_s),
+          select(outside, select(minimum(on_w, on_v), part, zero), within(t * inverse, one - inside_s))};
+}
+
+}  // namespace lane
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered::detail

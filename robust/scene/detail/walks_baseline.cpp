@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "robust/scene/detail/walks_definition.h"
-
-namespace touchstone::scene {
-
-const Walks<NoTally>& baseline_walks() { return kWalks<NoTally>; }
-
-}  // namespace touchstone::scene
