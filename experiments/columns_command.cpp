@@ -7,13 +7,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "experiments/harness/processes.h"
+#include "experiments/run/processes.h"
 
 namespace touchstone::commands {
 namespace {
 
-using harness::Command;
-using harness::TableDescription;
+using run::Command;
+using run::TableDescription;
 
 /// Calls visit(name, table) for every table of the commands, in their order.
 template <class Visit>
@@ -60,7 +60,7 @@ Command columns_command(const std::vector<Command>& commands) {
   command.example("columns near-edge");
   command.json(options->json, "Print them as a JSON array").excludes("--markdown");
   command.runs([options, commands] {
-    return harness::run_alone([&] {
+    return run::run_alone([&] {
       bool found = false;
       nlohmann::ordered_json list = nlohmann::ordered_json::array();
       for_each_table(commands, "", [&](const std::string& name, const TableDescription& table) {
@@ -73,8 +73,7 @@ Command columns_command(const std::vector<Command>& commands) {
         found = true;
       });
       if (!found)
-        throw harness::UsageError("NAME",
-                                  "no command that writes tables, and no table, is called \"" + options->of + "\"");
+        throw run::UsageError("NAME", "no command that writes tables, and no table, is called \"" + options->of + "\"");
       if (options->json) fmt::print("{}\n", list.dump());
       return 0;
     });

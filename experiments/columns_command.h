@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "experiments/harness/command.h"
+#include "experiments/run/command.h"
 
 namespace touchstone::commands {
 
 /// Returns the command that describes the tables of the other commands.
-[[nodiscard]] harness::Command columns_command(const std::vector<harness::Command>& commands);
+[[nodiscard]] run::Command columns_command(const std::vector<run::Command>& commands);
 
 }  // namespace touchstone::commands

@@ -6,17 +6,17 @@
 #include <filesystem>
 #include <memory>
 
-#include "experiments/harness/completion.h"
-#include "experiments/harness/counted.h"
-#include "experiments/harness/manual.h"
-#include "experiments/harness/output_folder.h"
-#include "experiments/harness/processes.h"
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/run/completion.h"
+#include "experiments/run/counted.h"
+#include "experiments/run/manual.h"
+#include "experiments/run/output_folder.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/write_file.h"
 
 namespace touchstone::commands {
 
-using harness::Command;
+using run::Command;
 
 std::vector<Command> help_commands(const std::string& about, const std::string& heading,
                                    std::vector<Command> commands) {
@@ -43,20 +43,20 @@ std::vector<Command> help_commands(const std::string& about, const std::string& 
   manual.heading(heading);
   commands.push_back(completion);
   commands.push_back(manual);
-  const harness::CommandDescription program = harness::description_of(about, commands);
+  const run::CommandDescription program = run::description_of(about, commands);
   completion.runs([shell, program] {
-    return harness::run_alone([&] {
-      fmt::print("{}", *shell == "bash" ? harness::bash_completion(program) : harness::zsh_completion(program));
+    return run::run_alone([&] {
+      fmt::print("{}", *shell == "bash" ? run::bash_completion(program) : run::zsh_completion(program));
       return 0;
     });
   });
   manual.runs([options, program] {
-    return harness::run_alone([&] {
-      const harness::OutputFolder folder(options->folder, options->line, {.force = options->force});
-      const std::string version = harness::version_text().substr(0, harness::version_text().find('\n'));
-      const auto pages = harness::manual_pages(program, version);
-      for (const auto& [name, text] : pages) harness::write_file(folder.path() / name, text);
-      fmt::print("{} in {}\n", harness::counted(pages.size(), "page"), options->folder);
+    return run::run_alone([&] {
+      const run::OutputFolder folder(options->folder, options->line, {.force = options->force});
+      const std::string version = run::version_text().substr(0, run::version_text().find('\n'));
+      const auto pages = run::manual_pages(program, version);
+      for (const auto& [name, text] : pages) run::write_file(folder.path() / name, text);
+      fmt::print("{} in {}\n", run::counted(pages.size(), "page"), options->folder);
       return 0;
     });
   });

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/command.h"
+#include "experiments/run/command.h"
 
 namespace touchstone::commands {
 
 /// Returns the command that prints a completion script for a shell and the one that writes the manual pages. Both cover
 /// these commands and themselves. `about`: the text of the program; `heading`: under which it lists the two.
-[[nodiscard]] std::vector<harness::Command> help_commands(const std::string& about, const std::string& heading,
-                                                          std::vector<harness::Command> commands);
+[[nodiscard]] std::vector<run::Command> help_commands(const std::string& about, const std::string& heading,
+                                                      std::vector<run::Command> commands);
 
 }  // namespace touchstone::commands

@@ -13,11 +13,11 @@
 
 #include "experiments/columns_command.h"
 #include "experiments/commands.h"
-#include "experiments/harness/colour.h"
-#include "experiments/harness/json/json_fault.h"
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
 #include "experiments/help_commands.h"
+#include "experiments/run/colour.h"
+#include "experiments/run/json/json_fault.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "geometry/io/detail/legible.h"
 
 namespace {
@@ -54,8 +54,8 @@ const std::terminate_handler usual_end = std::get_terminate();
 /// What an exception that ended a command says, legible and without a library's tags.
 std::string complaint(const std::exception& error) {
   if (const auto* json = dynamic_cast<const nlohmann::json::exception*>(&error))
-    return touchstone::harness::json_fault(*json);
-  return touchstone::io::all_legible(touchstone::harness::message_of(error));
+    return touchstone::run::json_fault(*json);
+  return touchstone::io::all_legible(touchstone::run::message_of(error));
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ int main(int argc, char** argv) {
   std::set_terminate(end_out_of_memory);
   try {
     using namespace touchstone::commands;
-    std::vector<touchstone::harness::Command> commands;
-    const auto add = [&](const std::string& heading, std::vector<touchstone::harness::Command> some) {
+    std::vector<touchstone::run::Command> commands;
+    const auto add = [&](const std::string& heading, std::vector<touchstone::run::Command> some) {
       for (auto& command : some) command.heading(heading);
       commands.insert(commands.end(), some.begin(), some.end());
     };
@@ -78,14 +78,13 @@ int main(int argc, char** argv) {
     add("The cell and the thesis", {cell_command(), thesis_command()});
     add("Tools", {columns_command(commands)});
     add("Tools", help_commands(kAbout, "Tools", commands));
-    const int status =
-        touchstone::harness::run_program({kAbout, touchstone::harness::version_text()}, commands, argc, argv);
-    touchstone::harness::flush_standard_output();
+    const int status = touchstone::run::run_program({kAbout, touchstone::run::version_text()}, commands, argc, argv);
+    touchstone::run::flush_standard_output();
     return status;
   } catch (const std::bad_alloc&) {
     std::fputs(kOutOfMemory.data(), stderr);
   } catch (const std::exception& error) {
-    using namespace touchstone::harness;
+    using namespace touchstone::run;
     std::fprintf(stderr, "%s %s\n", coloured("touchstone:", Colour::Red, stderr).c_str(), complaint(error).c_str());
   }
   return 2;

@@ -14,7 +14,7 @@ import sys
 
 from svg import circle, dot, drawing, path, text, write_or_compare
 
-PAGE = "experiments/judge/REJECTIONS.md"
+PAGE = "docs/rejections.md"
 WIDTH, HEIGHT, MARGIN = 340, 200, 28
 
 

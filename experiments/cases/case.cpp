@@ -6,7 +6,7 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/cases/verdict.h"
-#include "experiments/harness/json/strict_json.h"
+#include "experiments/run/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/validate.h"
 
@@ -18,11 +18,11 @@ using nlohmann::json;
 /// Reads the parts of a case; what is wrong in form ends it with `malformed-case`.
 class Reader {
  public:
-  explicit Reader(const harness::StrictJson& text) : text_(text) {}
+  explicit Reader(const run::StrictJson& text) : text_(text) {}
 
   void check_form() const {
     if (!text_.value.is_object()) malformed("the case is not an object");
-    if (text_.too_deep) malformed("nested deeper than " + std::to_string(harness::kMostLevels) + " levels");
+    if (text_.too_deep) malformed("nested deeper than " + std::to_string(run::kMostLevels) + " levels");
     if (text_.duplicate_key) malformed("duplicate key \"" + *text_.duplicate_key + "\" in one object");
     if (const json& id = member(text_.value, "id", "the case"); !id.is_string()) malformed("id is not a string");
     (void)expected();
@@ -127,10 +127,10 @@ class Reader {
       malformed("tags is not an array of strings");
   }
 
-  const harness::StrictJson& text_;
+  const run::StrictJson& text_;
 };
 
-Shapes read_shapes(const harness::StrictJson& text) {
+Shapes read_shapes(const run::StrictJson& text) {
   const Reader reader(text);
   reader.check_form();
   const Ball ball = reader.ball();
@@ -156,7 +156,7 @@ Shapes read_shapes(const harness::StrictJson& text) {
 }  // namespace
 
 Case read_case(std::string_view line) {
-  const harness::StrictJson text = harness::read_strict_json(line);
+  const run::StrictJson text = run::read_strict_json(line);
   Case result{.id = {}, .expected = {}, .content = Rejection{}};
   if (text.value.is_object()) {
     if (const auto id = text.value.find("id"); id != text.value.end() && id->is_string())

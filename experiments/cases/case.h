@@ -9,7 +9,7 @@
 
 #include "experiments/cases/shapes.h"
 #include "experiments/cases/stated_answer.h"
-#include "experiments/harness/json/not_json.h"
+#include "experiments/run/json/not_json.h"
 #include "geometry/shapes/rejection.h"
 
 namespace touchstone::cases {

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <new>
 
-#include "experiments/harness/input.h"
+#include "experiments/run/input.h"
 
 namespace touchstone::cases {
 namespace {
@@ -25,7 +25,7 @@ bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& b
     line.end = bytes;
     try {
       line.read = read_case(text);
-    } catch (const harness::NotJson& error) {
+    } catch (const run::NotJson& error) {
       line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
     } catch (const std::bad_alloc&) {
       line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
@@ -43,14 +43,14 @@ bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& b
 void read_lines(const std::vector<std::string>& files, const Take& take) {
   std::uint64_t bytes = 0;
   if (files.empty()) {
-    harness::announce_standard_input("cases");
+    run::announce_standard_input("cases");
     read_stream(std::cin, "standard input", bytes, take);
   }
   for (const std::string& file : files) {
     std::ifstream stream;
     std::string complaint;
     try {
-      stream = harness::open_file(file);
+      stream = run::open_file(file);
     } catch (const std::runtime_error& error) {
       complaint = error.what();
     }

@@ -5,7 +5,7 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/cases/verdict.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
 
 namespace touchstone::cases {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/cases/threshold.h"
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 
 namespace touchstone::cases {
 
@@ -22,7 +22,7 @@ struct StratumGroup {
 
 /// Returns the columns `family`, `placement` and `threshold`; `group`: a member of Row that points to a StratumGroup.
 template <class Row>
-[[nodiscard]] std::vector<harness::Column<Row>> stratum_columns(const StratumGroup* Row::*group) {
+[[nodiscard]] std::vector<run::Column<Row>> stratum_columns(const StratumGroup* Row::*group) {
   return {{"family", "the family of polygons, or `all`", [group](const Row& row) { return (row.*group)->family; }},
           {"placement", "on the lattice, or rotated", [group](const Row& row) { return (row.*group)->placement; }},
           {"threshold", "the threshold that balls cross", [group](const Row& row) { return (row.*group)->threshold; }}};

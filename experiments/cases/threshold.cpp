@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/workloads/balls.h"
-#include "experiments/workloads/placement.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/balls.h"
+#include "experiments/cases/workloads/placement.h"
+#include "experiments/cases/workloads/ulp.h"
 
 namespace touchstone::cases {
 namespace {

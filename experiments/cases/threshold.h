@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/workloads/workload.h"
+#include "experiments/cases/workloads/workload.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 

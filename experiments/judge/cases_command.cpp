@@ -11,10 +11,10 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/harness/command.h"
+#include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/workloads/workload.h"
+#include "experiments/run/command.h"
 
 namespace touchstone::commands {
 namespace {
@@ -79,9 +79,8 @@ void print(const CasesOptions& options) {
 
 }  // namespace
 
-harness::Command cases_command() {
-  harness::Command command("cases",
-                           "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
+run::Command cases_command() {
+  run::Command command("cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
   auto options = std::make_shared<CasesOptions>();
   auto& workload = options->workload;
   command.choice("--family", workload.family, workloads::all_families(), "Outline");

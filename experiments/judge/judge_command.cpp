@@ -11,11 +11,6 @@
 #include <optional>
 
 #include "experiments/cases/key.h"
-#include "experiments/harness/colour.h"
-#include "experiments/harness/command.h"
-#include "experiments/harness/progress_line.h"
-#include "experiments/harness/similar_words.h"
-#include "experiments/harness/write_file.h"
 #include "experiments/judge/judge.h"
 #include "experiments/judge/junit.h"
 #include "experiments/judge/report.h"
@@ -25,6 +20,11 @@
 #include "experiments/methods/process/external_method.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/colour.h"
+#include "experiments/run/command.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/similar_words.h"
+#include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -44,8 +44,7 @@ std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
   std::vector<cases::Key> keys;
   for (const std::string& name : names) {
     const auto key = cases::find_key(name);
-    if (!key)
-      throw harness::UsageError("--keys", "no answer has a key \"" + name + "\"" + harness::suggestion(name, known));
+    if (!key) throw run::UsageError("--keys", "no answer has a key \"" + name + "\"" + run::suggestion(name, known));
     keys.push_back(*key);
   }
   return keys;
@@ -64,8 +63,7 @@ judge::Order order_of(const JudgeOptions& options) {
     methods::Engine engine = methods::engine_of(text);
     const bool is_taken = methods::find_method(engine.name) != nullptr ||
                           std::ranges::find(order.engines, engine.name, &methods::Engine::name) != order.engines.end();
-    if (is_taken)
-      throw harness::UsageError("--engine", io::legible(engine.name) + " is the name of a method or engine");
+    if (is_taken) throw run::UsageError("--engine", io::legible(engine.name) + " is the name of a method or engine");
     order.engines.push_back(std::move(engine));
   }
   if (options.methods.empty()) order.methods = methods::find_methods({"exact"});
@@ -91,7 +89,7 @@ std::optional<std::uint64_t> size_of(const std::vector<std::string>& files) {
 int run_judge(const JudgeOptions& options) {
   judge::Order order = order_of(options);
   for (const std::string& file : {options.junit, options.report})
-    if (!file.empty()) harness::refuse_overwrite(file, options.force);
+    if (!file.empty()) run::refuse_overwrite(file, options.force);
 
   judge::Tally tally;
   judge::JunitReport junit;
@@ -101,7 +99,7 @@ int run_judge(const JudgeOptions& options) {
     if (!options.junit.empty()) junit.add(judged);
     if (!options.report.empty()) report.add(judged);
   };
-  std::optional<harness::ProgressLine> progress;
+  std::optional<run::ProgressLine> progress;
   const bool fills_terminal = order.prints_verdicts && isatty(STDOUT_FILENO) == 1;
   if (const auto size = size_of(order.files); size && !options.quiet && !fills_terminal) {
     progress.emplace("judge", *size);
@@ -114,16 +112,16 @@ int run_judge(const JudgeOptions& options) {
   if (options.json)
     fmt::print("{}", judge::summary_json(tally));
   else if (options.summary)
-    fmt::print("{}", judge::summary_text(tally, harness::takes_colours(stdout)));
-  if (!options.junit.empty()) harness::write_file(options.junit, junit.text(), options.force);
-  if (!options.report.empty()) harness::write_file(options.report, report.text(tally), options.force);
+    fmt::print("{}", judge::summary_text(tally, run::takes_colours(stdout)));
+  if (!options.junit.empty()) run::write_file(options.junit, junit.text(), options.force);
+  if (!options.report.empty()) run::write_file(options.report, report.text(tally), options.force);
   return status;
 }
 
 }  // namespace
 
-harness::Command judge_command() {
-  harness::Command command("judge", "Answer cases (JSON Lines) by methods or engines; compare with `expected`");
+run::Command judge_command() {
+  run::Command command("judge", "Answer cases (JSON Lines) by methods or engines; compare with `expected`");
   auto options = std::make_shared<JudgeOptions>();
   methods::declare_methods(command, options->methods,
                            "Methods, separated by commas: names, or all (default: exact, or none with --engine)");
@@ -158,8 +156,8 @@ harness::Command judge_command() {
   return command;
 }
 
-harness::Command methods_command() {
-  harness::Command command("methods", "List the methods, one per line");
+run::Command methods_command() {
+  run::Command command("methods", "List the methods, one per line");
   auto json = std::make_shared<bool>(false);
   command.json(*json, "Print them as a JSON array");
   command.example("methods --json");

@@ -3,12 +3,12 @@
 
 #include <fmt/core.h>
 
-#include "experiments/harness/xml_text.h"
 #include "experiments/judge/tally.h"
+#include "experiments/run/xml_text.h"
 
 namespace touchstone::judge {
 
-using harness::xml_text;
+using run::xml_text;
 
 void JunitReport::add(const Judged& judged) {
   const std::string family = family_of_file(judged.line.file);

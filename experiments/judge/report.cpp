@@ -8,22 +8,22 @@
 #include <limits>
 #include <tuple>
 
-#include "experiments/harness/counted.h"
-#include "experiments/harness/table.h"
-#include "experiments/harness/xml_text.h"
-#include "experiments/show/page.h"
-#include "experiments/statistics/percent.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
+#include "experiments/judge/show/page.h"
+#include "experiments/run/counted.h"
+#include "experiments/run/statistics/percent.h"
+#include "experiments/run/table.h"
+#include "experiments/run/xml_text.h"
 
 namespace touchstone::judge {
 namespace {
 
-using harness::xml_text;
+using run::xml_text;
 
 std::string percent(double share) { return statistics::percent_to_places(share, 2) + " %"; }
 
 std::string row(const std::string& name, const Count& count) {
-  const harness::Rate rate = harness::rate(count.wrong, count.given());
+  const run::Rate rate = run::rate(count.wrong, count.given());
   return fmt::format(
       "<tr><td>{}</td><td class=\"number{}\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td>"
       "<td class=\"number\">{}</td></tr>\n",
@@ -69,9 +69,9 @@ void Report::add(const Judged& judged) {
 std::string Report::text(const Tally& tally) const {
   std::string body;
   for (const MethodTally& method : tally.methods()) {
-    const harness::Rate rate = harness::rate(method.all.wrong, method.all.given());
+    const run::Rate rate = run::rate(method.all.wrong, method.all.given());
     body += fmt::format("<h1>{}</h1>\n<p>Wrong on {} of {}: {} ({} to {}, 95 % confidence). No answer on {}.</p>\n",
-                        xml_text(method.method), method.all.wrong, harness::counted(method.all.given(), "case"),
+                        xml_text(method.method), method.all.wrong, run::counted(method.all.given(), "case"),
                         percent(rate.share), percent(rate.lower), percent(rate.upper), method.all.not_given);
     body += table("key", method.by_key) + table("family (file)", method.by_file);
     if (!method.by_tag.empty())

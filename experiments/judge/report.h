@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "experiments/judge/judge.h"
+#include "experiments/judge/show/case_view.h"
 #include "experiments/judge/tally.h"
-#include "experiments/show/case_view.h"
 
 namespace touchstone::judge {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "experiments/harness/table.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/statistics/percent.h"
+#include "experiments/run/table.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
@@ -16,12 +16,12 @@ namespace {
 
 using Named = std::pair<std::string, Count>;
 
-double share(const Count& count) { return harness::rate(count.wrong, count.given()).share; }
+double share(const Count& count) { return run::rate(count.wrong, count.given()).share; }
 
 std::string percent(double share) { return statistics::percent_to_places(share, 2); }
 
 std::string row(const std::string& what, const Count& count, bool coloured) {
-  const harness::Rate rate = harness::rate(count.wrong, count.given());
+  const run::Rate rate = run::rate(count.wrong, count.given());
   std::string wrong = fmt::format("{:>8}", count.wrong);
   if (coloured) wrong = fmt::format("\033[{}m{}\033[0m", count.wrong > 0 ? "31" : "32", wrong);
   std::string text =
@@ -63,7 +63,7 @@ std::string text_of(const MethodTally& tally, bool coloured, std::size_t most_ta
 }
 
 nlohmann::ordered_json json_of(const Count& count) {
-  const harness::Rate rate = harness::rate(count.wrong, count.given());
+  const run::Rate rate = run::rate(count.wrong, count.given());
   return {{"cases", count.cases}, {"wrong", count.wrong}, {"not_given", count.not_given},
           {"rate", rate.share},   {"lower", rate.lower},  {"upper", rate.upper}};
 }

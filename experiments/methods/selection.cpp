@@ -36,18 +36,17 @@ std::string Selection::text() const {
   return text;
 }
 
-harness::Option declare_engines(harness::Command& command, std::vector<std::string>& engines,
-                                const std::string& about) {
+run::Option declare_engines(run::Command& command, std::vector<std::string>& engines, const std::string& about) {
   return command.texts("--engine", engines, about, engine_fault).takes("COMMAND");
 }
 
-harness::Option declare_methods(harness::Command& command, Selection& selection, const std::string& about) {
-  const harness::Option option = command.methods(selection.names, about);
+run::Option declare_methods(run::Command& command, Selection& selection, const std::string& about) {
+  const run::Option option = command.methods(selection.names, about);
   declare_engines(command, selection.engines).replaces_default_of("--methods");
   return option;
 }
 
-void declare_compared_methods(harness::Command& command, Selection& selection) {
+void declare_compared_methods(run::Command& command, Selection& selection) {
   declare_methods(command, selection).changes_results([&selection] { return selection.text(); });
 }
 

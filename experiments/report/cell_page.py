@@ -17,7 +17,7 @@ PICTURE = "docs/cell-page.png"
 
 
 def main(touchstone, root):
-    cell = pathlib.Path(root, "experiments/cell/cells/aristo.json")
+    cell = pathlib.Path(root, "experiments/thesis/cell/cells/aristo.json")
     with tempfile.TemporaryDirectory() as folder:
         page = pathlib.Path(folder, "page.html")
         subprocess.run([touchstone, "cell", "export", cell, page], check=True, stdout=subprocess.DEVNULL)

@@ -148,8 +148,8 @@ with any number of threads; for studies that run on many machines (<code>near-ed
 <pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles are wrong
 touchstone judge --engine './engine' cases.jsonl            # compares its answers with the exact ones
 touchstone regress --baseline tests/experiments/judge/regress/baseline.json   # compares the built-in engines with their baseline</code></pre>
-<p>How to write one, in ten lines of Python or C++: <code>experiments/judge/README.md</code>; how to build one in:
-<code>experiments/methods/README.md</code>; some thousand certified cases: <code>tests/corpus</code>.</p></details></section>
+<p>How to write one, in ten lines of Python or C++: <code>docs/engines.md</code>; how to build one in:
+<code>docs/adding-methods.md</code>; some thousand certified cases: <code>tests/corpus</code>.</p></details></section>
 """
 
 

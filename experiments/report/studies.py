@@ -3,7 +3,7 @@
 import dataclasses
 import shlex
 
-CELL = "experiments/cell/cells/aristo.json"
+CELL = "experiments/thesis/cell/cells/aristo.json"
 MESHES = "MESHES"  # stands for all mesh files in cache/meshes
 OUTPUT = "OUTPUT"  # stands for the study's folder
 DRIVE = "--drive"  # a method drives the robot, perhaps into the vice: exit status 1

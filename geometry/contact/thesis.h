@@ -23,7 +23,7 @@
 /// Neither [T] nor [S] knows holes. [C]: inside means inside the outer loop and inside none of the holes; all edges
 /// count.
 ///
-/// Known errors [D], each measured in tests/experiments/thesis:
+/// Known errors [D], each measured in tests/experiments/thesis/figures:
 ///  - the unsigned angles around a point outside a non-convex loop can also exceed 2 pi: the notch of a U counts as
 ///  inside;
 ///  - the factor 0.99 accepts points up to L / (2 tan 89.1 deg) = 0.00785 L outside the middle of an edge of length L,

@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 VERSION = 14
-FOLDERS = ("cmake", "experiments", "geometry", "playground", "python", "robust", "tests")
+FOLDERS = ("bindings", "cmake", "experiments", "geometry", "robust", "tests")
 SKIPPED = 77
 
 

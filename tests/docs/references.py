@@ -17,7 +17,7 @@ def main(source):
     sys.path.append("docs")
     import site_filter
 
-    folders = ("docs", "experiments", "geometry", "papers", "python", "robust", "tests")
+    folders = ("bindings", "docs", "experiments", "geometry", "papers", "robust", "tests")
     pages = [*pathlib.Path().glob("*.md"), *(page for folder in folders for page in pathlib.Path(folder).rglob("*.md"))]
     prose = {page: "".join(site_filter.FENCE.split(page.read_text())[::2]) for page in pages}
     anchors = {page: {site_filter.slug(heading) for _, heading in site_filter.HEADING.findall(text)}
@@ -62,7 +62,7 @@ def main(source):
                 faults.append(f"{file}: [{key}] is not in papers/references.bib")
 
     sources = "".join(file.read_text() for file in pathlib.Path("experiments").rglob("*.cpp"))
-    formats = pathlib.Path("experiments/FORMATS.md")
+    formats = pathlib.Path("docs/formats.md")
     tables = set(re.findall(r"`([\w-]+\.(?:csv|jsonl|txt))`", prose[formats].partition("## Tables of studies")[2]))
     faults += [f"{formats}: nothing writes {name}" for name in sorted(tables) if f'"{name}"' not in sources]
 

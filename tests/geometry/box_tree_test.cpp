@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "tests/robust/support/environment.h"
 
 namespace touchstone::scene_tests {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 
 #ifndef TOUCHSTONE_SAMPLES
 #define TOUCHSTONE_SAMPLES 100

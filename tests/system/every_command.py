@@ -126,7 +126,7 @@ class EveryCommand(unittest.TestCase):
         shutil.rmtree(SCRATCH, ignore_errors=True)
         SCRATCH.mkdir(parents=True)
         self.addCleanup(shutil.rmtree, SCRATCH)
-        shutil.copytree(SOURCE / "experiments/cell/cells", SCRATCH / "cells")
+        shutil.copytree(SOURCE / "experiments/thesis/cell/cells", SCRATCH / "cells")
         (SCRATCH / "mesh.obj").write_text(MESH)
         (SCRATCH / "case.jsonl").write_text(CASE)
         drawn = subprocess.run([TOUCHSTONE, "cases", "--samples", "1", "--failing", "thesis"], capture_output=True, text=True, check=True)

@@ -2,8 +2,9 @@
 """Usage: rooms.py SOURCE BUILD [--write]
 
 Holds the includes to the rooms: a file of experiments/ includes headers of its own room and of those that its room's
-CMakeLists.txt names behind STANDS_ON, and no others; each of those is used; no study stands on another; geometry/ includes
-nothing of robust/ or experiments/, robust/ nothing of experiments/, and only tests/ includes tests/. What lies in
+CMakeLists.txt names behind STANDS_ON, and no others; each of those is used; no study stands on another; no room of the
+laboratory stands on one of experiments/thesis/; geometry/ includes nothing of robust/ or experiments/, robust/ and bindings/
+nothing of experiments/, and only tests/ includes tests/. What lies in
 robust/ROOM/detail/ is in namespace touchstone::ROOM::detail, and a folder in there has at most 12 files. Every source
 file is compiled, but those of absent engines. The table of docs/architecture.md lists the same rooms and arrows; --write
 updates it. Exit status 1, with the file and line, otherwise.
@@ -16,8 +17,7 @@ import sys
 import tempfile
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
-BELOW = {"geometry": ("geometry",), "robust": ("geometry", "robust"), "touchstone": ("geometry", "robust", "touchstone"),
-         "python": ("geometry", "robust", "python"), "playground": ("geometry", "robust")}
+BELOW = {"geometry": ("geometry",), "robust": ("geometry", "robust"), "bindings": ("geometry", "robust", "bindings")}
 PAGE = "docs/architecture.md"
 BEGIN, END = "<!-- rooms -->\n", "<!-- /rooms -->"
 # Compiled only where the engine is installed.
@@ -73,12 +73,15 @@ def faults_of_rooms(root, rooms):
             if room.name not in home.stands_on:
                 yield f"{file}:{line}: {home.name} does not stand on {room.name}, but includes {target}"
     studies = {room.name for room in rooms if "/studies/" in room.folder}
+    thesis = {room.name for room in rooms if room.folder.startswith("experiments/thesis/")}
     for room in rooms:
         for lower in room.stands_on:
             if (room.name, lower) not in used:
                 yield f"{room.folder}/CMakeLists.txt: {room.name} names {lower} and includes nothing of it"
             if room.name in studies and lower in studies:
                 yield f"{room.folder}/CMakeLists.txt: the study {room.name} stands on the study {lower}"
+            if room.name not in thesis and lower in thesis:
+                yield f"{room.folder}/CMakeLists.txt: the laboratory's room {room.name} stands on the thesis's {lower}"
 
 
 def faults_of_sources(root, build):
@@ -137,16 +140,18 @@ def self_test():
         root = pathlib.Path(name)
         files = {"geometry/a.h": '#include "robust/b.h"\n', "robust/b.h": "", "experiments/low/c.h": '#include "experiments/high/d.h"\n',
                  "robust/a/detail/f.h": "namespace touchstone::a {\n", "robust/a/detail/g.h": "namespace touchstone::a::detail {\n",
-                 "experiments/high/d.h": '\n#include "experiments/low/c.h"\n#include "tests/e.h"\n', "tests/e.h": ""}
+                 "experiments/high/d.h": '\n#include "experiments/low/c.h"\n#include "tests/e.h"\n', "tests/e.h": "",
+                 "experiments/thesis/hall/f.h": "", "experiments/high/g.h": '#include "experiments/thesis/hall/f.h"\n'}
         for file, text in files.items():
             (root / file).parent.mkdir(parents=True, exist_ok=True)
             (root / file).write_text(text)
-        rooms = [Room("low experiments/low: "), Room("high experiments/high: low other")]
+        rooms = [Room("low experiments/low: "), Room("hall experiments/thesis/hall: "), Room("high experiments/high: low hall other")]
         found = [*faults_of_libraries(root), *faults_of_rooms(root, rooms), *faults_of_details(root)]
         wanted = ["geometry/a.h:1: geometry/ may not include robust/b.h", "experiments/high/d.h:3: includes tests/e.h",
                   "robust/a/detail/f.h: declares nothing in touchstone::a::detail",
                   "experiments/low/c.h:1: low does not stand on high, but includes experiments/high/d.h",
-                  "experiments/high/CMakeLists.txt: high names other and includes nothing of it"]
+                  "experiments/high/CMakeLists.txt: high names other and includes nothing of it",
+                  "experiments/high/CMakeLists.txt: the laboratory's room high stands on the thesis's hall"]
         return [] if sorted(found) == sorted(wanted) else [f"self-test: found {found}"]
 
 

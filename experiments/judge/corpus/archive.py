@@ -18,7 +18,7 @@ import tarfile
 CORPUS = pathlib.PurePosixPath("tests/corpus")
 PAGES = {  # in the sources: its name in the archive
     "tests/corpus/README.md": "README.md", "tests/corpus/DATASHEET.md": "DATASHEET.md", "geometry/contact/CONTRACT.md": "CONTRACT.md",
-    "experiments/judge/README.md": "JUDGING.md", "docs/contract.svg": "contract.svg", "CITATION.cff": "CITATION.cff", "LICENSE": "LICENSE",
+    "docs/engines.md": "JUDGING.md", "docs/contract.svg": "contract.svg", "CITATION.cff": "CITATION.cff", "LICENSE": "LICENSE",
     "LICENSE-APACHE": "LICENSE-APACHE", "LICENSE-GPL": "LICENSE-GPL"}
 LINK = re.compile(r"(!?)\[([^]]*)\]\(([^)\s#]*)(#[^)\s]*)?\)")
 

@@ -9,10 +9,10 @@
 #include <set>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/harness/input.h"
-#include "experiments/harness/json/strict_json.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/rational_answer.h"
+#include "experiments/run/input.h"
+#include "experiments/run/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/motion.h"
@@ -27,7 +27,7 @@ Polygon polygon_in(const std::string& line) {
     for (const auto& p : points) vertices.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
     return vertices;
   };
-  const auto polygon = harness::read_strict_json(line).value.at("polygon");
+  const auto polygon = run::read_strict_json(line).value.at("polygon");
   std::vector<Loop> holes;
   if (const auto found = polygon.find("holes"); found != polygon.end())
     for (const auto& points : *found) holes.push_back(loop(points));
@@ -79,7 +79,7 @@ Findings check_files(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     std::ifstream stream;
     try {
-      stream = harness::open_file(file);
+      stream = run::open_file(file);
     } catch (const std::runtime_error& error) {
       findings.faults.emplace_back(error.what());
       continue;
@@ -99,7 +99,7 @@ Findings check_files(const std::vector<std::string>& files) {
           check_rejection(read, line, faults);
         else
           check_answer(read, faults);
-      } catch (const harness::NotJson& error) {
+      } catch (const run::NotJson& error) {
         faults.push_back(std::string("not JSON: ") + error.what());
       }
       for (const std::string& fault : faults)

@@ -14,19 +14,19 @@
 #include <vector>
 
 #include "experiments/cases/input_lines.h"
-#include "experiments/harness/command.h"
-#include "experiments/harness/counted.h"
-#include "experiments/harness/data.h"
-#include "experiments/harness/output_folder.h"
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/stop_signal.h"
-#include "experiments/harness/write_file.h"
 #include "experiments/judge/corpus/check.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/make.h"
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/command.h"
+#include "experiments/run/counted.h"
+#include "experiments/run/data.h"
+#include "experiments/run/output_folder.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -34,22 +34,22 @@ namespace {
 
 struct MakeOptions {
   std::string folder;
-  unsigned threads = harness::all_threads();
+  unsigned threads = run::all_threads();
   bool force = false;
   std::string line;  ///< the command line that repeats the run
 };
 
 int make(const MakeOptions& options) {
-  const harness::OutputFolder held(options.folder, options.line, {.force = options.force});
+  const run::OutputFolder held(options.folder, options.line, {.force = options.force});
   const auto files = corpus::make_corpus(options.threads);
-  for (const auto& [name, text] : files) harness::write_file(std::filesystem::path(options.folder) / name, text);
-  fmt::print("{} in {}\n", harness::counted(files.size(), "file"), io::all_legible(options.folder));
+  for (const auto& [name, text] : files) run::write_file(std::filesystem::path(options.folder) / name, text);
+  fmt::print("{} in {}\n", run::counted(files.size(), "file"), io::all_legible(options.folder));
   return 0;
 }
 
 std::vector<std::string> corpus_files() {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(harness::data("tests/corpus")))
+  for (const auto& entry : std::filesystem::directory_iterator(run::data("tests/corpus")))
     if (entry.path().extension() == ".jsonl") files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;
@@ -58,8 +58,8 @@ std::vector<std::string> corpus_files() {
 int check(const std::vector<std::string>& files) {
   const auto findings = corpus::check_files(files);
   for (const std::string& fault : findings.faults) fmt::print(stderr, "{}\n", io::all_legible(fault));
-  fmt::print("{} in {}, checked twice: {}\n", harness::counted(findings.cases, "case"),
-             harness::counted(files.size(), "file"), harness::counted(findings.faults.size(), "fault"));
+  fmt::print("{} in {}, checked twice: {}\n", run::counted(findings.cases, "case"), run::counted(files.size(), "file"),
+             run::counted(findings.faults.size(), "fault"));
   return findings.faults.empty() ? 0 : 1;
 }
 
@@ -95,7 +95,7 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
       for (const cases::Key wrong : failure.keys()) keys.emplace_back(to_string(wrong));
       labels.origin =
           fmt::format("touchstone corpus shrink --{} {}{}: {}; from: {}", method.through_pipe() ? "engine" : "method",
-                      method.name(), key ? " --key " + *key : "", harness::joined(keys), from);
+                      method.name(), key ? " --key " + *key : "", run::joined(keys), from);
     }
     return corpus::line_of({id, small.ball, small.polygon, labels.tags, labels.origin, small.to},
                            corpus::exact_answer(small));
@@ -110,11 +110,11 @@ int shrink(const ShrinkOptions& options) {
   if (!options.method.empty()) selection.names = {options.method};
   const auto methods = selection.methods();
   if (methods.size() != 1)
-    throw harness::UsageError(options.method.empty() ? "--engine" : "--method " + options.method,
-                              "a case is shrunk for one method or engine");
+    throw run::UsageError(options.method.empty() ? "--engine" : "--method " + options.method,
+                          "a case is shrunk for one method or engine");
   const cases::Method& method = *methods.front();
   const std::optional<std::string> key = options.key.empty() ? std::nullopt : std::optional(options.key);
-  const harness::StopSignal stop_signal;
+  const run::StopSignal stop_signal;
   int status = 0;
   std::size_t lines = 0;
   const auto files = options.file == "-" ? std::vector<std::string>{} : std::vector{options.file};
@@ -132,11 +132,11 @@ int shrink(const ShrinkOptions& options) {
     fmt::print(stderr, "touchstone: {}: there is no case in it\n", io::all_legible(options.file));
     return 2;
   }
-  return stop_signal.requested() ? harness::kInterrupted : status;
+  return stop_signal.requested() ? run::kInterrupted : status;
 }
 
-harness::Command make_command() {
-  harness::Command command("make", "Write every file of the corpus, with its page");
+run::Command make_command() {
+  run::Command command("make", "Write every file of the corpus, with its page");
   auto options = std::make_shared<MakeOptions>();
   command.keep_line(options->line);
   command.text("FOLDER", options->folder, "Destination; the corpus is tests/corpus").required();
@@ -147,8 +147,8 @@ harness::Command make_command() {
   return command;
 }
 
-harness::Command check_command() {
-  harness::Command command("check", "Derive every answer again, with two exact number types");
+run::Command check_command() {
+  run::Command command("check", "Derive every answer again, with two exact number types");
   auto files = std::make_shared<std::vector<std::string>>();
   command.texts("FILES", *files, "Files of cases with whole answers (default: the corpus)");
   command.example("corpus check");
@@ -156,8 +156,8 @@ harness::Command check_command() {
   return command;
 }
 
-harness::Command shrink_command() {
-  harness::Command command("shrink", "Reduce failing cases to small ones that still fail");
+run::Command shrink_command() {
+  run::Command command("shrink", "Reduce failing cases to small ones that still fail");
   auto options = std::make_shared<ShrinkOptions>();
   command.text("CASE", options->file, "A file of cases (JSON Lines); - is standard input").required();
   command.text("--method", options->method, "The method that fails").takes("METHOD");
@@ -173,7 +173,7 @@ harness::Command shrink_command() {
 
 }  // namespace
 
-harness::Command corpus_command() {
+run::Command corpus_command() {
   return {"corpus",
           "The certified cases of tests/corpus: make, check, and shrink new ones",
           {make_command(), check_command(), shrink_command()}};

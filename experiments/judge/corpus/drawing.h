@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cases/workloads/adversarial/case.h"
+#include "experiments/cases/workloads/workload.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/workloads/adversarial/case.h"
-#include "experiments/workloads/workload.h"
 
 namespace touchstone::corpus {
 

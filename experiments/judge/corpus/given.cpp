@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/harness/data.h"
-#include "experiments/harness/input.h"
 #include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/run/data.h"
+#include "experiments/run/input.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -39,8 +39,8 @@ std::string completed(const std::string& text, const std::string& name) {
 }  // namespace
 
 std::string given_text(const std::string& name) {
-  const auto file = harness::data("experiments/judge/corpus/given/" + name + ".jsonl");
-  std::ifstream stream = harness::open_file(file);
+  const auto file = run::data("experiments/judge/corpus/given/" + name + ".jsonl");
+  std::ifstream stream = run::open_file(file);
   std::string text, line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) try {
       text += completed(line, name);

@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "experiments/harness/blocks.h"
-#include "experiments/harness/json/strict_json.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/families.h"
 #include "experiments/judge/corpus/page.h"
+#include "experiments/run/blocks.h"
+#include "experiments/run/json/strict_json.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -43,7 +43,7 @@ std::map<std::string, std::string> make_corpus(unsigned threads) {
   const auto& families = all_families();
   std::vector<std::string> texts(families.size());
   const std::atomic<bool> never = false;
-  harness::run_blocks(
+  run::run_blocks(
       families.size(), threads, never, [](std::uint64_t) {},
       [&](unsigned, std::uint64_t i) { texts[i] = families[i].text(); });
 

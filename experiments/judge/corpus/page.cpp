@@ -37,7 +37,7 @@ case, raise the version in `experiments/judge/corpus/families.h`.
     touchstone judge --engine './my-engine' tests/corpus/*.jsonl
 
 sends every case to a program that reads lines of JSON and writes verdicts. The exit status is 0 if all expectations are
-met. `experiments/judge/README.md` has engines of ten lines to start from. `touchstone judge --methods NAME` judges a
+met. `docs/engines.md` has engines of ten lines to start from. `touchstone judge --methods NAME` judges a
 method of this program.
 
 To make a case small on which a method fails, from this folder or any other, run

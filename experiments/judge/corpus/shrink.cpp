@@ -9,10 +9,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "experiments/cases/workloads/grazing_radius.h"
+#include "experiments/cases/workloads/loops.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/workloads/grazing_radius.h"
-#include "experiments/workloads/loops.h"
-#include "experiments/workloads/ulp.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"

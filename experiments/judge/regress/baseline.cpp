@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "experiments/harness/input.h"
-#include "experiments/harness/json/json_fault.h"
-#include "experiments/harness/json/strict_json.h"
+#include "experiments/run/input.h"
+#include "experiments/run/json/json_fault.h"
+#include "experiments/run/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::regress {
@@ -94,7 +94,7 @@ std::string text_of(std::ifstream& stream, std::size_t longest) {
 }
 
 Baseline baseline_of(const std::string& text) {
-  const harness::StrictJson read = harness::read_strict_json(text);
+  const run::StrictJson read = run::read_strict_json(text);
   if (read.duplicate_key)
     throw std::runtime_error(fmt::format("has the duplicate key \"{}\"", io::legible(*read.duplicate_key)));
   const Json json = read.value;
@@ -141,13 +141,13 @@ std::string baseline_text(const Baseline& baseline) {
 }
 
 Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
-  std::ifstream stream = harness::open_file(file);
+  std::ifstream stream = run::open_file(file);
   try {
     return baseline_of(text_of(stream, longest));
-  } catch (const harness::NotJson& error) {
+  } catch (const run::NotJson& error) {
     throw std::runtime_error(file.string() + ": not JSON: " + error.what());
   } catch (const nlohmann::json::exception& error) {  // a missing key
-    throw std::runtime_error(file.string() + ": " + harness::json_fault(error));
+    throw std::runtime_error(file.string() + ": " + run::json_fault(error));
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(file.string() + ": there is not enough memory to read it");
   } catch (const std::runtime_error& error) {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/harness/blocks.h"
-#include "experiments/workloads/workload.h"
+#include "experiments/cases/workloads/workload.h"
+#include "experiments/run/blocks.h"
 
 /// The outcome of each method for each case, so that a changed answer is noticed.
 namespace touchstone::regress {
@@ -72,7 +72,7 @@ using OutcomeTable = std::map<std::string, std::map<std::string, Outcomes>>;
 [[nodiscard]] std::optional<OutcomeTable> find_outcomes(const Settings& settings,
                                                         const std::vector<const cases::Method*>& methods,
                                                         unsigned threads, const std::atomic<bool>& stop,
-                                                        const harness::Progress& progress);
+                                                        const run::Progress& progress);
 [[nodiscard]] std::uint64_t blocks_of(const Settings& settings);
 
 /// The summary of a method for a group.

@@ -10,20 +10,20 @@
 #include <vector>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/harness/command.h"
-#include "experiments/harness/counted.h"
-#include "experiments/harness/output_folder.h"
-#include "experiments/harness/printing.h"
-#include "experiments/harness/processes.h"
-#include "experiments/harness/progress_line.h"
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/stop_signal.h"
-#include "experiments/harness/table.h"
-#include "experiments/harness/write_file.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/command.h"
+#include "experiments/run/counted.h"
+#include "experiments/run/output_folder.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/statistics/percent.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/exact.h"
 
@@ -32,12 +32,12 @@ namespace {
 
 using namespace regress;
 
-struct Options : harness::Printing {
+struct Options : run::Printing {
   std::string baseline, write, output;
   methods::Selection methods{{"all"}};
   bool allow_missing = false, force = false;
   Settings settings;
-  unsigned threads = harness::all_threads();
+  unsigned threads = run::all_threads();
   std::string line;  ///< the command line that repeats the run
 };
 
@@ -73,9 +73,9 @@ struct OutcomeRow {
   Summary summary;
 };
 
-const harness::Table<OutcomeRow>& outcomes_csv() {
-  using harness::path;
-  static const harness::Table<OutcomeRow> table(
+const run::Table<OutcomeRow>& outcomes_csv() {
+  using run::path;
+  static const run::Table<OutcomeRow> table(
       "outcomes.csv", "a method, numbers and a family",
       {{"method", "the method", &OutcomeRow::method},
        {"numbers", "what the coordinates and radii are: doubles or floats", path(&OutcomeRow::group, &Group::numbers)},
@@ -134,7 +134,7 @@ void tell_changes(const std::vector<Change>& changes) {
     better += change.better.size();
     worse += change.worse.size();
   }
-  fmt::print("{} better than the baseline, {} worse\n", harness::counted(better, "case"), worse);
+  fmt::print("{} better than the baseline, {} worse\n", run::counted(better, "case"), worse);
 }
 
 /// Returns whether the command line names the method, rather than `all`.
@@ -170,22 +170,22 @@ int run(const Options& options) {
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   if (baseline) refuse_missing(options, *baseline, methods);
   const Settings settings = baseline ? baseline->settings : options.settings;
-  std::optional<harness::OutputFolder> held;
-  if (!options.output.empty()) held.emplace(options.output, options.line, harness::Existing{.force = options.force});
+  std::optional<run::OutputFolder> held;
+  if (!options.output.empty()) held.emplace(options.output, options.line, run::Existing{.force = options.force});
   if (!options.write.empty()) {
-    harness::refuse_overwrite(options.write, options.force);
-    harness::make_folder(std::filesystem::absolute(options.write).parent_path());
+    run::refuse_overwrite(options.write, options.force);
+    run::make_folder(std::filesystem::absolute(options.write).parent_path());
   }
 
-  const harness::StopSignal stop_signal;
+  const run::StopSignal stop_signal;
   std::optional<OutcomeTable> table;
   {
-    harness::ProgressLine line("regress", blocks_of(settings), 0, !options.quiet);
+    run::ProgressLine line("regress", blocks_of(settings), 0, !options.quiet);
     table = find_outcomes(settings, methods, options.threads, stop_signal.requested(), std::ref(line));
   }
   if (!table) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
-    return harness::kInterrupted;
+    return run::kInterrupted;
   }
   options.print(
       table_of(*table, settings, Numbers::Doubles) + "\n" + table_of(*table, settings, Numbers::Floats) + "\n",
@@ -198,26 +198,26 @@ int run(const Options& options) {
     if (options.prints_text()) tell_changes(changed);
   }
   const bool worse = std::ranges::any_of(changed, [](const Change& change) { return !change.worse.empty(); });
-  if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *table}), options.force);
+  if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *table}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
     outcomes_csv().write(folder, rows_of(*table));
-    harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
-    harness::write_run_record(
-        folder, {.command = options.line,
-                 .seed = settings.seed,
-                 .samples_asked = settings.samples,
-                 .samples_done = settings.samples,
-                 .threads = options.threads,
-                 .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+    run::write_file(folder / "worse.jsonl", worse_text(settings, changed));
+    run::write_run_record(folder,
+                          {.command = options.line,
+                           .seed = settings.seed,
+                           .samples_asked = settings.samples,
+                           .samples_done = settings.samples,
+                           .threads = options.threads,
+                           .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
   }
   return worse ? 1 : 0;
 }
 
 }  // namespace
 
-harness::Command regress_command() {
-  harness::Command command("regress", "Compare the failures of every method with a baseline");
+run::Command regress_command() {
+  run::Command command("regress", "Compare the failures of every method with a baseline");
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   command.footer(
@@ -249,7 +249,7 @@ harness::Command regress_command() {
   command.keep_tables(options->tables);
   command.writes({outcomes_csv().description()});
   command.example("regress --baseline tests/experiments/judge/regress/baseline.json --methods fast,thesis");
-  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
   return command;
 }
 

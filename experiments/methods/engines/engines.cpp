@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/engines/engines.h"
 
-#include "experiments/harness/data.h"
-#include "experiments/harness/run_record.h"
 #include "experiments/methods/process/external_method.h"
+#include "experiments/run/data.h"
+#include "experiments/run/run_record.h"
 
 namespace touchstone::methods {
 
@@ -22,7 +22,7 @@ void add_engines(MethodList& list) {
 #ifdef TOUCHSTONE_BULLET_FLOAT
   list.push_back(external_method(
       "bullet-float", "Bullet's sphere against triangle, its float build, which runs as a program of its own",
-      "exec " + harness::shell_quoted(harness::helper_program("touchstone_bullet_float").string())));
+      "exec " + run::shell_quoted(run::helper_program("touchstone_bullet_float").string())));
 #endif
 #ifdef TOUCHSTONE_ODE
   add_ode(list);

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <string_view>
 
-#include "experiments/harness/stop_signal.h"
+#include "experiments/run/stop_signal.h"
 
 namespace touchstone::methods {
 namespace {
@@ -18,20 +18,20 @@ static_assert(std::atomic<bool>::is_always_lock_free, "used within a signal hand
 [[noreturn]] void leave() {
   constexpr std::string_view message = "touchstone: interrupted\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
-  _exit(harness::kInterrupted);
+  _exit(run::kInterrupted);
 }
 
 extern "C" void interrupt_judge(int) {
-  harness::handle_end_signals(SIG_DFL);
+  run::handle_end_signals(SIG_DFL);
   is_interrupted = true;
   if (!is_writing) leave();
 }
 
 }  // namespace
 
-KillEngineOnSignal::KillEngineOnSignal() { harness::handle_end_signals(interrupt_judge); }
+KillEngineOnSignal::KillEngineOnSignal() { run::handle_end_signals(interrupt_judge); }
 
-KillEngineOnSignal::~KillEngineOnSignal() { harness::handle_end_signals(SIG_DFL); }
+KillEngineOnSignal::~KillEngineOnSignal() { run::handle_end_signals(SIG_DFL); }
 
 DeferSignals::DeferSignals() { is_writing = true; }
 
@@ -43,7 +43,7 @@ DeferSignals::~DeferSignals() {
 void leave_signals_to_other_threads() {
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int signal : harness::kEndSignals) sigaddset(&signals, signal);
+  for (const int signal : run::kEndSignals) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 

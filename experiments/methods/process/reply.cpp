@@ -2,7 +2,7 @@
 #include "experiments/methods/process/reply.h"
 
 #include "experiments/cases/verdict.h"
-#include "experiments/harness/json/strict_json.h"
+#include "experiments/run/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
@@ -10,7 +10,7 @@ namespace touchstone::methods {
 Reply read_reply(const std::string& line) {
   Reply reply{.id = {}, .answer = {}, .echo = io::legible(line)};
   try {
-    const harness::StrictJson read = harness::read_strict_json(line);
+    const run::StrictJson read = run::read_strict_json(line);
     if (!read.value.is_object()) return reply;
     const auto id = read.value.find("id");
     if (id != read.value.end() && id->is_string() && !read.ambiguous.contains("id")) reply.id = id->get<std::string>();
@@ -18,7 +18,7 @@ Reply read_reply(const std::string& line) {
       reply.echo = "duplicate key \"" + io::legible(*read.duplicate_key) + "\" in one object: " + reply.echo;
     else if (reply.id && !read.too_deep)
       reply.answer = cases::answer_in(read.value);
-  } catch (const harness::NotJson&) {
+  } catch (const run::NotJson&) {
     // The reply echoes the line.
   }
   return reply;

@@ -12,17 +12,17 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
-#include "experiments/harness/study.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
+#include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
-#include "experiments/workloads/workload.h"
+#include "experiments/run/study.h"
 
 namespace touchstone::angles {
 namespace {
 
-struct Options : harness::StudyOptions {
+struct Options : run::StudyOptions {
   methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed", "filtered"}};
   std::vector<std::string> families{"all"};
   std::size_t vertices = 24;
@@ -53,21 +53,21 @@ struct Row {
   std::size_t angle;
   std::string_view method;
   Count count;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
-const harness::Table<Row>& table() {
-  using harness::path;
-  static const harness::Table<Row> table(
+const run::Table<Row>& table() {
+  using run::path;
+  static const run::Table<Row> table(
       "angles.csv", "a direction and a method",
-      harness::all_columns<Row>(
+      run::all_columns<Row>(
           {{{"angle_deg", "of the centre about the edge: 0 beside it in the plane, 90 above it, 180 over the face",
              [](const Row& row) { return row.angle * kDegrees; }},
             {"method", "the method", &Row::method},
             {"failed_samples", "polygons with a wrong answer; undecided answers are not wrong",
              path(&Row::count, &Count::failed)},
             {"samples", "polygons", path(&Row::count, &Count::samples)}},
-           harness::rate_columns<Row>("failed samples", &Row::rate),
+           run::rate_columns<Row>("failed samples", &Row::rate),
            {{"wrong_answers", "wrong answers, of three for each polygon", path(&Row::count, &Count::wrong)}}}));
   return table;
 }
@@ -101,7 +101,7 @@ class Study {
     for (std::size_t angle = 0; angle < kAngles; ++angle)
       for (std::size_t m = 0; m < methods_.size(); ++m) {
         const Count& count = sum.count[m][angle];
-        rows.push_back({angle, methods_[m]->name(), count, harness::rate(count.failed, count.samples)});
+        rows.push_back({angle, methods_[m]->name(), count, run::rate(count.failed, count.samples)});
       }
     return rows;
   }
@@ -169,12 +169,12 @@ class Study {
   std::vector<workloads::Family> families_;
 };
 
-int run_angles(harness::StudyRun& run, const Options& options) {
+int run_angles(run::StudyRun& run, const Options& options) {
   const Study study(options);
   const Sum sum =
       run.phase("samples", "checkpoint.json", options.samples, study.zero(), [&](const auto& control, Sum& so_far) {
-        harness::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
-                           [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
+        run::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
+                       [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
       });
   if (!run.first()) return 0;
   const auto rows = study.rows(sum);
@@ -190,10 +190,10 @@ int run_angles(harness::StudyRun& run, const Options& options) {
 
 namespace touchstone::commands {
 
-harness::Command angles_command() {
+run::Command angles_command() {
   using angles::Options;
   constexpr int kVersion = 1;  // raised when sample n of a seed changes
-  harness::Command command("angles", "Measure how often methods are wrong around an edge, direction by direction");
+  run::Command command("angles", "Measure how often methods are wrong around an edge, direction by direction");
   auto options = std::make_shared<Options>();
   options->samples = 100;
   options->output = "results/angles";
@@ -206,11 +206,11 @@ harness::Command angles_command() {
       .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3,
              workloads::kMostVertices)
       .changes_results();
-  harness::declare_study(command, *options, "--samples", "Polygons of each family");
+  run::declare_study(command, *options, "--samples", "Polygons of each family");
   command.writes({angles::table().description()});
   command.example("angles --samples 10");
-  command.runs(harness::study_runner("angles", kVersion, *options,
-                                     [options](harness::StudyRun& run) { return angles::run_angles(run, *options); }));
+  command.runs(run::study_runner("angles", kVersion, *options,
+                                 [options](run::StudyRun& run) { return angles::run_angles(run, *options); }));
   return command;
 }
 

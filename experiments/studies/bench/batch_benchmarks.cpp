@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "experiments/cases/workloads/lattice/triangle_queries.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/fast_batch.h"
 #include "experiments/studies/bench/polygon_queries.h"
 #include "experiments/studies/bench/variants.h"
-#include "experiments/workloads/lattice/triangle_queries.h"
 #include "geometry/contact/fast.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"

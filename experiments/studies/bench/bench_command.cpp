@@ -11,15 +11,15 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "experiments/harness/command.h"
-#include "experiments/harness/output_folder.h"
-#include "experiments/harness/processes.h"
-#include "experiments/harness/progress_line.h"
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
-#include "experiments/harness/stop_signal.h"
-#include "experiments/harness/timing/output.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/run/command.h"
+#include "experiments/run/output_folder.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/run/timing/output.h"
+#include "experiments/run/write_file.h"
 #include "experiments/studies/bench/families.h"
 
 namespace touchstone::commands {
@@ -40,14 +40,14 @@ struct Options {
   std::string line;  ///< that repeats the run
 };
 
-// Throws harness::UsageError, which names what is unknown.
+// Throws run::UsageError, which names what is unknown.
 const Family& find_family(const std::string& name) {
   std::string known;
   for (const Family& family : all_families()) {
     if (family.name == name) return family;
     known.append(known.empty() ? "" : ", ").append(family.name);
   }
-  throw harness::UsageError("--family", "there is no family \"" + name + "\"; there are " + known + ", or all");
+  throw run::UsageError("--family", "there is no family \"" + name + "\"; there are " + known + ", or all");
 }
 
 std::vector<const Family*> select_families(const std::vector<std::string>& names) {
@@ -70,8 +70,7 @@ class Runner {
     for (const auto& draw : family.benchmarks) {
       if (stop_) return;
       const Benchmark benchmark = draw(options_.settings);
-      harness::ProgressLine line("bench: " + family.name + " " + benchmark.name, options_.repetitions, 0,
-                                 !options_.quiet);
+      run::ProgressLine line("bench: " + family.name + " " + benchmark.name, options_.repetitions, 0, !options_.quiet);
       results.push_back(
           measure(family.name, benchmark, options_.repetitions, stop_, [&](std::uint64_t n) { line(n); }));
       keep(results.back());
@@ -84,7 +83,7 @@ class Runner {
  private:
   void keep(const Result& result) {
     if (options_.prints_text()) fmt::print("{}", table(result));
-    harness::flush_standard_output();
+    run::flush_standard_output();
     results_.push_back(result);
   }
 
@@ -101,23 +100,23 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path) {
 /// Writes the results, and the record of the run, which also stands beside. Returns the text of the results.
 std::string write(const std::filesystem::path& folder, const Options& options, const std::vector<Result>& results,
                   std::uint64_t samples_done, double seconds) {
-  harness::write_run_record(
-      folder, {options.line, options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
+  run::write_run_record(folder,
+                        {options.line, options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
   const nlohmann::ordered_json all = {{"run", read_json(folder / "run.json")},
                                       {"processor_features", processor_features()},
                                       {"samples", options.settings.samples},
                                       {"repetitions", options.repetitions},
                                       {"contests", json(results)}};
   std::string text = all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  harness::write_file(folder / "bench.json", text);
+  run::write_file(folder / "bench.json", text);
   return text;
 }
 
 int measure_all(const Options& options) {
   const auto families = select_families(options.families);
   const std::filesystem::path folder = options.output;
-  const harness::OutputFolder held(folder, options.line, {.force = options.force});
-  const harness::StopSignal stop_signal;
+  const run::OutputFolder held(folder, options.line, {.force = options.force});
+  const run::StopSignal stop_signal;
   const auto& stop = stop_signal.requested();
   const auto begin = std::chrono::steady_clock::now();
   Runner runner(options, stop);
@@ -135,7 +134,7 @@ int measure_all(const Options& options) {
     fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Results: {}\n", options.settings.samples,
                options.repetitions, options.settings.seed, seconds, folder.string());
   }
-  harness::flush_standard_output();
+  run::flush_standard_output();
   if (!stop) return 0;
   fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.output);
   constexpr int kInterrupted = 130;
@@ -147,7 +146,7 @@ int measure_all(const Options& options) {
 /// as preparing for each query.
 int count(const Options& options) {
   const auto families = select_families(options.families);
-  if (families.size() != 1) throw harness::UsageError("--count", "needs one --family");
+  if (families.size() != 1) throw run::UsageError("--count", "needs one --family");
   Settings settings = options.settings;
   settings.checks = false;
   std::uint64_t asked = 0, sum = 0;
@@ -168,7 +167,7 @@ int count(const Options& options) {
   if (asked == 0) {
     std::string names;
     for (const std::string& name : known) names.append(names.empty() ? "" : ", ").append(name);
-    throw harness::UsageError(
+    throw run::UsageError(
         "--count", "\"" + options.count + "\" is not a candidate of " + families[0]->name + "; there are " + names);
   }
   fmt::print("{}, {}: {} queries, {} times; sum of the answers {}\n", families[0]->name, options.count, asked,
@@ -185,9 +184,9 @@ constexpr const char* kFooter =
 
 }  // namespace
 
-harness::Command bench_command() {
+run::Command bench_command() {
   constexpr std::uint64_t kMostSamples = 10'000'000;  // all are held, at 100 bytes each and more
-  harness::Command command("bench", "Compare the times of filtered, fast and other methods on the same queries");
+  run::Command command("bench", "Compare the times of filtered, fast and other methods on the same queries");
   command.footer(kFooter);
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
@@ -204,7 +203,7 @@ harness::Command bench_command() {
   command.json(options->json, "Print what bench.json holds").excludes("--quiet");
   command.example("bench --family near --samples 100");
   command.runs([options] {
-    return harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
+    return run::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
   });
   return command;
 }

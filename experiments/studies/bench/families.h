@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/timing/benchmark.h"
+#include "experiments/run/timing/benchmark.h"
 
 namespace touchstone::bench {
 

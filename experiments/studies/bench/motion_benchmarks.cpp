@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/statistics/percent.h"
+#include "experiments/cases/workloads/grazing_radius.h"
+#include "experiments/cases/workloads/lattice/triangle_queries.h"
+#include "experiments/run/statistics/percent.h"
 #include "experiments/studies/bench/asked_polygons.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/polygon_queries.h"
-#include "experiments/workloads/grazing_radius.h"
-#include "experiments/workloads/lattice/triangle_queries.h"
 #include "geometry/contact/fast_motion.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/motion.h"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "experiments/cases/workloads/lattice/triangle_queries.h"
 #include "experiments/methods/engines/cgal_triangles.h"
 #include "experiments/studies/bench/families.h"
-#include "experiments/workloads/lattice/triangle_queries.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"

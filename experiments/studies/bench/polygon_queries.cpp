@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/workloads/placement.h"
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/placement.h"
+#include "experiments/cases/workloads/random.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/validate.h"
 

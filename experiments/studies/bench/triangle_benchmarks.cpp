@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "experiments/cases/workloads/lattice/triangle_queries.h"
 #include "experiments/methods/engines/cgal_triangles.h"
 #include "experiments/methods/ericson.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/statistics/percent.h"
 #include "experiments/studies/bench/families.h"
-#include "experiments/workloads/lattice/triangle_queries.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"

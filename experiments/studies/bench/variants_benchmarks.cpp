@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "experiments/cases/workloads/lattice/triangle_queries.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/variants.h"
-#include "experiments/workloads/lattice/triangle_queries.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 

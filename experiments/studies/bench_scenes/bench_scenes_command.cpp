@@ -7,17 +7,17 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/harness/command.h"
-#include "experiments/harness/counted.h"
-#include "experiments/harness/output_folder.h"
-#include "experiments/harness/pictures.h"
-#include "experiments/harness/printing.h"
-#include "experiments/harness/processes.h"
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
-#include "experiments/harness/stop_signal.h"
-#include "experiments/harness/timing/output.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/run/command.h"
+#include "experiments/run/counted.h"
+#include "experiments/run/output_folder.h"
+#include "experiments/run/pictures.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/run/timing/output.h"
+#include "experiments/run/write_file.h"
 #include "experiments/studies/bench_scenes/output.h"
 #include "experiments/studies/bench_scenes/study.h"
 
@@ -27,7 +27,7 @@ namespace {
 using namespace bench_scenes;
 using namespace timing;
 
-struct SceneOptions : harness::Printing {
+struct SceneOptions : run::Printing {
   SceneSettings settings;
   std::size_t most_triangles = 1'000'000;
   std::string meshes;  ///< a folder; empty: no real meshes
@@ -63,17 +63,17 @@ void write(const SceneOptions& options, const std::vector<SceneResult>& results,
   const std::filesystem::path folder = options.output;
   write_scene_tables(folder, results);
   const std::uint64_t samples = options.settings.samples;
-  harness::write_run_record(folder, {.command = options.line,
-                                     .seed = options.settings.seed,
-                                     .samples_asked = samples,
-                                     .samples_done = stopped ? 0 : samples,
-                                     .seconds = seconds,
-                                     .interrupted = stopped});
+  run::write_run_record(folder, {.command = options.line,
+                                 .seed = options.settings.seed,
+                                 .samples_asked = samples,
+                                 .samples_done = stopped ? 0 : samples,
+                                 .seconds = seconds,
+                                 .interrupted = stopped});
   Json all = {{"run", read_json(folder / "run.json")},
               {"processor_features", processor_features()},
               {"absent", absent_libraries()}};
   all.update(json(results));
-  harness::write_file(folder / "bench.json", all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  run::write_file(folder / "bench.json", all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 int exit_status(const SceneOptions& options, const std::vector<SceneResult>& results, bool stopped) {
@@ -86,20 +86,20 @@ int exit_status(const SceneOptions& options, const std::vector<SceneResult>& res
   if (disputed) return 1;
   if (!stopped) return 0;
   fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.output);
-  return harness::kInterrupted;
+  return run::kInterrupted;
 }
 
 int measure_scenes(const SceneOptions& options) {
-  const harness::OutputFolder held(options.output, options.line, {.force = options.force});
+  const run::OutputFolder held(options.output, options.line, {.force = options.force});
   const auto scenes = all_scenes(options);
-  const harness::StopSignal stop_signal;
+  const run::StopSignal stop_signal;
   const auto& stop = stop_signal.requested();
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Library> libraries = all_libraries();
   const auto print = [&](const std::string& text) {
     if (!options.prints_text()) return;
     fmt::print("{}", text);
-    harness::flush_standard_output();
+    run::flush_standard_output();
   };
 
   std::vector<SceneResult> results;
@@ -119,22 +119,21 @@ int measure_scenes(const SceneOptions& options) {
   std::string text = growth_table(growths(results), exact) + scene_legend() + "\n" + scene_goals(results, exact);
   for (const std::string& absent : absent_libraries())
     text += fmt::format("Built without {}: it does not take part.\n", absent);
-  text += fmt::format(
-      "{}, {}, seed {}, in {:.0f} s. Everything: {}\n", harness::counted(options.settings.samples, "ball"),
-      harness::counted(options.settings.repetitions, "repetition"), options.settings.seed, seconds, options.output);
+  text += fmt::format("{}, {}, seed {}, in {:.0f} s. Everything: {}\n", run::counted(options.settings.samples, "ball"),
+                      run::counted(options.settings.repetitions, "repetition"), options.settings.seed, seconds,
+                      options.output);
   options.print(text, options.output);
-  const int drawn = stop || options.no_pictures ? 0 : harness::draw_pictures("bench_scenes", held);
+  const int drawn = stop || options.no_pictures ? 0 : run::draw_pictures("bench_scenes", held);
   const int status = exit_status(options, results, stop);
   return status != 0 ? status : drawn;
 }
 
 }  // namespace
 
-harness::Command bench_scenes_command() {
+run::Command bench_scenes_command() {
   constexpr std::size_t kFewest = 1000, kMost = 10'000'000;
   constexpr std::uint64_t kMostSamples = 10'000'000;
-  harness::Command command("bench-scenes",
-                           "Compare the times of scenes of 1000 and more triangles with other libraries");
+  run::Command command("bench-scenes", "Compare the times of scenes of 1000 and more triangles with other libraries");
   auto options = std::make_shared<SceneOptions>();
   command.keep_line(options->line);
   command.whole("--samples", options->settings.samples, "Distinct balls, up to 10000000", 1, kMostSamples);
@@ -146,10 +145,10 @@ harness::Command bench_scenes_command() {
   command.output(options->output, "The folder for tables and pictures");
   command.no_pictures(options->no_pictures);
   command.force(options->force);
-  harness::declare_printing(command, *options);
+  run::declare_printing(command, *options);
   command.writes(tables());
   command.example("bench-scenes --max-faces 10000");
-  command.runs([options] { return harness::run_alone([&] { return measure_scenes(*options); }); });
+  command.runs([options] { return run::run_alone([&] { return measure_scenes(*options); }); });
   return command;
 }
 

@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/statistics/percent.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/run/statistics/percent.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/scenes.h"
-#include "experiments/workloads/random.h"
 
 namespace touchstone::bench_scenes {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/harness/table.h"
-#include "experiments/harness/timing/output.h"
+#include "experiments/run/table.h"
+#include "experiments/run/timing/output.h"
 
 namespace touchstone::bench_scenes {
 namespace {
@@ -105,11 +105,11 @@ struct QueryRow {
   [[nodiscard]] bool has_ratio() const { return !measured->ratios.empty(); }
 };
 
-const harness::Table<QueryRow>& queries_table() {
+const run::Table<QueryRow>& queries_table() {
   using Row = QueryRow;
-  using harness::path;
+  using run::path;
   constexpr const char* kFormat = "{:.6g}";
-  static const harness::Table<Row> table(
+  static const run::Table<Row> table(
       "queries.csv", "a scene, place of balls, question and library",
       {{"scene", "the kind of scene", path(&Row::scene, &SceneResult::kind)},
        {"triangles", "its triangles", path(&Row::scene, &SceneResult::triangles)},
@@ -140,11 +140,11 @@ struct MotionRow {
   timing::Quartiles nanoseconds;
 };
 
-const harness::Table<MotionRow>& motions_table() {
+const run::Table<MotionRow>& motions_table() {
   using Row = MotionRow;
-  using harness::path;
+  using run::path;
   constexpr const char* kFormat = "{:.6g}";
-  static const harness::Table<Row> table(
+  static const run::Table<Row> table(
       "motions.csv", "a scene, length of motions and library",
       {{"scene", "the kind of scene", path(&Row::scene, &SceneResult::kind)},
        {"triangles", "its triangles", path(&Row::scene, &SceneResult::triangles)},
@@ -166,9 +166,9 @@ struct BuildRow {
   const Build* build;
 };
 
-const harness::Table<BuildRow>& builds_csv() {
-  using harness::path;
-  static const harness::Table<BuildRow> table(
+const run::Table<BuildRow>& builds_csv() {
+  using run::path;
+  static const run::Table<BuildRow> table(
       "builds.csv", "a scene and library",
       {{"scene", "the kind of scene", path(&BuildRow::scene, &SceneResult::kind)},
        {"triangles", "its triangles", path(&BuildRow::scene, &SceneResult::triangles)},
@@ -179,9 +179,9 @@ const harness::Table<BuildRow>& builds_csv() {
   return table;
 }
 
-const harness::Table<Growth>& growths_csv() {
+const run::Table<Growth>& growths_csv() {
   constexpr const char* kFormat = "{:.6g}";
-  static const harness::Table<Growth> table(
+  static const run::Table<Growth> table(
       "growth.csv", "a scene, place of balls, question and library",
       {{"scene", "the kind of scene", &Growth::kind},
        {"balls", "where the balls are", &Growth::place},
@@ -317,7 +317,7 @@ void write_scene_tables(const std::filesystem::path& folder, const std::vector<S
   growths_csv().write(folder, growths(results));
 }
 
-std::vector<harness::TableDescription> tables() {
+std::vector<run::TableDescription> tables() {
   return {queries_table().description(), motions_table().description(), builds_csv().description(),
           growths_csv().description()};
 }

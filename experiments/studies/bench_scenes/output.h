@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/bench_scenes/study.h"
 
 namespace touchstone::bench_scenes {
@@ -26,6 +26,6 @@ namespace touchstone::bench_scenes {
 
 /// Writes all tables. Throws std::runtime_error, which names the file, if one cannot be written.
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);
-[[nodiscard]] std::vector<harness::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
 
 }  // namespace touchstone::bench_scenes

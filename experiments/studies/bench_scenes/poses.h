@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "experiments/harness/timing/measurement.h"
+#include "experiments/run/timing/measurement.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "geometry/bvh/box.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"

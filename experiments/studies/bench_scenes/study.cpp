@@ -9,8 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/harness/progress_line.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/statistics/percent.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/motions.h"
 
@@ -232,7 +232,7 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
   const Mesh mesh(scene.triangles);
   std::vector<Built> all;
   {
-    harness::ProgressLine line("bench: building " + title, libraries.size());
+    run::ProgressLine line("bench: building " + title, libraries.size());
     for (const Library& library : libraries) {
       if (stop) break;
       result.builds.push_back({library.name, {}, 0});
@@ -253,7 +253,7 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
       if (stop || (place == BallPlace::Touching && question == Nearest)) break;
       const timing::Benchmark benchmark =
           benchmark_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
-      harness::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
+      run::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
       result.benchmarks.push_back({place, question,
                                    measure(
                                        title, benchmark, settings.repetitions, stop,
@@ -268,7 +268,7 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
     const timing::Benchmark benchmark = motion_benchmark(
         scene.triangles, sweeping, length,
         draw_motions(length, scene.triangles, *exact->scene, settings.samples, settings.seed), result.disputes);
-    harness::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
+    run::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
     result.motions.push_back({length, measure(
                                           title, benchmark, settings.repetitions, stop,
                                           [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});

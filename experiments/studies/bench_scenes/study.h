@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/timing/measurement.h"
+#include "experiments/run/timing/measurement.h"
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/poses.h"
 #include "experiments/studies/bench_scenes/scenes.h"

@@ -8,16 +8,16 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/harness/command.h"
-#include "experiments/harness/output_folder.h"
-#include "experiments/harness/printing.h"
-#include "experiments/harness/processes.h"
-#include "experiments/harness/progress_line.h"
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/stop_signal.h"
+#include "experiments/cases/workloads/meshes/named_meshes.h"
+#include "experiments/run/command.h"
+#include "experiments/run/output_folder.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/stop_signal.h"
 #include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"
-#include "experiments/workloads/meshes/named_meshes.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/read_mesh.h"
 
@@ -26,7 +26,7 @@ namespace {
 
 using namespace merging;
 
-struct MergeOptions : harness::Printing {
+struct MergeOptions : run::Printing {
   std::vector<std::string> files;
   Settings settings;
   bool skip_bad = false, force = false;
@@ -58,15 +58,15 @@ void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vec
 int run(const MergeOptions& options) {
   constexpr int kBadInput = 2;
   const std::filesystem::path folder = options.output;
-  const harness::OutputFolder held(folder, options.line, {.force = options.force});
+  const run::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
-  const harness::StopSignal stop_signal;
+  const run::StopSignal stop_signal;
   std::vector<MeshResult> results;
   const std::vector<std::string> names = workloads::short_names(options.files);
   bool all_right = true;
   std::size_t done = 0;  // files, those too that cannot be read
   {
-    harness::ProgressLine line("merging", options.files.size(), 0, !options.quiet);
+    run::ProgressLine line("merging", options.files.size(), 0, !options.quiet);
     for (const std::string& file : options.files) {
       if (stop_signal.requested()) break;
       try {
@@ -91,13 +91,13 @@ int run(const MergeOptions& options) {
   write_counts(folder, results);
   write_polygons(folder, results);
   write_times(folder, results);
-  harness::write_run_record(folder, {.command = options.line,
-                                     .seed = options.settings.seed,
-                                     .samples_asked = options.files.size(),
-                                     .samples_done = results.size(),
-                                     .samples_missing = options.files.size() - results.size(),
-                                     .seconds = seconds,
-                                     .interrupted = interrupted});
+  run::write_run_record(folder, {.command = options.line,
+                                 .seed = options.settings.seed,
+                                 .samples_asked = options.files.size(),
+                                 .samples_done = results.size(),
+                                 .samples_missing = options.files.size() - results.size(),
+                                 .seconds = seconds,
+                                 .interrupted = interrupted});
   options.print(fmt::format("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
                             table(options.settings, results), results.size(), options.files.size(), seconds,
                             options.settings.tolerance, options.settings.balls, options.settings.seed,
@@ -106,16 +106,16 @@ int run(const MergeOptions& options) {
   if (interrupted) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(), done,
                options.files.size());
-    return harness::kInterrupted;
+    return run::kInterrupted;
   }
   return all_right ? 0 : kBadInput;
 }
 
 }  // namespace
 
-harness::Command merging_command() {
-  harness::Command command("merging",
-                           "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of both");
+run::Command merging_command() {
+  run::Command command("merging",
+                       "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of both");
   auto options = std::make_shared<MergeOptions>();
   command.keep_line(options->line);
   Settings& settings = options->settings;
@@ -133,10 +133,10 @@ harness::Command merging_command() {
   command.flag("--skip-bad", options->skip_bad, "Leave out faulty parts of a file, report them, and succeed");
   command.output(options->output, "The folder for the tables");
   command.force(options->force);
-  harness::declare_printing(command, *options);
+  run::declare_printing(command, *options);
   command.writes(tables());
   command.example("merging part.obj");
-  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
   return command;
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/harness/table.h"
-#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/table.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::merging {
@@ -106,15 +106,15 @@ polygons that stand for {} faces or more, and the other faces as they are. Times
 the surface; nearest: of every tenth ball. memory: what the scene has allocated. mean ratio: geometric, over meshes.
 )";
 
-const harness::Table<MeshResult>& counts_table() {
+const run::Table<MeshResult>& counts_table() {
   using Row = MeshResult;
   using Edges = mesh::EdgeCounts;
-  const auto count = [](auto Counts::*member) { return harness::path(&Row::counts, member); };
+  const auto count = [](auto Counts::*member) { return run::path(&Row::counts, member); };
   const auto edges = [](std::size_t Edges::*member) {
-    return harness::path(&Row::counts, harness::path(&Counts::edges, member));
+    return run::path(&Row::counts, run::path(&Counts::edges, member));
   };
-  static const harness::Table<Row> table = [&] {
-    std::vector<harness::Column<Row>> columns{
+  static const run::Table<Row> table = [&] {
+    std::vector<run::Column<Row>> columns{
         {"mesh", "the mesh", &Row::name},
         {"faces", "its faces", count(&Counts::faces)},
         {"rejected", "faces that the contract rejects, left out", count(&Counts::rejected)},
@@ -140,8 +140,8 @@ const harness::Table<MeshResult>& counts_table() {
                            [i](const Row& row) { return row.differences.differ[i]; });
     }
     columns.emplace_back("distance_difference", "the largest difference of nearest distances",
-                         harness::path(&Row::differences, &Differences::distance));
-    return harness::Table<Row>("merge.csv", "a mesh", columns);
+                         run::path(&Row::differences, &Differences::distance));
+    return run::Table<Row>("merge.csv", "a mesh", columns);
   }();
   return table;
 }
@@ -152,9 +152,9 @@ struct PolygonRow {
   const PolygonCounts* counts;
 };
 
-const harness::Table<PolygonRow>& polygons_table() {
-  using harness::path;
-  static const harness::Table<PolygonRow> table(
+const run::Table<PolygonRow>& polygons_table() {
+  using run::path;
+  static const run::Table<PolygonRow> table(
       "polygons.csv", "a merged polygon, numbered by its lowest face",
       {{"mesh", "the mesh", &PolygonRow::mesh},
        {"polygon", "the polygon", &PolygonRow::number},
@@ -172,13 +172,13 @@ struct TimesRow {
   const Measured* measured;
 };
 
-const harness::Table<TimesRow>& times_table() {
-  using harness::path;
+const run::Table<TimesRow>& times_table() {
+  using run::path;
   const auto nanoseconds = [](std::size_t question, double timing::Quartiles::*which = &timing::Quartiles::median) {
     return [question, which](const TimesRow& row) { return row.measured->nanoseconds[question].*which; };
   };
   constexpr auto kLower = &timing::Quartiles::lower, kUpper = &timing::Quartiles::upper;
-  static const harness::Table<TimesRow> table(
+  static const run::Table<TimesRow> table(
       "merge-times.csv", "a mesh and a scene of it",
       {{"mesh", "the mesh", path(&TimesRow::mesh, &MeshResult::name)},
        {"merge_seconds", "of merging", path(&TimesRow::mesh, &MeshResult::merge_seconds)},
@@ -219,7 +219,7 @@ void write_times(const std::filesystem::path& folder, const std::vector<MeshResu
   times_table().write(folder, rows);
 }
 
-std::vector<harness::TableDescription> tables() {
+std::vector<run::TableDescription> tables() {
   return {counts_table().description(), polygons_table().description(), times_table().description()};
 }
 

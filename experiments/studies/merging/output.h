@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/merging/study.h"
 
 namespace touchstone::merging {
@@ -17,7 +17,7 @@ void write_counts(const std::filesystem::path& folder, const std::vector<MeshRes
 void write_polygons(const std::filesystem::path& folder, const std::vector<MeshResult>& results);
 void write_times(const std::filesystem::path& folder, const std::vector<MeshResult>& results);
 
-[[nodiscard]] std::vector<harness::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
 
 /// Returns the table for the terminal: one row per mesh and the sum; if scenes were compared, their costs; and a
 /// legend.

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/harness/timing/measurement.h"
+#include "experiments/run/timing/measurement.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/mesh.h"
 #include "robust/mesh/merge.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 
 namespace touchstone::meshes {
 namespace {

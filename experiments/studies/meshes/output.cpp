@@ -12,9 +12,9 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/harness/table.h"
-#include "experiments/harness/write_file.h"
-#include "experiments/workloads/meshes/face_polygon.h"
+#include "experiments/cases/workloads/meshes/face_polygon.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
 
 namespace touchstone::meshes {
 namespace {
@@ -51,9 +51,9 @@ struct MeshRow {
   const Count* count;
 };
 
-const harness::Table<MeshRow>& meshes_table() {
-  using harness::path;
-  static const harness::Table<MeshRow> table(
+const run::Table<MeshRow>& meshes_table() {
+  using run::path;
+  static const run::Table<MeshRow> table(
       "meshes.csv", "a mesh, method, place and test",
       {{"mesh", "the mesh", &MeshRow::mesh},
        {"faces", "its faces", path(&MeshRow::counts, &MeshCounts::faces)},
@@ -74,11 +74,11 @@ struct RejectedRow {
   const RejectedFace* face;
 };
 
-const harness::Table<RejectedRow>& rejected_table() {
-  static const harness::Table<RejectedRow> table(
+const run::Table<RejectedRow>& rejected_table() {
+  static const run::Table<RejectedRow> table(
       "rejected.csv", "a face that is not a polygon",
       {{"mesh", "the mesh", &RejectedRow::mesh},
-       {"face", "the number of the face in its file", harness::path(&RejectedRow::face, &RejectedFace::face)},
+       {"face", "the number of the face in its file", run::path(&RejectedRow::face, &RejectedFace::face)},
        {"code", "the code of the rejection", [](const RejectedRow& row) { return row.face->rejection.code; }},
        {"message", "what is wrong", [](const RejectedRow& row) { return row.face->rejection.message; }}});
   return table;
@@ -106,9 +106,7 @@ void write_rejected(const std::filesystem::path& folder, const std::vector<Named
   rejected_table().write(folder, rows);
 }
 
-std::vector<harness::TableDescription> tables() {
-  return {meshes_table().description(), rejected_table().description()};
-}
+std::vector<run::TableDescription> tables() { return {meshes_table().description(), rejected_table().description()}; }
 
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
                     const Result& result) {
@@ -123,7 +121,7 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
     const auto& [mesh, face, ball] = key;
     text += case_line(settings, meshes[mesh], face, ball, failed);
   }
-  harness::write_file(folder / "failures.jsonl", text);
+  run::write_file(folder / "failures.jsonl", text);
 }
 
 }  // namespace touchstone::meshes

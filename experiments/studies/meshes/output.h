@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/meshes/study.h"
 
 namespace touchstone::meshes {
@@ -23,7 +23,7 @@ void write_rejected(const std::filesystem::path& folder, const std::vector<Named
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
                     const Result& result);
 
-[[nodiscard]] std::vector<harness::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
 
 /// Returns the table for the terminal: one row per mesh, the sum, the totals of each method, the rejected faces and a
 /// legend.

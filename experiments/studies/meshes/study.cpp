@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "experiments/workloads/meshes/face_polygon.h"
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/meshes/face_polygon.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::meshes {
@@ -167,13 +167,13 @@ std::uint64_t block_count(const Settings& settings, const std::vector<NamedMesh>
 }
 
 Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes, const std::atomic<bool>& stop,
-                 const harness::Progress& progress) {
+                 const run::Progress& progress) {
   const std::vector<Block> blocks = all_blocks(settings, meshes);
   std::vector<bool> knows_boundary;
   for (const auto* method : settings.methods) knows_boundary.push_back(cases::knows_boundary(*method));
   std::vector<Tally> tallies(settings.threads, Tally(settings, meshes, knows_boundary));
-  harness::run_blocks(blocks.size(), settings.threads, stop, progress,
-                      [&](unsigned thread, std::uint64_t block) { tallies[thread].ask(blocks[block]); });
+  run::run_blocks(blocks.size(), settings.threads, stop, progress,
+                  [&](unsigned thread, std::uint64_t block) { tallies[thread].ask(blocks[block]); });
 
   Result result = Tally(settings, meshes, knows_boundary).result();
   for (const NamedMesh& mesh : meshes) result.faces += face_count(settings, mesh);

@@ -11,7 +11,7 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
-#include "experiments/harness/blocks.h"
+#include "experiments/run/blocks.h"
 #include "experiments/studies/meshes/mesh_balls.h"
 #include "geometry/shapes/mesh.h"
 #include "geometry/shapes/rejection.h"
@@ -94,7 +94,7 @@ struct Result {
 /// A function of settings and meshes. `threads` does not change it, and the counts of one mesh and method do not depend
 /// on the others. A stopped run has processed the first faces, in the order of the meshes.
 [[nodiscard]] Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes,
-                               const std::atomic<bool>& stop, const harness::Progress& progress);
+                               const std::atomic<bool>& stop, const run::Progress& progress);
 
 /// Returns the number of blocks, in which progress is counted.
 [[nodiscard]] std::uint64_t block_count(const Settings& settings, const std::vector<NamedMesh>& meshes);

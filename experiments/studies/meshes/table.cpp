@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "experiments/statistics/clopper_pearson.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/percent.h"
 #include "experiments/studies/meshes/output.h"
 #include "geometry/io/detail/legible.h"
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/methods/registry.h"
-#include "experiments/statistics/units.h"
-#include "experiments/workloads/loops.h"
+#include "experiments/run/statistics/units.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/motion.h"
 
@@ -150,7 +150,7 @@ Furthest& Furthest::operator+=(const Furthest& other) {
 
 Tally MethodErrors::all() const {
   Tally sum;
-  for (const Tally& tally : offsets) harness::add(sum, tally);
+  for (const Tally& tally : offsets) run::add(sum, tally);
   return sum;
 }
 
@@ -169,9 +169,9 @@ Errors no_errors(const Settings& settings) {
   return {.at = {all_kinds().size(), std::vector<MethodErrors>(settings.methods.size())}};
 }
 
-void measure_errors(const Settings& settings, const harness::RunControl<Errors>& control, Errors& errors) {
-  harness::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
-                     [&](std::uint64_t n, Errors& part) { ask_all(settings, n, part); });
+void measure_errors(const Settings& settings, const run::RunControl<Errors>& control, Errors& errors) {
+  run::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
+                 [&](std::uint64_t n, Errors& part) { ask_all(settings, n, part); });
 }
 
 }  // namespace touchstone::motions

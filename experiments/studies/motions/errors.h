@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/harness/distribution.h"
-#include "experiments/harness/run_control.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/distribution.h"
+#include "experiments/run/run_control.h"
 #include "experiments/studies/motions/threshold.h"
 
 namespace touchstone::motions {
@@ -102,13 +102,13 @@ struct Errors {
 ///
 /// In the first process the result is a function of the settings and the number of samples done; threads, processes,
 /// stops and the other methods do not change it.
-void measure_errors(const Settings& settings, const harness::RunControl<Errors>& control, Errors& errors);
+void measure_errors(const Settings& settings, const run::RunControl<Errors>& control, Errors& errors);
 
 template <class Wanted>
 MethodErrors Errors::sum(std::size_t method, const Wanted& wanted) const {
   MethodErrors sum;
   for (std::size_t kind = 0; kind < at.size(); ++kind)
-    if (wanted(all_kinds()[kind])) harness::add(sum, at[kind][method]);
+    if (wanted(all_kinds()[kind])) run::add(sum, at[kind][method]);
   return sum;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/workloads/loops.h"
+#include "experiments/cases/workloads/loops.h"
 #include "robust/exact/motion.h"
 
 namespace touchstone::motions {

@@ -3,17 +3,17 @@
 
 #include <memory>
 
-#include "experiments/harness/study.h"
+#include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/motions/output.h"
-#include "experiments/workloads/workload.h"
 
 namespace touchstone::commands {
 namespace {
 
 using namespace motions;
 
-struct Options : harness::StudyOptions {
+struct Options : run::StudyOptions {
   methods::Selection methods{{"all"}};
   std::size_t vertices = 12;
 };
@@ -21,7 +21,7 @@ struct Options : harness::StudyOptions {
 // Raised when sample n of a seed changes, or the form of what is kept.
 constexpr int kVersion = 1;
 
-int run_motions(harness::StudyRun& run, const Options& options) {
+int run_motions(run::StudyRun& run, const Options& options) {
   const Settings settings{find_moving_methods(options.methods), options.vertices, options.samples, options.seed,
                           options.threads};
   const Errors errors = run.phase("motions", "checkpoint.json", settings.samples, no_errors(settings),
@@ -47,8 +47,8 @@ int run_motions(harness::StudyRun& run, const Options& options) {
 
 }  // namespace
 
-harness::Command motions_command() {
-  harness::Command command("motions", "Measure where methods fail about moving balls, and how far off their times are");
+run::Command motions_command() {
+  run::Command command("motions", "Measure where methods fail about moving balls, and how far off their times are");
   auto options = std::make_shared<Options>();
   options->samples = 100;
   options->output = "results/motions";
@@ -57,11 +57,11 @@ harness::Command motions_command() {
       .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3,
              workloads::kMostRandomSimple)
       .changes_results();
-  harness::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement");
+  run::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement");
   command.writes(tables());
   command.example("motions --methods fast,filtered --samples 20");
-  command.runs(harness::study_runner("motions", kVersion, *options,
-                                     [options](harness::StudyRun& run) { return run_motions(run, *options); }));
+  command.runs(run::study_runner("motions", kVersion, *options,
+                                 [options](run::StudyRun& run) { return run_motions(run, *options); }));
   return command;
 }
 

@@ -4,14 +4,14 @@
 #include <fmt/core.h>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/run/write_file.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 
 namespace touchstone::motions {
 namespace {
 
-using harness::path;
+using run::path;
 using statistics::Distribution;
 
 constexpr const char* kFormat = "{:.6g}";
@@ -20,7 +20,7 @@ struct WayRow {
   std::string_view way, method;
   MethodErrors errors;
   Tally all;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
 /// Returns a quantile, if there are any numbers.
@@ -31,17 +31,17 @@ auto quantile(Distribution TimeErrors::*errors, double share) {
   };
 }
 
-const harness::Table<WayRow>& ways_table() {
-  static const harness::Table<WayRow> table(
+const run::Table<WayRow>& ways_table() {
+  static const run::Table<WayRow> table(
       "ways.csv", "a way of the ball and a method",
-      harness::all_columns<WayRow>(
+      run::all_columns<WayRow>(
           {{{"way", "the way of the ball, as `touchstone cases --way` has it, or `all`", &WayRow::way},
             {"method", "the method", &WayRow::method},
             {"samples", "motions about which the method decides, which are independent",
              path(&WayRow::errors, &MethodErrors::samples)},
             {"failed", "motions about which an answer is wrong for any radius",
              path(&WayRow::errors, &MethodErrors::failed)}},
-           harness::rate_columns<WayRow>("failed motions", &WayRow::rate),
+           run::rate_columns<WayRow>("failed motions", &WayRow::rate),
            {{"answers", "answers to whether the ball touches", path(&WayRow::all, &Tally::trials)},
             {"missed", "wrong answers: contacts that the method denies", path(&WayRow::all, &Tally::missed)},
             {"invented", "wrong answers: contacts that the method invents", path(&WayRow::all, &Tally::invented)},
@@ -70,13 +70,13 @@ struct ThresholdRow {
   std::string_view method;
   double offset;
   Tally tally;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
-const harness::Table<ThresholdRow>& thresholds_table() {
-  static const harness::Table<ThresholdRow> table(
+const run::Table<ThresholdRow>& thresholds_table() {
+  static const run::Table<ThresholdRow> table(
       "thresholds.csv", "an event, a feature, a method and an offset",
-      harness::all_columns<ThresholdRow>(
+      run::all_columns<ThresholdRow>(
           {{{"event", "what a ball of the threshold radius does: start, graze or end in contact", &ThresholdRow::event},
             {"feature", "what it touches first", &ThresholdRow::feature},
             {"method", "the method", &ThresholdRow::method},
@@ -85,12 +85,12 @@ const harness::Table<ThresholdRow>& thresholds_table() {
             {"missed", "contacts that the method denies", path(&ThresholdRow::tally, &Tally::missed)},
             {"invented", "contacts that the method invents", path(&ThresholdRow::tally, &Tally::invented)},
             {"unsure", "undecided answers", path(&ThresholdRow::tally, &Tally::unsure)}},
-           harness::rate_columns<ThresholdRow>("wrong answers", &ThresholdRow::rate)}));
+           run::rate_columns<ThresholdRow>("wrong answers", &ThresholdRow::rate)}));
   return table;
 }
 
-const harness::Table<Said>& pass_table() {
-  static const harness::Table<Said> table(
+const run::Table<Said>& pass_table() {
+  static const run::Table<Said> table(
       "pass.csv", "what a method says about the grazing pass with a radius",
       {{"method", "the method", &Said::method},
        {"offset", "the radius less its threshold, as a share of the polygon's size", &Said::offset},
@@ -107,8 +107,8 @@ struct Spot {
   Eigen::Vector2d at;
 };
 
-const harness::Table<Spot>& scene_table() {
-  static const harness::Table<Spot> table(
+const run::Table<Spot>& scene_table() {
+  static const run::Table<Spot> table(
       "pass-scene.csv", "a point of the grazing pass as the picture has it",
       {{"what", "`from`, `to`, `center` (at the first contact), or `loop` and the number of a vertex's loop",
         &Spot::what},
@@ -123,7 +123,7 @@ std::vector<WayRow> way_rows(const Settings& settings, const Errors& errors, boo
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
       const MethodErrors sum = errors.sum(m, wanted);
       if (sum.samples > 0)
-        rows.push_back({way, settings.methods[m]->name(), sum, sum.all(), harness::rate(sum.failed, sum.samples)});
+        rows.push_back({way, settings.methods[m]->name(), sum, sum.all(), run::rate(sum.failed, sum.samples)});
     }
   };
   if (each_way)
@@ -143,7 +143,7 @@ std::vector<ThresholdRow> threshold_rows(const Settings& settings, const Errors&
         for (std::size_t i = 0; i < all_offsets().size(); ++i)
           if (const Tally& tally = sum.offsets[i]; tally.trials > 0)
             rows.push_back({kEvents[event], kFeatures[feature], settings.methods[m]->name(), all_offsets()[i], tally,
-                            harness::rate(tally.wrong(), tally.trials)});
+                            run::rate(tally.wrong(), tally.trials)});
       }
   return rows;
 }
@@ -170,7 +170,7 @@ void write_furthest(const std::filesystem::path& folder, const Settings& setting
         cases::Shapes{motion.ball, at->polygon, motion.to},
         {name, std::string(to_string(at->event)), fmt::format("offset {:.6g}", all_offsets()[offset])}, truth);
   }
-  harness::write_file(folder / "furthest.jsonl", text);
+  run::write_file(folder / "furthest.jsonl", text);
 }
 
 void write_pass(const std::filesystem::path& folder, const GrazingPass& pass, const std::vector<Said>& said) {
@@ -186,7 +186,7 @@ void write_pass(const std::filesystem::path& folder, const GrazingPass& pass, co
   scene_table().write(folder, spots);
 }
 
-std::vector<harness::TableDescription> tables() {
+std::vector<run::TableDescription> tables() {
   return {ways_table().description(), thresholds_table().description(), pass_table().description(),
           scene_table().description()};
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/motions/errors.h"
 #include "experiments/studies/motions/grazing_pass.h"
 
@@ -21,7 +21,7 @@ void write_furthest(const std::filesystem::path& folder, const Settings& setting
 /// pass.csv and pass-scene.csv.
 void write_pass(const std::filesystem::path& folder, const GrazingPass& pass, const std::vector<Said>& said);
 
-[[nodiscard]] std::vector<harness::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
 
 /// Returns the table of all ways for the terminal.
 [[nodiscard]] std::string table(const Settings& settings, const Errors& errors);

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/workloads/grazing_radius.h"
-#include "experiments/workloads/loops.h"
+#include "experiments/cases/workloads/grazing_radius.h"
+#include "experiments/cases/workloads/loops.h"
 #include "robust/filtered/motion.h"
 
 namespace touchstone::motions {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/workloads/workload.h"
+#include "experiments/cases/workloads/workload.h"
 #include "geometry/contact/answer.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/cases/workloads/loops.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
-#include "experiments/workloads/loops.h"
-#include "experiments/workloads/ulp.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/filtered.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiments/cases/workloads/random.h"
 #include "experiments/studies/near_edge/wrong_reach.h"
-#include "experiments/workloads/random.h"
 
 namespace touchstone::near_edge {
 

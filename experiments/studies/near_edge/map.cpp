@@ -9,8 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "experiments/workloads/placement.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/placement.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::near_edge {
@@ -240,11 +240,11 @@ std::string_view to_string(Spot spot) {
 std::uint64_t map_rows() { return kMaps * kSide; }
 
 std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed, unsigned threads,
-                           const harness::Processes& processes, const std::atomic<bool>& stop,
-                           const harness::Progress& progress) {
+                           const run::Processes& processes, const std::atomic<bool>& stop,
+                           const run::Progress& progress) {
   const Cartographer cartographer(methods, seed);
   Sheet sheet = cartographer.blank();
-  const std::uint64_t done = harness::run_sweep(
+  const std::uint64_t done = run::run_sweep(
       {map_rows(), 1, threads, processes, stop, progress},
       [&](std::uint64_t row, Sheet& part) { cartographer.draw_row(row, part); }, [](std::uint64_t, const Sheet&) {},
       cartographer.blank(), 0, sheet);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/harness/sweep.h"
+#include "experiments/run/sweep.h"
 
 namespace touchstone::near_edge {
 
@@ -59,8 +59,8 @@ inline constexpr double kOriginDistances[] = {0, 1e3, 1e6};
 /// empty in the others. If stopped, returns the completed maps. `progress` receives the number of rows done, of
 /// map_rows(). Cost: about 30 us per pixel and four methods, so checkpoints are not needed.
 [[nodiscard]] std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed,
-                                         unsigned threads, const harness::Processes& processes,
-                                         const std::atomic<bool>& stop, const harness::Progress& progress);
+                                         unsigned threads, const run::Processes& processes,
+                                         const std::atomic<bool>& stop, const run::Progress& progress);
 
 [[nodiscard]] std::uint64_t map_rows();
 

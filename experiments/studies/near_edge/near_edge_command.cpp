@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "experiments/harness/counted.h"
-#include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/counted.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/near_edge/output.h"
 
 namespace touchstone::commands {
@@ -14,7 +14,7 @@ namespace {
 
 using namespace near_edge;
 
-struct Options : harness::StudyOptions {
+struct Options : run::StudyOptions {
   methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed"}};
   std::vector<std::string> families{"all"};
   cases::Shape shape;
@@ -31,7 +31,7 @@ constexpr const char* kSearchCheckpoint = "search-checkpoint.json";
 /// The phases of one run; their results are those of the first process.
 class Run {
  public:
-  Run(harness::StudyRun& run, const Options& options)
+  Run(run::StudyRun& run, const Options& options)
       : run_(run),
         options_(options),
         settings_{options.methods.methods(),
@@ -54,9 +54,9 @@ class Run {
     std::string text = table(settings_, result_.counts) + pace;
     if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
     if (settings_.truth->name() != "exact")
-      text += fmt::format("{} was compared with exact for {}: {}.\n", options_.oracle,
-                          harness::counted(result_.checked, "ball"),
-                          harness::counted(result_.disagreements.count(), "difference"));
+      text +=
+          fmt::format("{} was compared with exact for {}: {}.\n", options_.oracle,
+                      run::counted(result_.checked, "ball"), run::counted(result_.disagreements.count(), "difference"));
     return run_.finish({.done = result_.samples,
                         .missing = result_.missing,
                         .text = std::move(text),
@@ -123,7 +123,7 @@ class Run {
     return differing > 0 || worst_.wrong_truths > 0;
   }
 
-  harness::StudyRun& run_;
+  run::StudyRun& run_;
   const Options& options_;
   Settings settings_;
   Result result_;
@@ -133,8 +133,8 @@ class Run {
 
 }  // namespace
 
-harness::Command near_edge_command() {
-  harness::Command command("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
+run::Command near_edge_command() {
+  run::Command command("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
   auto options = std::make_shared<Options>();
   options->samples = 1000;  // about 35 s on two cores
   options->output = "results/near-edge";
@@ -160,14 +160,14 @@ harness::Command near_edge_command() {
   command.whole("--search", options->search,
                 "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
                 "and distance from the origin",
-                0, harness::kMostSamples);
+                0, run::kMostSamples);
   command.flag("--no-maps", options->no_maps, "Draw no maps: they ask each method some hundred thousand times");
-  harness::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
+  run::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
   command.writes(tables());
   command.writes(search_tables());
   command.example("near-edge --methods fast,filtered --samples 20 --search 0");
-  command.runs(harness::study_runner("near-edge", kVersion, *options,
-                                     [options](harness::StudyRun& run) { return Run(run, *options)(); }));
+  command.runs(run::study_runner("near-edge", kVersion, *options,
+                                 [options](run::StudyRun& run) { return Run(run, *options)(); }));
   return command;
 }
 

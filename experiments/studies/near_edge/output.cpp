@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "experiments/cases/stratum_group.h"
-#include "experiments/harness/table.h"
-#include "experiments/harness/write_file.h"
-#include "experiments/statistics/clopper_pearson.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/percent.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -21,7 +21,7 @@ struct OffsetRow {
   std::string_view method;
   std::int64_t offset;
   Tally tally;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
 struct BandRow {
@@ -29,44 +29,44 @@ struct BandRow {
   Test test;
   std::string_view method;
   Summary summary;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
 /// The columns with which the rows of both tables begin.
 template <class Row>
-std::vector<harness::Column<Row>> subject_columns() {
-  return harness::all_columns<Row>(
+std::vector<run::Column<Row>> subject_columns() {
+  return run::all_columns<Row>(
       {cases::stratum_columns(&Row::group),
        {{"test", "the decision that is compared", &Row::test}, {"method", "the method", &Row::method}}});
 }
 
-const harness::Table<OffsetRow>& rates_table() {
-  static const harness::Table<OffsetRow> table(
+const run::Table<OffsetRow>& rates_table() {
+  static const run::Table<OffsetRow> table(
       "rates.csv", "a family, placement, threshold, test, method and offset",
-      harness::all_columns<OffsetRow>(
+      run::all_columns<OffsetRow>(
           {subject_columns<OffsetRow>(),
            {{"offset", "the distance of the ball from the threshold, in doubles", &OffsetRow::offset},
-            {"failures", "wrong or undecided answers", harness::path(&OffsetRow::tally, &Tally::failures)},
-            {"trials", "answers", harness::path(&OffsetRow::tally, &Tally::trials)}},
-           harness::rate_columns<OffsetRow>("failures", &OffsetRow::rate)}));
+            {"failures", "wrong or undecided answers", run::path(&OffsetRow::tally, &Tally::failures)},
+            {"trials", "answers", run::path(&OffsetRow::tally, &Tally::trials)}},
+           run::rate_columns<OffsetRow>("failures", &OffsetRow::rate)}));
   return table;
 }
 
-const harness::Table<BandRow>& bands_table() {
-  static const harness::Table<BandRow> table(
+const run::Table<BandRow>& bands_table() {
+  static const run::Table<BandRow> table(
       "bands.csv", "a family, placement, threshold, test and method",
-      harness::all_columns<BandRow>(
+      run::all_columns<BandRow>(
           {subject_columns<BandRow>(),
            {{"failed_samples", "samples that failed at any offset",
              [](const BandRow& row) { return row.summary.samples.failures; }},
             {"samples", "samples", [](const BandRow& row) { return row.summary.samples.trials; }}},
-           harness::rate_columns<BandRow>("failed samples", &BandRow::rate),
+           run::rate_columns<BandRow>("failed samples", &BandRow::rate),
            {{"failures", "wrong or undecided answers at all offsets",
              [](const BandRow& row) { return row.summary.all.failures; }},
             {"trials", "answers at all offsets", [](const BandRow& row) { return row.summary.all.trials; }},
             {"lowest_offset", "the lowest offset at which a failure was seen",
-             harness::path(&BandRow::summary, &Summary::below)},
-            {"highest_offset", "the highest one", harness::path(&BandRow::summary, &Summary::above)}}}));
+             run::path(&BandRow::summary, &Summary::below)},
+            {"highest_offset", "the highest one", run::path(&BandRow::summary, &Summary::above)}}}));
   return table;
 }
 
@@ -77,8 +77,8 @@ struct PixelRow {
 };
 
 /// The table of the maps with one column for each method.
-harness::Table<PixelRow> map_table(const std::string& file, const std::vector<std::string>& methods) {
-  std::vector<harness::Column<PixelRow>> columns{
+run::Table<PixelRow> map_table(const std::string& file, const std::vector<std::string>& methods) {
+  std::vector<run::Column<PixelRow>> columns{
       {"row", "the row of the pixel, from the top", [](const PixelRow& row) { return row.pixel / Map::kSize; }},
       {"column", "its column", [](const PixelRow& row) { return row.pixel % Map::kSize; }},
       {"truth", "i(nside), b(oundary), o(utside), or c(ontact), n(one)",
@@ -146,7 +146,7 @@ void write_rates(const std::filesystem::path& folder, const Settings& settings, 
           for (const std::size_t stratum : group.strata) tally += counts.at(stratum, test, m, i);
           if (tally.trials > 0)
             rows.push_back({&group, test, settings.methods[m]->name(), cases::all_offsets()[i], tally,
-                            harness::rate(tally.failures, tally.trials)});
+                            run::rate(tally.failures, tally.trials)});
         }
   rates_table().write(folder, rows);
 }
@@ -160,7 +160,7 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
         const Summary summary = counts.summary(group.strata, test, m);
         if (summary.samples.trials > 0)
           rows.push_back({&group, test, settings.methods[m]->name(), summary,
-                          harness::rate(summary.samples.failures, summary.samples.trials)});
+                          run::rate(summary.samples.failures, summary.samples.trials)});
       }
   bands_table().write(folder, rows);
 }
@@ -168,7 +168,7 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
 void write_disagreements(const std::filesystem::path& folder, const Result& result) {
   std::string text;
   for (const Disagreement& disagreement : result.disagreements.kept()) text += disagreement.line;
-  harness::write_file(folder / "disagreements.jsonl", text);
+  run::write_file(folder / "disagreements.jsonl", text);
 }
 
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
@@ -206,7 +206,7 @@ std::string table(const Settings& settings, const Counts& counts) {
   return text.append("\n").append(kLegend);
 }
 
-std::vector<harness::TableDescription> tables() {
+std::vector<run::TableDescription> tables() {
   return {rates_table().description(), bands_table().description(),
           map_table("map-<spot>-<test>-<distance>.csv", {"<method>"}).description()};
 }

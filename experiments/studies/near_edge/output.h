@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/search.h"
 #include "experiments/studies/near_edge/study.h"
@@ -28,8 +28,8 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
 
 /// @{
 /// Returns what the tables hold.
-[[nodiscard]] std::vector<harness::TableDescription> tables();
-[[nodiscard]] std::vector<harness::TableDescription> search_tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> search_tables();
 /// @}
 
 /// Returns the table of a search for the terminal: one line per threshold, distance and method, over all families.

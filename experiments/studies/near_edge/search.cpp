@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "experiments/cases/output_lines.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
-#include "experiments/workloads/ulp.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -106,9 +106,9 @@ WorstCases no_worst_cases(const Settings& settings) {
 }
 
 /// The first process's, at every process.
-Onsets shared(const harness::Processes& processes, const Onsets& onsets) {
+Onsets shared(const run::Processes& processes, const Onsets& onsets) {
   Onsets of_first;
-  harness::restore(processes.of_first(processes.first() ? harness::archived(onsets) : std::string()), of_first);
+  run::restore(processes.of_first(processes.first() ? run::archived(onsets) : std::string()), of_first);
   return of_first;
 }
 
@@ -145,23 +145,23 @@ Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
 
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::RunControl<Onsets>& control,
+std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl<Onsets>& control,
                          Onsets& onsets) {
   const Search search(settings);
-  return harness::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
-                            [&](std::uint64_t n, Onsets& part) { search.measure(n, part); });
+  return run::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
+                        [&](std::uint64_t n, Onsets& part) { search.measure(n, part); });
 }
 
 std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-std::uint64_t run_climbs(const Settings& settings, const harness::RunControl<WorstCases>& control, const Onsets& onsets,
+std::uint64_t run_climbs(const Settings& settings, const run::RunControl<WorstCases>& control, const Onsets& onsets,
                          WorstCases& worst) {
   const Search search(settings);
   const Onsets starts = shared(control.processes, onsets);
   worst = no_worst_cases(settings);
-  return harness::run_sweep(
+  return run::run_sweep(
       {climb_count(settings), 1, settings.threads, control.processes, control.stop, control.progress},
       [&](std::uint64_t i, WorstCases& part) {
         const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept, rank = i % Onset::kMostKept;

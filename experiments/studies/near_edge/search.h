@@ -81,13 +81,13 @@ struct WorstCases {
 
 /// Measures how far from the threshold each method is wrong, for those of `samples` samples of every region that the
 /// onsets do not contain yet, and adds them. Returns the number of samples that they then contain.
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::RunControl<Onsets>& course,
+std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl<Onsets>& course,
                          Onsets& onsets);
 
 /// Climbs from the furthest samples of each region and method. In the first process the result is a function of
 /// settings and onsets, independent of processes and threads; `exact` confirms each case. `onsets` is that of the first
 /// process. Returns the number of climbs done, of climb_count(settings).
-std::uint64_t run_climbs(const Settings& settings, const harness::RunControl<WorstCases>& course, const Onsets& onsets,
+std::uint64_t run_climbs(const Settings& settings, const run::RunControl<WorstCases>& course, const Onsets& onsets,
                          WorstCases& worst);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
-#include "experiments/harness/write_file.h"
-#include "experiments/statistics/clopper_pearson.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/percent.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
 #include "experiments/studies/near_edge/output.h"
 
 namespace touchstone::near_edge {
@@ -72,7 +72,7 @@ struct Subject {
 
 /// The columns with which the rows of both tables begin.
 template <class Row>
-std::vector<harness::Column<Row>> subject_columns() {
+std::vector<run::Column<Row>> subject_columns() {
   return {{"family", "the family of polygons, or `all`", [](const Row& row) { return row.group->family; }},
           {"threshold", "the threshold that balls cross", [](const Row& row) { return row.group->threshold; }},
           {"origin_distance", "of the polygon from the origin, in multiples of its size",
@@ -84,18 +84,17 @@ std::vector<harness::Column<Row>> subject_columns() {
 struct OnsetRow : Subject {
   std::size_t exponent;
   std::uint64_t wrong, samples;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
-const harness::Table<OnsetRow>& onset_table() {
-  static const harness::Table<OnsetRow> table(
+const run::Table<OnsetRow>& onset_table() {
+  static const run::Table<OnsetRow> table(
       "onset.csv", "a family, threshold, distance from the origin, method and exponent k",
-      harness::all_columns<OnsetRow>(
-          {subject_columns<OnsetRow>(),
-           {{"exponent", "k: the ball is 2^-k sizes from the threshold", &OnsetRow::exponent},
-            {"wrong", "samples with a wrong answer on either side", &OnsetRow::wrong},
-            {"samples", "samples", &OnsetRow::samples}},
-           harness::rate_columns<OnsetRow>("wrong samples", &OnsetRow::rate)}));
+      run::all_columns<OnsetRow>({subject_columns<OnsetRow>(),
+                                  {{"exponent", "k: the ball is 2^-k sizes from the threshold", &OnsetRow::exponent},
+                                   {"wrong", "samples with a wrong answer on either side", &OnsetRow::wrong},
+                                   {"samples", "samples", &OnsetRow::samples}},
+                                  run::rate_columns<OnsetRow>("wrong samples", &OnsetRow::rate)}));
   return table;
 }
 
@@ -106,10 +105,10 @@ struct WorstRow : Subject {
   [[nodiscard]] bool climbed() const { return worst->share != 0; }
 };
 
-const harness::Table<WorstRow>& worst_table() {
-  static const harness::Table<WorstRow> table(
+const run::Table<WorstRow>& worst_table() {
+  static const run::Table<WorstRow> table(
       "worst.csv", "a family, threshold, distance from the origin and method",
-      harness::all_columns<WorstRow>(
+      run::all_columns<WorstRow>(
           {subject_columns<WorstRow>(),
            {{"samples", "random samples", [](const WorstRow& row) { return row.onset->samples; }},
             {"sampled_share", "the furthest wrong offset of random samples, in sizes",
@@ -145,7 +144,7 @@ void write_onsets(const std::filesystem::path& folder, const Settings& settings,
                         k,
                         onset.wrong[k],
                         onset.samples,
-                        harness::rate(onset.wrong[k], onset.samples)});
+                        run::rate(onset.wrong[k], onset.samples)});
     }
   onset_table().write(folder, rows);
 }
@@ -162,10 +161,10 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
       cases += worst.all[at].line;
     }
   worst_table().write(folder, rows);
-  harness::write_file(folder / "worst.jsonl", cases);
+  run::write_file(folder / "worst.jsonl", cases);
 }
 
-std::vector<harness::TableDescription> search_tables() {
+std::vector<run::TableDescription> search_tables() {
   return {onset_table().description(), worst_table().description()};
 }
 

@@ -117,10 +117,10 @@ class Study {
 
 Result no_result(const Settings& settings) { return {.counts = Counts(settings.methods.size()), .disagreements = {}}; }
 
-std::uint64_t run_study(const Settings& settings, const harness::RunControl<Result>& control, Result& result) {
+std::uint64_t run_study(const Settings& settings, const run::RunControl<Result>& control, Result& result) {
   const Study study(settings);
-  return harness::run_sweep(settings.samples, settings.threads, control, no_result(settings), result,
-                            [&](std::uint64_t n, Result& part) { study.ask_all(n, part); });
+  return run::run_sweep(settings.samples, settings.threads, control, no_result(settings), result,
+                        [&](std::uint64_t n, Result& part) { study.ask_all(n, part); });
 }
 
 }  // namespace touchstone::near_edge

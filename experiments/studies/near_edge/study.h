@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/harness/run_control.h"
 #include "experiments/methods/registry.h"
+#include "experiments/run/run_control.h"
 #include "experiments/studies/near_edge/counts.h"
 #include "experiments/studies/near_edge/disagreements.h"
 
@@ -14,7 +14,7 @@ namespace touchstone::near_edge {
 struct Settings {
   std::vector<const cases::Method*> methods;
   std::vector<workloads::Family> families;
-  /// Per stratum; up to harness::kMostSamples, indices of samples and of their redraws do not collide.
+  /// Per stratum; up to run::kMostSamples, indices of samples and of their redraws do not collide.
   std::uint64_t samples = 1;
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< of each process
@@ -49,6 +49,6 @@ struct Result {
 /// In the first process the result is a function of settings and the number of samples done. Threads, processes, stops
 /// and the other families and methods do not change the counts of one family and method. A run stopped after m samples
 /// equals a run of m samples. Returns that number, in every process.
-std::uint64_t run_study(const Settings& settings, const harness::RunControl<Result>& course, Result& result);
+std::uint64_t run_study(const Settings& settings, const run::RunControl<Result>& course, Result& result);
 
 }  // namespace touchstone::near_edge

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/methods/registry.h"
-#include "experiments/workloads/loops.h"
 
 namespace touchstone::near_edge {
 namespace {

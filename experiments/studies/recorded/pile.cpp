@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/studies/recorded/pile.h"
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 
 namespace touchstone::recorded {
 namespace {

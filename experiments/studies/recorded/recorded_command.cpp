@@ -11,17 +11,17 @@
 #include <stdexcept>
 
 #include "experiments/cases/method.h"
-#include "experiments/harness/study.h"
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/recorded/pile.h"
 #include "experiments/studies/recorded/recording.h"
-#include "experiments/workloads/loops.h"
 
 namespace touchstone::recorded {
 namespace {
 
-struct Options : harness::StudyOptions {
+struct Options : run::StudyOptions {
   methods::Selection methods{
       {"fast", "fast-float", "thesis", "cgal-double-distance", "cgal-epick-distance", "filtered"}};
   std::size_t balls = 24, steps = 180;
@@ -73,14 +73,14 @@ struct Row {
   const Part* part;
   const Tally* tally;
   std::uint64_t piles;
-  harness::Rate rate, pile_rate;
+  run::Rate rate, pile_rate;
 };
 
-const harness::Table<Row>& table() {
-  using harness::path;
-  static const harness::Table<Row> table(
+const run::Table<Row>& table() {
+  using run::path;
+  static const run::Table<Row> table(
       "recorded.csv", "a simulation, a radius and a method",
-      harness::all_columns<Row>(
+      run::all_columns<Row>(
           {{{"simulation", "the engine that stepped the piles: Bullet's build in doubles or in floats",
              &Row::simulation},
             {"radius", "`own`: the ball's; `with threshold`: with the contact breaking threshold that Bullet adds",
@@ -90,11 +90,11 @@ const harness::Table<Row>& table() {
             {"questions", "questions of ball and triangle", path(&Row::part, &Part::questions)},
             {"touching", "of these, contacts", path(&Row::part, &Part::touching)},
             {"wrong", "answers that differ from those of `exact`", path(&Row::tally, &Tally::wrong)}},
-           harness::rate_columns<Row>(
-               "wrong answers, as if questions were independent, which those of one pile are not", &Row::rate),
+           run::rate_columns<Row>("wrong answers, as if questions were independent, which those of one pile are not",
+                                  &Row::rate),
            {{"failed_piles", "piles with a wrong answer", path(&Row::tally, &Tally::failed_piles)},
             {"piles", "piles, which are independent", &Row::piles}},
-           harness::rate_columns<Row>("failed piles", &Row::pile_rate, "piles_"),
+           run::rate_columns<Row>("failed piles", &Row::pile_rate, "piles_"),
            {{"furthest",
              "of the wrong answers, the largest difference of distance and radius, as a share of the triangle's "
              "largest coordinate difference",
@@ -109,8 +109,8 @@ struct NearRow {
   std::uint64_t questions, of;
 };
 
-const harness::Table<NearRow>& near_table() {
-  static const harness::Table<NearRow> table(
+const run::Table<NearRow>& near_table() {
+  static const run::Table<NearRow> table(
       "near.csv", "a simulation, a radius and an exponent",
       {{"simulation", "the engine that stepped the piles", &NearRow::simulation},
        {"radius", "as in recorded.csv", &NearRow::radius},
@@ -148,8 +148,8 @@ class Study {
         for (std::size_t m = 0; m < part.tallies.size(); ++m) {
           const Tally& tally = part.tallies[m];
           rows.push_back({simulations()[s].name, radius, m == 0 ? simulations()[s].name : methods_[m - 1]->name(),
-                          &part, &tally, sum.samples, harness::rate(tally.wrong, part.questions),
-                          harness::rate(tally.failed_piles, sum.samples)});
+                          &part, &tally, sum.samples, run::rate(tally.wrong, part.questions),
+                          run::rate(tally.failed_piles, sum.samples)});
         }
       }
     return rows;
@@ -215,14 +215,14 @@ class Study {
   const cases::Method& exact_;
 };
 
-int run_recorded(harness::StudyRun& run, const Options& options) {
+int run_recorded(run::StudyRun& run, const Options& options) {
   if (simulations().empty())
     throw std::runtime_error("this program was built without Bullet (libbullet-dev), which steps the piles");
   const Study study(options);
   const Sum sum =
       run.phase("piles", "checkpoint.json", options.samples, study.zero(), [&](const auto& control, Sum& so_far) {
-        harness::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
-                           [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
+        run::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
+                       [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
       });
   if (!run.first()) return 0;
   const auto rows = study.rows(sum);
@@ -236,10 +236,10 @@ int run_recorded(harness::StudyRun& run, const Options& options) {
 
 namespace touchstone::commands {
 
-harness::Command recorded_command() {
+run::Command recorded_command() {
   using recorded::Options;
   constexpr int kVersion = 1;  // raised when pile n of a seed changes
-  harness::Command command("recorded", "Replay every ball-triangle query of a Bullet simulation of piled balls");
+  run::Command command("recorded", "Replay every ball-triangle query of a Bullet simulation of piled balls");
   auto options = std::make_shared<Options>();
   options->samples = 100;
   options->output = "results/recorded";
@@ -247,12 +247,11 @@ harness::Command recorded_command() {
   methods::declare_compared_methods(command, options->methods);
   command.whole("--balls", options->balls, "Balls of a pile", 1, 1000).changes_results();
   command.whole("--steps", options->steps, "Steps of 1/60 s", 1, 100'000).changes_results();
-  harness::declare_study(command, *options, "--samples", "Piles");
+  run::declare_study(command, *options, "--samples", "Piles");
   command.writes({recorded::table().description(), recorded::near_table().description()});
   command.example("recorded --samples 2");
-  command.runs(harness::study_runner("recorded", kVersion, *options, [options](harness::StudyRun& run) {
-    return recorded::run_recorded(run, *options);
-  }));
+  command.runs(run::study_runner("recorded", kVersion, *options,
+                                 [options](run::StudyRun& run) { return recorded::run_recorded(run, *options); }));
   return command;
 }
 

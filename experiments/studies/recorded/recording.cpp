@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/harness/data.h"
-#include "experiments/harness/run_record.h"
 #include "experiments/methods/process/engine_process.h"
+#include "experiments/run/data.h"
+#include "experiments/run/run_record.h"
 
 namespace touchstone::recorded {
 namespace {
@@ -45,17 +45,17 @@ Question question_in(const std::string& line) {
 const std::vector<Simulation>& simulations() {
   static const std::vector<Simulation> list{
 #ifdef TOUCHSTONE_PILE_DOUBLE
-      {"bullet", harness::helper_program("touchstone_pile_double").string()},
+      {"bullet", run::helper_program("touchstone_pile_double").string()},
 #endif
 #ifdef TOUCHSTONE_PILE_FLOAT
-      {"bullet-float", harness::helper_program("touchstone_pile_float").string()},
+      {"bullet-float", run::helper_program("touchstone_pile_float").string()},
 #endif
   };
   return list;
 }
 
 std::vector<Question> record(const Simulation& simulation, const Pile& pile, std::size_t steps) {
-  methods::EngineProcess program("exec " + harness::shell_quoted(simulation.program));
+  methods::EngineProcess program("exec " + run::shell_quoted(simulation.program));
   if (!program.send(text_of(pile, steps)))
     throw std::runtime_error(fmt::format("{} does not read the pile", simulation.program));
   program.end_input();

@@ -100,7 +100,7 @@ std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order,
     if (order.question == Question::Any && scene.touches(ball, order.objects)) answer.touched.push_back({});
   };
   const std::uint64_t blocks = (balls.size() + kBalls - 1) / kBalls;
-  const std::uint64_t done = harness::run_blocks(
+  const std::uint64_t done = run::run_blocks(
       blocks, order.threads, stop, [](std::uint64_t) {},
       [&](unsigned, std::uint64_t block) {
         for (std::uint64_t i = block * kBalls; i < std::min((block + 1) * kBalls, balls.size()); ++i) ask(i);
@@ -115,11 +115,11 @@ std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order
 
 std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::vector<Object>& objects,
                                        const Order& order, std::span<const NamedBall> balls,
-                                       const std::atomic<bool>& stop, const harness::Progress& progress) {
+                                       const std::atomic<bool>& stop, const run::Progress& progress) {
   const std::vector<FaceBlock> blocks = all_blocks(objects, order);
   std::vector<std::unique_ptr<BlockAnswers>> parts(blocks.size());
   const std::uint64_t done =
-      harness::run_blocks(blocks.size(), order.threads, stop, progress, [&](unsigned, std::uint64_t number) {
+      run::run_blocks(blocks.size(), order.threads, stop, progress, [&](unsigned, std::uint64_t number) {
         const FaceBlock& block = blocks[number];
         parts[number] = std::make_unique<BlockAnswers>(method, order, balls.size());
         for (std::uint32_t face = block.first; face < block.last; ++face)

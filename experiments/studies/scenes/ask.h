@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/harness/blocks.h"
+#include "experiments/run/blocks.h"
 #include "experiments/studies/scenes/balls.h"
 #include "experiments/studies/scenes/objects.h"
 #include "robust/scene/scene.h"
@@ -41,7 +41,7 @@ struct Order {
 /// block.
 [[nodiscard]] std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::vector<Object>& objects,
                                                      const Order& order, std::span<const NamedBall> balls,
-                                                     const std::atomic<bool>& stop, const harness::Progress& progress);
+                                                     const std::atomic<bool>& stop, const run::Progress& progress);
 
 /// Returns the number of blocks of faces that ask_every_face processes for some balls, as its progress counts them.
 [[nodiscard]] std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order);

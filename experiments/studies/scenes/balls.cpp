@@ -9,10 +9,10 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "experiments/harness/input.h"
-#include "experiments/harness/json/strict_json.h"
-#include "experiments/workloads/finite.h"
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/finite.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/run/input.h"
+#include "experiments/run/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/detail/text_number.h"
 
@@ -41,7 +41,7 @@ const nlohmann::json& member(const nlohmann::json& object, const char* key, cons
 }
 
 NamedBall from_json(const std::string& text, std::string id) {
-  const harness::StrictJson strict = harness::read_strict_json(text);
+  const run::StrictJson strict = run::read_strict_json(text);
   if (!strict.value.is_object()) throw Fault{"the line is not an object"};
   for (const char* key : {"id", "ball"})
     if (strict.duplicate_key == key || strict.ambiguous.contains(key))
@@ -89,7 +89,7 @@ std::vector<NamedBall> read_balls(std::istream& stream, const std::string& name)
       balls.push_back(std::move(read));
     } catch (const Fault& fault) {
       throw std::runtime_error(fmt::format("{}: line {}: {}", name, lines, fault.reason));
-    } catch (const harness::NotJson& error) {
+    } catch (const run::NotJson& error) {
       throw std::runtime_error(fmt::format("{}: line {}: not JSON: {}", name, lines, error.what()));
     }
   }
@@ -106,10 +106,10 @@ Vector3d in_cube(Random& random) { return {2 * random.unit() - 1, 2 * random.uni
 
 std::vector<NamedBall> read_balls(const std::string& file) {
   if (file == "-") {
-    harness::announce_standard_input("balls");
+    run::announce_standard_input("balls");
     return read_balls(std::cin, "standard input");
   }
-  std::ifstream stream = harness::open_file(file);
+  std::ifstream stream = run::open_file(file);
   return read_balls(stream, file);
 }
 

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "experiments/workloads/meshes/face_polygon.h"
+#include "experiments/cases/workloads/meshes/face_polygon.h"
 
 namespace touchstone::scenes {
 

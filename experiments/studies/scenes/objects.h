@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/meshes/named_meshes.h"
+#include "experiments/cases/workloads/meshes/named_meshes.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::scenes {

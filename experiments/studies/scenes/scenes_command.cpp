@@ -16,22 +16,22 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/harness/command.h"
-#include "experiments/harness/counted.h"
-#include "experiments/harness/output_folder.h"
-#include "experiments/harness/printing.h"
-#include "experiments/harness/processes.h"
-#include "experiments/harness/progress_line.h"
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/stop_signal.h"
-#include "experiments/harness/study.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/cases/workloads/meshes/named_meshes.h"
+#include "experiments/cases/workloads/meshes/unit.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/command.h"
+#include "experiments/run/counted.h"
+#include "experiments/run/output_folder.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/run/study.h"
+#include "experiments/run/write_file.h"
 #include "experiments/studies/scenes/ask.h"
 #include "experiments/studies/scenes/output.h"
-#include "experiments/workloads/meshes/named_meshes.h"
-#include "experiments/workloads/meshes/unit.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -46,11 +46,11 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return parts;
 }
 
-struct SceneOptions : harness::Printing {
+struct SceneOptions : run::Printing {
   std::vector<std::string> files, objects, units, engines;
   std::string balls, scene_unit, output, method = "filtered";
   std::uint64_t random = 0, seed = 1;
-  unsigned threads = harness::all_threads();
+  unsigned threads = run::all_threads();
   bool any = false, all = false, nearest = false, skip_bad = false, force = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
@@ -100,7 +100,7 @@ std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
   if (!files.all_read) return std::nullopt;
   Loaded loaded{{}, workloads::left_out_text(files), files.parts_left_out};
   bool refused = false, empty = false;
-  harness::ProgressLine line("scene: meshes", files.read.size(), 0, !options.quiet);
+  run::ProgressLine line("scene: meshes", files.read.size(), 0, !options.quiet);
   for (std::size_t i = 0; i < files.read.size(); ++i) {
     workloads::NamedFile& file = files.read[i];
     if (units.scene) {
@@ -147,8 +147,7 @@ std::vector<std::uint32_t> chosen(const SceneOptions& options, const std::vector
     if (choose(word)) continue;  // a name may hold commas
     for (const std::string& name : split_at_commas(word))
       if (!choose(name))
-        throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " +
-                                    harness::joined(names));
+        throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + run::joined(names));
   }
   if (options.objects.empty()) {
     numbers.resize(objects.size());
@@ -183,7 +182,7 @@ struct Sums {
 };
 
 std::string summary(const SceneOptions& options, const Units& units, const Loaded& loaded, const Sums& sums) {
-  using harness::counted;
+  using run::counted;
   std::uint64_t faces = 0;
   for (const Object& object : loaded.objects) faces += object.numbers.size();
   std::string text = fmt::format("{}, {} of {}, {} of files left out{}.\n", counted(sums.balls, "ball"),
@@ -247,8 +246,8 @@ Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const 
   const std::uint64_t leg = method == nullptr ? 4096 : 256;
   const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
   Sums sums;
-  harness::ProgressLine progress("scenes", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks,
-                                 0, !options.quiet);
+  run::ProgressLine progress("scenes", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks, 0,
+                             !options.quiet);
   for (std::uint64_t begin = 0; begin < source.count && !stop; begin += leg) {
     std::vector<NamedBall> part;
     for (std::uint64_t i = begin; i < std::min(begin + leg, source.count); ++i) part.push_back(source.ball(i));
@@ -273,8 +272,8 @@ Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const 
 int run(const SceneOptions& options) {
   constexpr int kBadInput = 2;
   const auto begin = std::chrono::steady_clock::now();
-  std::optional<harness::OutputFolder> held;
-  if (!options.output.empty()) held.emplace(options.output, options.line, harness::Existing{.force = options.force});
+  std::optional<run::OutputFolder> held;
+  if (!options.output.empty()) held.emplace(options.output, options.line, run::Existing{.force = options.force});
   Lines lines(options.output);
   const Units units = units_of(options);
   (void)method_of(options);
@@ -286,7 +285,7 @@ int run(const SceneOptions& options) {
 
   scene::Scene scene;
   for (const Object& object : objects) scene.add(object.name, object.faces);
-  const harness::StopSignal stop_signal;
+  const run::StopSignal stop_signal;
   lines.begin();
   const Sums sums = ask(options, objects, scene, order, source, stop_signal.requested(), lines);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -297,21 +296,21 @@ int run(const SceneOptions& options) {
     if (!options.quiet) fmt::print(stderr, "{}", text);
   } else {
     const std::filesystem::path folder = options.output;
-    harness::write_file(folder / "left-out.txt", loaded->left_out);
-    harness::write_run_record(folder, {options.line, options.seed, source.count, sums.balls, source.count - sums.balls,
-                                       options.threads, seconds, 1, interrupted});
+    run::write_file(folder / "left-out.txt", loaded->left_out);
+    run::write_run_record(folder, {options.line, options.seed, source.count, sums.balls, source.count - sums.balls,
+                                   options.threads, seconds, 1, interrupted});
     options.print(text + fmt::format("Results: {}\n", io::all_legible(folder.string())), folder);
   }
   if (!interrupted) return 0;
   fmt::print(stderr, "touchstone: interrupted: these are the answers to the first {} of {} balls\n", sums.balls,
              source.count);
-  return harness::kInterrupted;
+  return run::kInterrupted;
 }
 
 }  // namespace
 
-harness::Command scenes_command() {
-  harness::Command command("scenes", "Find the faces of meshes (OBJ, OFF, STL, PLY) that balls touch, or the nearest");
+run::Command scenes_command() {
+  run::Command command("scenes", "Find the faces of meshes (OBJ, OFF, STL, PLY) that balls touch, or the nearest");
   auto options = std::make_shared<SceneOptions>();
   command.keep_line(options->line);
   command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
@@ -321,7 +320,7 @@ harness::Command scenes_command() {
             "the numbers x y z r; # begins a comment; - is standard input")
       .takes("FILE");
   command.whole("--samples", options->random, "The number of random balls, half of them near a face", 1,
-                harness::kMostSamples);
+                run::kMostSamples);
   command.require_one_of({"--balls", "--samples"});
   command.seed(options->seed, "The seed of --samples; the same seed gives the same bytes");
   command.flag("--any", options->any, "Answer whether the ball touches any face");
@@ -353,7 +352,7 @@ harness::Command scenes_command() {
   command.force(options->force);
   command.quiet(options->quiet, "Print no number of answers and no progress; without --output, the answers alone");
   command.example("scenes part.obj --samples 100 --nearest");
-  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
   return command;
 }
 

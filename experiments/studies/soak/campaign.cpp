@@ -6,9 +6,9 @@
 namespace touchstone::soak {
 
 std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
-                           const harness::RunControl<Tally>& control, Tally& tally) {
+                           const run::RunControl<Tally>& control, Tally& tally) {
   constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core, 40 ms if balls move
-  return harness::run_sweep(
+  return run::run_sweep(
       settings.cases, settings.threads, control, Tally(), tally,
       [&](std::uint64_t i, Tally& part) {
         (settings.moving ? compare_moving : compare)(tested, settings.seed, settings.from + i, part);

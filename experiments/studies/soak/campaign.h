@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "experiments/harness/run_control.h"
+#include "experiments/run/run_control.h"
 #include "experiments/studies/soak/system_under_test.h"
 #include "experiments/studies/soak/tally.h"
 
@@ -22,6 +22,6 @@ struct Settings {
 /// In the first process the tally is a function of the system under test, seed, from and the number of cases that it
 /// contains; processes, threads, pauses and stops do not change it. Returns the number of cases done, in all processes.
 std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
-                           const harness::RunControl<Tally>& control, Tally& tally);
+                           const run::RunControl<Tally>& control, Tally& tally);
 
 }  // namespace touchstone::soak

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/workloads/adversarial/motions.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/adversarial/motions.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 

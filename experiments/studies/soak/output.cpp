@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include "experiments/harness/counted.h"
-#include "experiments/harness/table.h"
-#include "experiments/harness/write_file.h"
-#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/run/counted.h"
+#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
 
 namespace touchstone::soak {
 namespace {
@@ -31,16 +31,16 @@ std::vector<Row> rows_of(const Tally& tally) {
   return rows;
 }
 
-harness::Table<Row> counts_table() {
-  std::vector<harness::Column<Row>> columns{{"family", "the family of cases, or `all`", &Row::family},
-                                            {"way", "how the question was asked", &Row::way},
-                                            {"cases", "cases", harness::path(&Row::outcomes, &Outcomes::cases)}};
+run::Table<Row> counts_table() {
+  std::vector<run::Column<Row>> columns{{"family", "the family of cases, or `all`", &Row::family},
+                                        {"way", "how the question was asked", &Row::way},
+                                        {"cases", "cases", run::path(&Row::outcomes, &Outcomes::cases)}};
   for (std::size_t stage = 0; stage < filtered::kStages; ++stage)
     columns.emplace_back(std::string(to_string(static_cast<filtered::Stage>(stage))),
                          "cases of which this was the slowest stage",
                          [stage](const Row& row) { return row.outcomes.by_stage[stage]; });
   columns.emplace_back("differences", "cases that differed from exact",
-                       harness::path(&Row::outcomes, &Outcomes::differences));
+                       run::path(&Row::outcomes, &Outcomes::differences));
   return {"soak.csv", "a family of cases and a way of asking", columns};
 }
 
@@ -48,9 +48,9 @@ std::string verdict(const Tally& tally) {
   const auto limits = statistics::clopper_pearson(tally.differing(), tally.cases());
   if (tally.differing() == 0)
     return fmt::format("No difference from exact in {}: at most {:.3g} of such cases differ (95 %).\n",
-                       harness::counted(tally.cases(), "case"), limits.upper);
+                       run::counted(tally.cases(), "case"), limits.upper);
   return fmt::format("{} of {} DIFFER from exact: {:.3g} to {:.3g} of such cases (95 %).\n", tally.differing(),
-                     harness::counted(tally.cases(), "case"), limits.lower, limits.upper);
+                     run::counted(tally.cases(), "case"), limits.lower, limits.upper);
 }
 
 }  // namespace
@@ -59,12 +59,12 @@ void write_counts(const std::filesystem::path& folder, const Tally& tally) {
   counts_table().write(folder, rows_of(tally));
 }
 
-std::vector<harness::TableDescription> tables() { return {counts_table().description()}; }
+std::vector<run::TableDescription> tables() { return {counts_table().description()}; }
 
 void write_differences(const std::filesystem::path& folder, const Tally& tally) {
   std::string text;
   for (const Difference& difference : tally.kept()) text += difference.line;
-  harness::write_file(folder / "differences.jsonl", text);
+  run::write_file(folder / "differences.jsonl", text);
 }
 
 std::string table(const Tally& tally) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/soak/tally.h"
 
 namespace touchstone::soak {
@@ -18,7 +18,7 @@ void write_counts(const std::filesystem::path& folder, const Tally& tally);
 /// differences.jsonl: the first cases that differed, for `touchstone judge --methods filtered`; empty if none did.
 void write_differences(const std::filesystem::path& folder, const Tally& tally);
 
-[[nodiscard]] std::vector<harness::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
 
 /// Returns the table for the terminal, with the verdict below it.
 [[nodiscard]] std::string table(const Tally& tally);

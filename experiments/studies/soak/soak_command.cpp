@@ -6,19 +6,19 @@
 #include <stdexcept>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/harness/standard_output.h"
-#include "experiments/harness/study.h"
+#include "experiments/cases/workloads/adversarial/case.h"
+#include "experiments/cases/workloads/adversarial/motions.h"
+#include "experiments/run/standard_output.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/soak/campaign.h"
 #include "experiments/studies/soak/output.h"
-#include "experiments/workloads/adversarial/case.h"
-#include "experiments/workloads/adversarial/motions.h"
 
 namespace touchstone::commands {
 namespace {
 
 using namespace soak;
 
-struct Options : harness::StudyOptions {
+struct Options : run::StudyOptions {
   std::uint64_t from = 0;
   bool print = false, moving = false;
 };
@@ -30,7 +30,7 @@ class Announcer {
 
   void operator()(const Tally& tally) {
     for (; announced_ < tally.kept().size(); ++announced_) fmt::print("{}", tally.kept()[announced_].line);
-    harness::flush_standard_output();
+    run::flush_standard_output();
   }
 
  private:
@@ -40,7 +40,7 @@ class Announcer {
 // Raised when case i of a seed changes, or the form of the tally.
 constexpr int kVersion = 3;
 
-int run_cases(harness::StudyRun& run, const Options& options) {
+int run_cases(run::StudyRun& run, const Options& options) {
   const Settings settings{options.samples, options.seed, options.from, options.threads, options.moving};
   std::uint64_t before = 0;
   const Tally tally = run.phase("cases", "checkpoint.json", settings.cases, Tally(), [&](auto control, Tally& sum) {
@@ -85,8 +85,8 @@ int print_cases(const Options& options) {
 
 }  // namespace
 
-harness::Command soak_command() {
-  harness::Command command("soak", "Compare filtered with exact on hard random cases; exit status 1 if they differ");
+run::Command soak_command() {
+  run::Command command("soak", "Compare filtered with exact on hard random cases; exit status 1 if they differ");
   auto options = std::make_shared<Options>();
   options->samples = 1'000'000;
   options->output = "results/soak";
@@ -94,18 +94,17 @@ harness::Command soak_command() {
   command.whole("--from", options->from, "The index of the first case").changes_results();
   command.flag("--moving", options->moving, "Balls move: compare contact and first contact on their ways")
       .changes_results([options] { return std::string(options->moving ? "yes" : "no"); });
-  harness::declare_study(command, *options, "--samples",
-                         "The number of cases; case i depends on the seed and on i alone");
+  run::declare_study(command, *options, "--samples", "The number of cases; case i depends on the seed and on i alone");
   command.flag("--print", options->print, "Only print the cases, as `judge` takes them")
       .excludes_all_but({"--from", "--moving", "--samples", "--seed"});
   command.writes(tables());
-  const auto compare = harness::study_runner("soak", kVersion, *options,
-                                             [options](harness::StudyRun& run) { return run_cases(run, *options); });
+  const auto compare =
+      run::study_runner("soak", kVersion, *options, [options](run::StudyRun& run) { return run_cases(run, *options); });
   command.example("soak --samples 10000");
   command.runs([options, compare] {
     if (options->from > std::numeric_limits<std::uint64_t>::max() - options->samples)
       throw std::invalid_argument("--from and --samples together go beyond 2^64 - 1");
-    return options->print ? harness::run_alone([&] { return print_cases(*options); }) : compare();
+    return options->print ? run::run_alone([&] { return print_cases(*options); }) : compare();
   });
   return command;
 }

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/workloads/adversarial/case.h"
+#include "experiments/cases/workloads/adversarial/case.h"
 #include "robust/filtered/stage.h"
 
 namespace touchstone::soak {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/workloads/degrees.h"
+#include "experiments/cases/workloads/degrees.h"
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
 
 namespace touchstone::stability {
 namespace {

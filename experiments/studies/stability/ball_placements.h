@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/cases/workloads/placement.h"
 #include "experiments/studies/stability/shapes.h"
-#include "experiments/workloads/placement.h"
 
 namespace touchstone::stability {
 

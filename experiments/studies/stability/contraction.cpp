@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "experiments/cases/workloads/lattice/lattice_tangents.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/studies/stability/rational.h"
-#include "experiments/workloads/lattice/lattice_tangents.h"
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
 #include "robust/filtered/detail/signs/signs.h"
 
 namespace touchstone::stability {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/clopper_pearson.h"
 #include "experiments/studies/stability/outlines.h"
 
 namespace touchstone::stability {

@@ -7,26 +7,26 @@
 namespace touchstone::stability {
 namespace {
 
-using harness::path;
+using run::path;
 
 struct OnsetRow {
   double distance;
   std::string_view method;
   int exponent;
   std::uint64_t failed, triangles, wrong;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
-const harness::Table<OnsetRow>& onset_table() {
-  static const harness::Table<OnsetRow> table(
+const run::Table<OnsetRow>& onset_table() {
+  static const run::Table<OnsetRow> table(
       "onset.csv", "a distance from the origin, method and offset",
-      harness::all_columns<OnsetRow>(
+      run::all_columns<OnsetRow>(
           {{{"origin_distance", "of the triangle, in multiples of its size", &OnsetRow::distance},
             {"method", "the method", &OnsetRow::method},
             {"offset_exponent", "of the radius: 2^this of the exact distance", &OnsetRow::exponent},
             {"failed_triangles", "triangles with a wrong answer", &OnsetRow::failed},
             {"triangles", "triangles", &OnsetRow::triangles}},
-           harness::rate_columns<OnsetRow>("failed triangles", &OnsetRow::rate),
+           run::rate_columns<OnsetRow>("failed triangles", &OnsetRow::rate),
            {{"wrong_answers", "wrong answers", &OnsetRow::wrong},
             {"answers", "answers, two for each triangle", [](const OnsetRow& row) { return 2 * row.triangles; }}}}));
   return table;
@@ -34,30 +34,30 @@ const harness::Table<OnsetRow>& onset_table() {
 
 struct ContractionRow {
   ContractionCount count;
-  harness::Rate plain, fused;
+  run::Rate plain, fused;
 };
 
-const harness::Table<ContractionRow>& contraction_table() {
+const run::Table<ContractionRow>& contraction_table() {
   using Row = ContractionRow;
-  static const harness::Table<Row> table(
+  static const run::Table<Row> table(
       "contraction.csv", "a sign and a family of exact values",
-      harness::all_columns<Row>(
+      run::all_columns<Row>(
           {{{"sign", "the expression whose sign is computed", path(&Row::count, &ContractionCount::sign)},
             {"family", "its exact value", path(&Row::count, &ContractionCount::family)},
             {"trials", "trials", path(&Row::count, &ContractionCount::trials)},
             {"plain_wrong", "wrong signs without contraction", path(&Row::count, &ContractionCount::plain_wrong)}},
-           harness::rate_columns<Row>("wrong signs without contraction", &Row::plain, "plain_"),
+           run::rate_columns<Row>("wrong signs without contraction", &Row::plain, "plain_"),
            {{"fused_wrong", "wrong signs with fused multiply-adds", path(&Row::count, &ContractionCount::fused_wrong)}},
-           harness::rate_columns<Row>("wrong signs with fused multiply-adds", &Row::fused, "fused_"),
+           run::rate_columns<Row>("wrong signs with fused multiply-adds", &Row::fused, "fused_"),
            {{"signs_differ", "trials in which the two differ", path(&Row::count, &ContractionCount::differ)}}}));
   return table;
 }
 
-const harness::Table<FalseArea>& areas_table() {
+const run::Table<FalseArea>& areas_table() {
   const auto limit = [](double statistics::Limits::*side) {
     return [side](const FalseArea& area) { return area.limits().*side; };
   };
-  static const harness::Table<FalseArea> table(
+  static const run::Table<FalseArea> table(
       "areas.csv", "an outline: the points that the thesis's sum of angles calls inside",
       {{"outline", "the outline", [](const FalseArea& area) { return area.outline->name; }},
        {"points", "random points", &FalseArea::points},
@@ -79,12 +79,12 @@ void write_known(const std::filesystem::path& folder, const Known& known) {
     for (std::size_t m = 0; m < onset.methods().size(); ++m)
       for (int k = kCoarsest; k <= kFinest; ++k)
         onsets.push_back({kOnsetDistances[d], onset.methods()[m], -k, onset.failures(d, m, k), onset.triangles(),
-                          onset.wrong(d, m, k), harness::rate(onset.failures(d, m, k), onset.triangles())});
+                          onset.wrong(d, m, k), run::rate(onset.failures(d, m, k), onset.triangles())});
   onset_table().write(folder, onsets);
 
   std::vector<ContractionRow> contractions;
   for (const ContractionCount& c : known.contractions)
-    contractions.push_back({c, harness::rate(c.plain_wrong, c.trials), harness::rate(c.fused_wrong, c.trials)});
+    contractions.push_back({c, run::rate(c.plain_wrong, c.trials), run::rate(c.fused_wrong, c.trials)});
   contraction_table().write(folder, contractions);
   areas_table().write(folder, known.areas);
 }
@@ -95,7 +95,7 @@ std::string areas_text(const std::vector<FalseArea>& areas) {
          areas_table().aligned(areas);
 }
 
-std::vector<harness::TableDescription> known_tables() {
+std::vector<run::TableDescription> known_tables() {
   return {onset_table().description(), contraction_table().description(), areas_table().description()};
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 
 namespace touchstone::stability {
 

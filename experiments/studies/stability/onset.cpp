@@ -9,8 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "experiments/cases/workloads/random.h"
 #include "experiments/methods/ericson.h"
-#include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 
@@ -116,7 +116,7 @@ int Onset::first(std::size_t distance, std::size_t method, double share) const {
 Onset no_onset(const std::vector<const cases::Method*>& methods) { return Onset(names_of(methods)); }
 
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const harness::RunControl<Onset>& control, Onset& onset) {
+                unsigned threads, const run::RunControl<Onset>& control, Onset& onset) {
   const auto ask_all = [&](std::uint64_t index, Onset& part) {
     for (std::size_t distance = 0; distance < std::size(kOnsetDistances); ++distance) {
       const Above above = draw_above(seed, index, distance);
@@ -132,7 +132,7 @@ void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t 
     }
     part.add_triangle();
   };
-  harness::run_sweep(triangles, threads, control, no_onset(methods), onset, ask_all);
+  run::run_sweep(triangles, threads, control, no_onset(methods), onset, ask_all);
 }
 
 }  // namespace touchstone::stability

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/harness/run_control.h"
+#include "experiments/run/run_control.h"
 
 namespace touchstone::stability {
 
@@ -67,6 +67,6 @@ class Onset {
 /// Measures the random triangles that the onset does not contain yet. In the first process the result is a function of
 /// (methods, triangles done, seed), independent of threads, processes and stops.
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const harness::RunControl<Onset>& control, Onset& onset);
+                unsigned threads, const run::RunControl<Onset>& control, Onset& onset);
 
 }  // namespace touchstone::stability

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::stability {

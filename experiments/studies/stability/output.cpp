@@ -8,18 +8,18 @@
 #include <cmath>
 #include <iterator>
 
-#include "experiments/harness/table.h"
-#include "experiments/harness/write_file.h"
-#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
 
 namespace touchstone::stability {
 namespace {
 
-using harness::path;
+using run::path;
 
 /// Returns the columns `axis`, `level` and `value` of a row with an axis, or none for all axes, and a level.
 template <class Row>
-std::vector<harness::Column<Row>> level_columns() {
+std::vector<run::Column<Row>> level_columns() {
   const auto level = [](const Row& row) { return row.axis ? &levels(*row.axis)[row.level] : nullptr; };
   return {{"axis", "the property that gets worse, or `all`",
            [](const Row& row) { return row.axis ? to_string(*row.axis) : std::string_view("all"); }},
@@ -36,20 +36,20 @@ struct FailureRow {
   Test test;
   std::string_view method;
   const Tally* tally;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
-const harness::Table<FailureRow>& failures_table() {
-  static const harness::Table<FailureRow> table(
+const run::Table<FailureRow>& failures_table() {
+  static const run::Table<FailureRow> table(
       "failures.csv", "an axis, level, nearness, test and method",
-      harness::all_columns<FailureRow>(
+      run::all_columns<FailureRow>(
           {level_columns<FailureRow>(),
            {{"nearness", "how close the ball's radius is to the exact distance", &FailureRow::nearness},
             {"test", "the decision that is compared", &FailureRow::test},
             {"method", "the method", &FailureRow::method},
             {"failed_samples", "polygons with a wrong answer", path(&FailureRow::tally, &Tally::failed)},
             {"samples", "polygons", path(&FailureRow::tally, &Tally::samples)}},
-           harness::rate_columns<FailureRow>("failed samples", &FailureRow::rate),
+           run::rate_columns<FailureRow>("failed samples", &FailureRow::rate),
            {{"wrong_answers", "wrong answers", path(&FailureRow::tally, &Tally::wrong)},
             {"answers", "answers", path(&FailureRow::tally, &Tally::balls)}}}));
   return table;
@@ -76,7 +76,7 @@ struct FirstFailureRow {
   std::optional<LevelRate> first, above_half;
   std::optional<LevelBefore> before;
   Tally all;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
 /// Returns the function that finds a member of an optional member, or nothing.
@@ -85,11 +85,11 @@ auto optional_path(std::optional<Part> Row::*part, Value Part::*value) {
   return [=](const Row& row) { return row.*part ? std::optional((*(row.*part)).*value) : std::nullopt; };
 }
 
-const harness::Table<FirstFailureRow>& first_failure_table() {
+const run::Table<FirstFailureRow>& first_failure_table() {
   using Row = FirstFailureRow;
-  static const harness::Table<Row> table(
+  static const run::Table<Row> table(
       "first-failure.csv", "an axis, nearness, test and method",
-      harness::all_columns<Row>(
+      run::all_columns<Row>(
           {{{"axis", "the property that gets worse", &Row::axis},
             {"nearness", "how close the ball's radius is to the exact distance", &Row::nearness},
             {"test", "the decision that is compared", &Row::test},
@@ -106,14 +106,14 @@ const harness::Table<FirstFailureRow>& first_failure_table() {
              optional_path(&Row::before, &LevelBefore::upper), "{:.6g}"},
             {"failed_samples", "failed samples of all levels", path(&Row::all, &Tally::failed)},
             {"samples", "samples of all levels", path(&Row::all, &Tally::samples)}},
-           harness::rate_columns<Row>("failed samples of all levels", &Row::rate)}));
+           run::rate_columns<Row>("failed samples of all levels", &Row::rate)}));
   return table;
 }
 
 /// Returns the columns of a distribution's median, 99 % quantile and maximum.
 template <class Row, class Value>
-std::vector<harness::Column<Row>> quantile_columns(const std::array<std::string, 3>& names, const std::string& what,
-                                                   const Value& value) {
+std::vector<run::Column<Row>> quantile_columns(const std::array<std::string, 3>& names, const std::string& what,
+                                               const Value& value) {
   constexpr const char* kFormat = "{:.4g}";
   const auto quantile = [value](double share) {
     return [value, share](const Row& row) { return value(row).quantile(share); };
@@ -131,10 +131,10 @@ struct ErrorRow {
   const ErrorSummary* errors;
 };
 
-const harness::Table<ErrorRow>& errors_table() {
-  static const harness::Table<ErrorRow> table(
+const run::Table<ErrorRow>& errors_table() {
+  static const run::Table<ErrorRow> table(
       "errors.csv", "an axis, level, quantity and method",
-      harness::all_columns<ErrorRow>(
+      run::all_columns<ErrorRow>(
           {level_columns<ErrorRow>(),
            {{"quantity", "distance or point", &ErrorRow::quantity},
             {"method", "the method", &ErrorRow::method},
@@ -153,13 +153,13 @@ struct BoundRow {
   std::optional<Axis> axis;
   std::size_t level;
   const BoundSummary* bound;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
-const harness::Table<BoundRow>& tightness_table() {
-  static const harness::Table<BoundRow> table(
+const run::Table<BoundRow>& tightness_table() {
+  static const run::Table<BoundRow> table(
       "tightness.csv", "a bounded quantity, axis (or `all`) and level",
-      harness::all_columns<BoundRow>(
+      run::all_columns<BoundRow>(
           {{{"stage", "the stage whose bound it is", path(&BoundRow::about, &BoundedQuantity::stage)},
             {"quantity", "the quantity", path(&BoundRow::about, &BoundedQuantity::name)}},
            level_columns<BoundRow>(),
@@ -167,7 +167,7 @@ const harness::Table<BoundRow>& tightness_table() {
             {"exceeded", "errors beyond their bound", path(&BoundRow::bound, &BoundSummary::exceeded)},
             {"exceeded_polygons", "polygons with such an error", path(&BoundRow::bound, &BoundSummary::failed)},
             {"polygons", "polygons", path(&BoundRow::bound, &BoundSummary::polygons)}},
-           harness::rate_columns<BoundRow>("such polygons", &BoundRow::rate),
+           run::rate_columns<BoundRow>("such polygons", &BoundRow::rate),
            quantile_columns<BoundRow>({"median", "quantile_99", "max"}, "|computed - exact| / bound",
                                       path(&BoundRow::bound, &BoundSummary::tightness))}));
   return table;
@@ -179,9 +179,9 @@ struct ConditionRow {
   const ConditionPoint* point;
 };
 
-const harness::Table<ConditionRow>& conditions_table() {
+const run::Table<ConditionRow>& conditions_table() {
   using Row = ConditionRow;
-  static const harness::Table<Row> table(
+  static const run::Table<Row> table(
       "conditions.csv", "one observation, from the first samples of each level",
       {{"stage", "the stage whose bound it is", path(&Row::about, &BoundedQuantity::stage)},
        {"quantity", "the quantity", path(&Row::about, &BoundedQuantity::name)},
@@ -230,13 +230,13 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
             const Tally* tally = summary.at(a, nearness, test, m, level);
             if (tally == nullptr) continue;
             all += *tally;
-            rows.push_back({axis, level, nearness, test, name, tally, harness::rate(tally->failed, tally->samples)});
+            rows.push_back({axis, level, nearness, test, name, tally, run::rate(tally->failed, tally->samples)});
           }
           if (all.samples == 0) continue;
           const Summary::Cell cell{a, nearness, test, m, 0};
           firsts.push_back({axis, nearness, test, name, first_above(settings, summary, cell, 0),
                             first_above(settings, summary, cell, 0.5), before_first(settings, summary, cell), all,
-                            harness::rate(all.failed, all.samples)});
+                            run::rate(all.failed, all.samples)});
         }
   failures_table().write(folder, rows);
   first_failure_table().write(folder, firsts);
@@ -254,7 +254,7 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
 void write_bounds(const std::filesystem::path& folder, const Settings& settings, const Summary& summary) {
   std::vector<BoundRow> rows;
   const auto add = [&](std::size_t quantity, std::optional<Axis> axis, std::size_t level, const BoundSummary& bound) {
-    rows.push_back({&bounded_quantities()[quantity], axis, level, &bound, harness::rate(bound.failed, bound.polygons)});
+    rows.push_back({&bounded_quantities()[quantity], axis, level, &bound, run::rate(bound.failed, bound.polygons)});
   };
   for (const auto& [quantity, bound] : summary.all_bounds) add(quantity, std::nullopt, 0, bound);
   for (const auto& [cell, bound] : summary.bounds) {
@@ -280,10 +280,10 @@ void write_worst(const std::filesystem::path& folder, const Summary& summary) {
   });
   std::string text;
   for (const WorstCase* worst : cases) text += worst->line;
-  harness::write_file(folder / "worst.jsonl", text);
+  run::write_file(folder / "worst.jsonl", text);
 }
 
-std::vector<harness::TableDescription> tables() {
+std::vector<run::TableDescription> tables() {
   return {failures_table().description(), first_failure_table().description(), errors_table().description(),
           tightness_table().description(), conditions_table().description()};
 }

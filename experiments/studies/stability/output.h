@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/stability/contraction.h"
 #include "experiments/studies/stability/false_areas.h"
 #include "experiments/studies/stability/onset.h"
@@ -34,8 +34,8 @@ void write_known(const std::filesystem::path& folder, const Known& known);
 
 /// @{
 /// Returns what the tables hold.
-[[nodiscard]] std::vector<harness::TableDescription> tables();
-[[nodiscard]] std::vector<harness::TableDescription> known_tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> known_tables();
 /// @}
 
 /// Returns the table of false areas for the terminal, with the columns of areas.csv; empty without areas.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
 
 namespace touchstone::stability {
 namespace {

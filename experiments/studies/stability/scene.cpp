@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/cases/workloads/placement.h"
 #include "experiments/studies/stability/measure.h"
 #include "experiments/studies/stability/motion.h"
-#include "experiments/workloads/placement.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::stability {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/workloads/outline.h"
+#include "experiments/cases/workloads/outline.h"
 
 namespace touchstone::stability {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 
 namespace touchstone::stability {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <numeric>
 
-#include "experiments/harness/run_record.h"
-#include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/stability/output.h"
 
 namespace touchstone::commands {
@@ -16,19 +16,19 @@ namespace {
 
 using namespace stability;
 
-struct Options : harness::StudyOptions {
+struct Options : run::StudyOptions {
   methods::Selection methods{{"fast", "fast-float", "fast-long-double", "thesis", "thesis-signed", "filtered"}};
   std::vector<std::string> axes{"all"};
 };
 
-// Throws harness::UsageError, which names what is unknown.
+// Throws run::UsageError, which names what is unknown.
 Axis find_axis(const std::string& name) {
   std::string known;
   for (const Axis axis : all_axes()) {
     if (to_string(axis) == name) return axis;
     known.append(known.empty() ? "" : ", ").append(to_string(axis));
   }
-  throw harness::UsageError("--axes", "there is no axis \"" + name + "\"; there are " + known + ", or all");
+  throw run::UsageError("--axes", "there is no axis \"" + name + "\"; there are " + known + ", or all");
 }
 
 /// In the order of all_axes(), each once.
@@ -45,13 +45,13 @@ std::vector<Axis> select_axes(const std::vector<std::string>& names) {
 std::string selected_axes(const std::vector<std::string>& names) {
   std::vector<std::string> words;
   for (const Axis axis : select_axes(names)) words.emplace_back(to_string(axis));
-  return harness::joined(words);
+  return run::joined(words);
 }
 
 // Raised when a block of a seed changes, or the form of what is kept. Blocks are numbered through all axes.
 constexpr int kVersion = 4;
 
-int run_stability(harness::StudyRun& run, const Options& options) {
+int run_stability(run::StudyRun& run, const Options& options) {
   const Settings settings{options.methods.methods(), select_axes(options.axes), options.samples, options.seed,
                           options.threads};
   const Summary summary = run.phase("samples", "checkpoint.json", block_count(settings), no_summary(settings),
@@ -85,20 +85,20 @@ int run_stability(harness::StudyRun& run, const Options& options) {
 
 }  // namespace
 
-harness::Command stability_command() {
-  harness::Command command("stability", "Measure where methods fail as polygons get worse, and how tight bounds are");
+run::Command stability_command() {
+  run::Command command("stability", "Measure where methods fail as polygons get worse, and how tight bounds are");
   auto options = std::make_shared<Options>();
   options->samples = 400;
   options->output = "results/stability";
   methods::declare_compared_methods(command, options->methods);
   command.names("--axes", options->axes, "Axes, the properties that get worse, separated by commas, or all")
       .changes_results([options] { return selected_axes(options->axes); });
-  harness::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels");
+  run::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels");
   command.writes(tables());
   command.writes(known_tables());
   command.example("stability --methods fast,filtered --axes aspect,origin --samples 20");
-  command.runs(harness::study_runner("stability", kVersion, *options,
-                                     [options](harness::StudyRun& run) { return run_stability(run, *options); }));
+  command.runs(run::study_runner("stability", kVersion, *options,
+                                 [options](run::StudyRun& run) { return run_stability(run, *options); }));
   return command;
 }
 

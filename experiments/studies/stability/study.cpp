@@ -14,7 +14,7 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 
 namespace touchstone::stability {
 namespace {

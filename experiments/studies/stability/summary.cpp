@@ -93,9 +93,9 @@ Summary no_summary(const Settings& settings) {
   return summary;
 }
 
-void run_study(const Settings& settings, const harness::RunControl<Summary>& control, Summary& summary) {
+void run_study(const Settings& settings, const run::RunControl<Summary>& control, Summary& summary) {
   constexpr double kSecondsBetweenCheckpoints = 15;  // one of all axes has some 10 MB
-  harness::run_sweep(
+  run::run_sweep(
       block_count(settings), settings.threads, control, no_summary(settings), summary,
       [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); }, 1,
       kSecondsBetweenCheckpoints);

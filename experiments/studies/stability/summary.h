@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/harness/distribution.h"
-#include "experiments/harness/run_control.h"
+#include "experiments/run/distribution.h"
+#include "experiments/run/run_control.h"
 #include "experiments/studies/stability/study.h"
 
 namespace touchstone::stability {
@@ -101,6 +101,6 @@ struct Summary {
 /// Computes the blocks that the summary does not contain yet and adds them. In the first process the result is a
 /// function of the settings and the number of its blocks, which are the first ones, independent of threads, processes
 /// and stops.
-void run_study(const Settings& settings, const harness::RunControl<Summary>& course, Summary& summary);
+void run_study(const Settings& settings, const run::RunControl<Summary>& course, Summary& summary);
 
 }  // namespace touchstone::stability

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/statistics/bounded_mean.h"
-#include "experiments/statistics/clopper_pearson.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/statistics/bounded_mean.h"
+#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/percent.h"
 #include "experiments/studies/stability/output.h"
 
 namespace touchstone::stability {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "experiments/methods/registry.h"
-#include "experiments/statistics/units.h"
+#include "experiments/run/statistics/units.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::tradeoff {
@@ -160,10 +160,10 @@ Errors no_errors(const Settings& settings) {
   return errors;
 }
 
-void measure_errors(const Settings& settings, const harness::RunControl<Errors>& control, Errors& errors) {
+void measure_errors(const Settings& settings, const run::RunControl<Errors>& control, Errors& errors) {
   const Study study(settings);
-  harness::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
-                     [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); });
+  run::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
+                 [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); });
 }
 
 }  // namespace touchstone::tradeoff

@@ -10,8 +10,8 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
 #include "experiments/cases/threshold.h"
-#include "experiments/harness/distribution.h"
-#include "experiments/harness/run_control.h"
+#include "experiments/run/distribution.h"
+#include "experiments/run/run_control.h"
 
 namespace touchstone::tradeoff {
 
@@ -103,6 +103,6 @@ struct Errors {
 ///
 /// In the first process the result is a function of the settings and the number of samples done; threads, processes,
 /// stops and the other families and methods do not change it. A run stopped after m samples equals a run of m samples.
-void measure_errors(const Settings& settings, const harness::RunControl<Errors>& course, Errors& errors);
+void measure_errors(const Settings& settings, const run::RunControl<Errors>& course, Errors& errors);
 
 }  // namespace touchstone::tradeoff

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/statistics/bounded_mean.h"
+#include "experiments/run/statistics/bounded_mean.h"
 
 namespace touchstone::tradeoff {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/stratum_group.h"
-#include "experiments/harness/table.h"
-#include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
-#include "experiments/statistics/bounded_mean.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/statistics/bounded_mean.h"
+#include "experiments/run/statistics/percent.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
 #include "experiments/studies/tradeoff/band.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "robust/exact/exact.h"
@@ -41,7 +41,7 @@ struct OffsetRow {
   std::string_view method;
   std::int64_t offset;
   Tally tally;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
 struct BandRow {
@@ -50,47 +50,47 @@ struct BandRow {
   std::uint64_t samples;
   Tally near;
   Band band;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
 /// Returns the columns with which the rows of both tables begin.
 template <class Row>
-std::vector<harness::Column<Row>> subject_columns() {
-  return harness::all_columns<Row>({cases::stratum_columns(&Row::group),
-                                    {{"test", "contact, or foot where the centre moves",
-                                      [](const Row& row) { return test_at(row.group->threshold); }},
-                                     {"method", "the method", &Row::method}}});
+std::vector<run::Column<Row>> subject_columns() {
+  return run::all_columns<Row>({cases::stratum_columns(&Row::group),
+                                {{"test", "contact, or foot where the centre moves",
+                                  [](const Row& row) { return test_at(row.group->threshold); }},
+                                 {"method", "the method", &Row::method}}});
 }
 
-const harness::Table<OffsetRow>& errors_table() {
-  static const harness::Table<OffsetRow> table(
+const run::Table<OffsetRow>& errors_table() {
+  static const run::Table<OffsetRow> table(
       "errors.csv", "a family, placement, threshold, method and offset",
-      harness::all_columns<OffsetRow>(
+      run::all_columns<OffsetRow>(
           {subject_columns<OffsetRow>(),
            {{"offset", "the distance of the ball from the threshold, in doubles", &OffsetRow::offset},
-            {"wrong", "wrong answers", harness::path(&OffsetRow::tally, &Tally::wrong)},
+            {"wrong", "wrong answers", run::path(&OffsetRow::tally, &Tally::wrong)},
             {"overflowed", "wrong answers for which the method's distance or point is not finite",
-             harness::path(&OffsetRow::tally, &Tally::overflowed)},
-            {"unsure", "undecided answers", harness::path(&OffsetRow::tally, &Tally::unsure)},
-            {"trials", "answers", harness::path(&OffsetRow::tally, &Tally::trials)}},
-           harness::rate_columns<OffsetRow>("wrong answers", &OffsetRow::rate)}));
+             run::path(&OffsetRow::tally, &Tally::overflowed)},
+            {"unsure", "undecided answers", run::path(&OffsetRow::tally, &Tally::unsure)},
+            {"trials", "answers", run::path(&OffsetRow::tally, &Tally::trials)}},
+           run::rate_columns<OffsetRow>("wrong answers", &OffsetRow::rate)}));
   return table;
 }
 
-const harness::Table<BandRow>& bands_table() {
-  static const harness::Table<BandRow> table(
+const run::Table<BandRow>& bands_table() {
+  static const run::Table<BandRow> table(
       "bands.csv", "a family, placement, threshold and method, within 8 doubles of the threshold",
-      harness::all_columns<BandRow>(
+      run::all_columns<BandRow>(
           {subject_columns<BandRow>(),
            {{"samples", "samples, which are independent", &BandRow::samples},
-            {"wrong", "wrong answers", harness::path(&BandRow::near, &Tally::wrong)},
+            {"wrong", "wrong answers", run::path(&BandRow::near, &Tally::wrong)},
             {"overflowed", "wrong answers for which the method's distance or point is not finite",
-             harness::path(&BandRow::near, &Tally::overflowed)},
-            {"unsure", "undecided answers", harness::path(&BandRow::near, &Tally::unsure)},
-            {"answers", "answers", harness::path(&BandRow::near, &Tally::trials)}},
-           harness::rate_columns<BandRow>("wrong answers", &BandRow::rate),
-           {{"lowest_offset", "the lowest offset with a wrong answer", harness::path(&BandRow::band, &Band::lowest)},
-            {"highest_offset", "the highest one", harness::path(&BandRow::band, &Band::highest)}}}));
+             run::path(&BandRow::near, &Tally::overflowed)},
+            {"unsure", "undecided answers", run::path(&BandRow::near, &Tally::unsure)},
+            {"answers", "answers", run::path(&BandRow::near, &Tally::trials)}},
+           run::rate_columns<BandRow>("wrong answers", &BandRow::rate),
+           {{"lowest_offset", "the lowest offset with a wrong answer", run::path(&BandRow::band, &Band::lowest)},
+            {"highest_offset", "the highest one", run::path(&BandRow::band, &Band::highest)}}}));
   return table;
 }
 
@@ -101,9 +101,9 @@ struct Where {
 };
 
 template <class Row>
-std::vector<harness::Column<Row>> where_columns() {
-  return {{"family", "the family of polygons, or `all`", harness::path(&Row::where, &Where::family)},
-          {"placement", "on the lattice, or rotated", harness::path(&Row::where, &Where::placement)},
+std::vector<run::Column<Row>> where_columns() {
+  return {{"family", "the family of polygons, or `all`", run::path(&Row::where, &Where::family)},
+          {"placement", "on the lattice, or rotated", run::path(&Row::where, &Where::placement)},
           {"method", "the method", &Row::method}};
 }
 
@@ -121,11 +121,11 @@ struct PointRow {
   }
 };
 
-const harness::Table<PointRow>& points_table() {
+const run::Table<PointRow>& points_table() {
   constexpr const char* kFormat = "{:.6g}";
-  static const harness::Table<PointRow> table(
+  static const run::Table<PointRow> table(
       "points.csv", "a family, placement, method and quantity, with its errors in units in the last place",
-      harness::all_columns<PointRow>(
+      run::all_columns<PointRow>(
           {where_columns<PointRow>(),
            {{"quantity", "distance or point", &PointRow::quantity},
             {"asked", "answers", [](const PointRow& row) { return row.ulps.asked; }},
@@ -161,22 +161,22 @@ struct TimingRow {
   timing::Quartiles nanoseconds;
 };
 
-const harness::Table<TimingRow>& timings_table() {
+const run::Table<TimingRow>& timings_table() {
   constexpr const char* kFormat = "{:.1f}";
-  static const harness::Table<TimingRow> table(
+  static const run::Table<TimingRow> table(
       "timings.csv", "a list of questions and a method",
       {{"family", "the family of polygons", [](const TimingRow& row) { return row.timing->group.family; }},
        {"placement", "on the lattice, or rotated", [](const TimingRow& row) { return row.timing->group.placement; }},
-       {"balls", "where the balls are", harness::path(&TimingRow::timing, &Timing::balls)},
+       {"balls", "where the balls are", run::path(&TimingRow::timing, &Timing::balls)},
        {"question", "contact, or the whole answer", [](const TimingRow& row) { return to_string(row.timing->kind); }},
-       {"method", "the method", harness::path(&TimingRow::measured, &timing::Measured::name)},
-       {"asked", "questions", harness::path(&TimingRow::measured, &timing::Measured::queries)},
+       {"method", "the method", run::path(&TimingRow::measured, &timing::Measured::name)},
+       {"asked", "questions", run::path(&TimingRow::measured, &timing::Measured::queries)},
        {"repetitions", "turns of the method", [](const TimingRow& row) { return row.measured->nanoseconds.size(); }},
        {"lower_quartile_ns", "a question, over the turns",
-        harness::path(&TimingRow::nanoseconds, &timing::Quartiles::lower), kFormat},
-       {"median_ns", "the same, median", harness::path(&TimingRow::nanoseconds, &timing::Quartiles::median), kFormat},
-       {"upper_quartile_ns", "the same, upper quartile",
-        harness::path(&TimingRow::nanoseconds, &timing::Quartiles::upper), kFormat},
+        run::path(&TimingRow::nanoseconds, &timing::Quartiles::lower), kFormat},
+       {"median_ns", "the same, median", run::path(&TimingRow::nanoseconds, &timing::Quartiles::median), kFormat},
+       {"upper_quartile_ns", "the same, upper quartile", run::path(&TimingRow::nanoseconds, &timing::Quartiles::upper),
+        kFormat},
        {"through", kThrough, [](const TimingRow& row) { return through(row.measured->name); }}});
   return table;
 }
@@ -188,12 +188,12 @@ struct FrontRow {
   ParetoEntry entry;
 };
 
-const harness::Table<FrontRow>& front_table() {
+const run::Table<FrontRow>& front_table() {
   constexpr const char* kTime = "{:.1f}";
   constexpr const char* kError = "{:.6g}";
-  static const harness::Table<FrontRow> table(
+  static const run::Table<FrontRow> table(
       "front.csv", "a measure of error, family, placement and method",
-      harness::all_columns<FrontRow>(
+      run::all_columns<FrontRow>(
           {{{"measure", "the measure of error", &FrontRow::measure}},
            where_columns<FrontRow>(),
            {{"nanoseconds", "a question, median", [](const FrontRow& row) { return row.entry.nanoseconds.median; },
@@ -201,18 +201,18 @@ const harness::Table<FrontRow>& front_table() {
             {"lower_quartile_ns", "a question", [](const FrontRow& row) { return row.entry.nanoseconds.lower; }, kTime},
             {"upper_quartile_ns", "a question", [](const FrontRow& row) { return row.entry.nanoseconds.upper; }, kTime},
             {"error", "the share of answers, or the 99 % quantile of units in the last place",
-             harness::path(&FrontRow::entry, &ParetoEntry::error), kError},
+             run::path(&FrontRow::entry, &ParetoEntry::error), kError},
             {"lower", "the lower limit of a share; the median of units",
-             harness::path(&FrontRow::entry, &ParetoEntry::lower), kError},
+             run::path(&FrontRow::entry, &ParetoEntry::lower), kError},
             {"upper", "the upper limit of a share; the worst of units",
-             harness::path(&FrontRow::entry, &ParetoEntry::upper), kError},
-            {"finite_error", "the error of finite answers", harness::path(&FrontRow::entry, &ParetoEntry::finite_error),
+             run::path(&FrontRow::entry, &ParetoEntry::upper), kError},
+            {"finite_error", "the error of finite answers", run::path(&FrontRow::entry, &ParetoEntry::finite_error),
              kError},
             {"not_finite", "the share of answers that are not finite, or wrong for that reason",
-             harness::path(&FrontRow::entry, &ParetoEntry::not_finite), kError},
-            {"samples", "polygons behind the error", harness::path(&FrontRow::entry, &ParetoEntry::samples)},
+             run::path(&FrontRow::entry, &ParetoEntry::not_finite), kError},
+            {"samples", "polygons behind the error", run::path(&FrontRow::entry, &ParetoEntry::samples)},
             {"front", "on: nothing is better; within-noise; off: another method is better",
-             harness::path(&FrontRow::entry, &ParetoEntry::front)},
+             run::path(&FrontRow::entry, &ParetoEntry::front)},
             {"through", kThrough, [](const FrontRow& row) { return through(row.method); }}}}));
   return table;
 }
@@ -249,8 +249,7 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
         Tally tally;
         for (const std::size_t stratum : group.strata) tally += errors.at[stratum][m].offsets[i];
         if (tally.trials > 0)
-          rows.push_back(
-              {&group, name(settings, m), all_offsets()[i], tally, harness::rate(tally.wrong, tally.trials)});
+          rows.push_back({&group, name(settings, m), all_offsets()[i], tally, run::rate(tally.wrong, tally.trials)});
       }
   errors_table().write(folder, rows);
 }
@@ -293,7 +292,7 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
       for (std::size_t q = 0; q < kQuantities.size(); ++q)
         if (sum.worst[q].ulps > 0) text += worst_case(settings, m, kQuantities[q], sum.worst[q]);
     }
-  harness::write_file(folder / "worst.jsonl", text);
+  run::write_file(folder / "worst.jsonl", text);
 }
 
 void write_timings(const std::filesystem::path& folder, const std::vector<Timing>& timings) {
@@ -314,7 +313,7 @@ void write_front(const std::filesystem::path& folder, const Settings& settings, 
   front_table().write(folder, rows);
 }
 
-std::vector<harness::TableDescription> tables() {
+std::vector<run::TableDescription> tables() {
   return {errors_table().description(), bands_table().description(), points_table().description(),
           timings_table().description(), front_table().description()};
 }

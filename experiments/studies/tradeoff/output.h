@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/tradeoff/errors.h"
 #include "experiments/studies/tradeoff/timings.h"
 
@@ -26,7 +26,7 @@ void write_front(const std::filesystem::path& folder, const Settings& settings, 
                  const std::vector<Timing>& timings);
 
 /// Returns what the tables hold.
-[[nodiscard]] std::vector<harness::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
 
 /// Returns the tables for the terminal, all families together, with their legend.
 [[nodiscard]] std::string table(const Settings& settings, const Errors& errors, const std::vector<Timing>& timings);

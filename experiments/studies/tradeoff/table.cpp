@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/statistics/bounded_mean.h"
-#include "experiments/statistics/percent.h"
+#include "experiments/run/statistics/bounded_mean.h"
+#include "experiments/run/statistics/percent.h"
 #include "experiments/studies/tradeoff/band.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "experiments/studies/tradeoff/output.h"

@@ -5,10 +5,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "experiments/cases/workloads/balls.h"
+#include "experiments/cases/workloads/placement.h"
+#include "experiments/cases/workloads/random.h"
 #include "experiments/studies/tradeoff/errors.h"
-#include "experiments/workloads/balls.h"
-#include "experiments/workloads/placement.h"
-#include "experiments/workloads/random.h"
 
 namespace touchstone::tradeoff {
 namespace {
@@ -85,7 +85,7 @@ std::uint64_t list_count(const TimingSettings& settings) {
 }
 
 std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
-                                    const harness::Progress& progress) {
+                                    const run::Progress& progress) {
   std::vector<Timing> timings;
   std::uint64_t done = 0;
   for (const PolygonGroup& group : settings.groups) {

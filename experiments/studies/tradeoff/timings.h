@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/harness/timing/measurement.h"
-#include "experiments/workloads/workload.h"
+#include "experiments/cases/workloads/workload.h"
+#include "experiments/run/timing/measurement.h"
 
 namespace touchstone::tradeoff {
 
@@ -71,7 +71,7 @@ inline constexpr double kSecondsOfList = 0.005;
 /// time is that of PreparedMethod::ask, which includes an indirect call and a partial answer. Lists that were
 /// unfinished when stopped are left out.
 [[nodiscard]] std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
-                                                  const harness::Progress& progress);
+                                                  const run::Progress& progress);
 
 /// Returns the number of lists, the unit of progress.
 [[nodiscard]] std::uint64_t list_count(const TimingSettings& settings);

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "experiments/harness/pictures.h"
-#include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/pictures.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/tradeoff/output.h"
 
 namespace touchstone::commands {
@@ -14,7 +14,7 @@ namespace {
 
 using namespace tradeoff;
 
-struct Options : harness::StudyOptions {
+struct Options : run::StudyOptions {
   methods::Selection methods{{"all"}};
   std::vector<std::string> families{"all"};
   std::size_t queries = 2000;
@@ -26,9 +26,9 @@ int redraw(const Options& options) {
   const std::filesystem::path folder = options.output;
   for (const char* file : {"front.csv", "errors.csv"})
     if (!std::filesystem::exists(folder / file))
-      throw harness::UsageError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
-  const harness::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
-  return harness::draw_pictures("tradeoff", held);
+      throw run::UsageError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
+  const run::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
+  return run::draw_pictures("tradeoff", held);
 }
 
 std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& families) {
@@ -43,7 +43,7 @@ std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& famili
 constexpr int kVersion = 3;
 
 /// One run: all processes measure errors, one process alone measures times.
-int run_tradeoff(harness::StudyRun& run, const Options& options) {
+int run_tradeoff(run::StudyRun& run, const Options& options) {
   const Settings settings{options.methods.methods(), workloads::find_families(options.families), options.samples,
                           options.seed, options.threads};
   const TimingSettings timed{settings.methods, groups_of(settings.families), options.seed, options.queries,
@@ -83,8 +83,8 @@ constexpr const char* kFooter =
 
 }  // namespace
 
-harness::Command tradeoff_command() {
-  harness::Command command("tradeoff", "Compare the run time of methods with their errors; draw the best");
+run::Command tradeoff_command() {
+  run::Command command("tradeoff", "Compare the run time of methods with their errors; draw the best");
   command.footer(kFooter);
   auto options = std::make_shared<Options>();
   options->samples = 200;  // with the times about a minute and a half on two cores
@@ -95,17 +95,15 @@ harness::Command tradeoff_command() {
   });
   command.whole("--queries", options->queries, "The number of distinct balls in each timed list", 1, 1'000'000);
   command.whole("--repetitions", options->repetitions, "The number of turns of each method on a list", 1, 100'000);
-  harness::declare_study(command, *options, "--samples",
-                         "Samples of each family, placement and threshold: for the errors");
+  run::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold: for the errors");
   command.flag("--redraw", options->redraw, "Do not measure; only draw pictures of the results in --output")
       .excludes_all_but({"--output"});
   command.writes(tables());
-  const auto measure = harness::study_runner("tradeoff", kVersion, *options,
-                                             [options](harness::StudyRun& run) { return run_tradeoff(run, *options); });
+  const auto measure = run::study_runner("tradeoff", kVersion, *options,
+                                         [options](run::StudyRun& run) { return run_tradeoff(run, *options); });
   command.example("tradeoff --methods fast,filtered --samples 20");
-  command.runs([options, measure] {
-    return options->redraw ? harness::run_alone([&] { return redraw(*options); }) : measure();
-  });
+  command.runs(
+      [options, measure] { return options->redraw ? run::run_alone([&] { return redraw(*options); }) : measure(); });
   return command;
 }
 

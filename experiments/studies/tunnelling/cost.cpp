@@ -54,7 +54,7 @@ std::string steps_name(std::size_t level) {
 }
 
 timing::Result measure_cost(const CostSettings& settings, const std::atomic<bool>& stop,
-                            const harness::Progress& progress) {
+                            const run::Progress& progress) {
   const auto queries = draw_queries(settings);
   const timing::Comparison to_contact{kContact, {}};
   timing::Benchmark benchmark;

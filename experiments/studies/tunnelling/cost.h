@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "experiments/harness/blocks.h"
-#include "experiments/harness/timing/measurement.h"
+#include "experiments/run/blocks.h"
+#include "experiments/run/timing/measurement.h"
 #include "experiments/studies/tunnelling/passes.h"
 
 namespace touchstone::tunnelling {
@@ -24,6 +24,6 @@ inline constexpr const char* kFirstContact = "first contact of the motion";
 
 /// Times steps and sweeps by turns, on prepared polygons. Ratios are to the contact of the motion.
 [[nodiscard]] timing::Result measure_cost(const CostSettings& settings, const std::atomic<bool>& stop,
-                                          const harness::Progress& progress);
+                                          const run::Progress& progress);
 
 }  // namespace touchstone::tunnelling

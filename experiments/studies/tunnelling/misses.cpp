@@ -19,8 +19,8 @@ void count(const Motion& motion, const filtered::PreparedPolygon& polygon, Conta
 
 }  // namespace
 
-void count_misses(const Settings& settings, const harness::RunControl<Misses>& control, Misses& misses) {
-  harness::run_sweep(
+void count_misses(const Settings& settings, const run::RunControl<Misses>& control, Misses& misses) {
+  run::run_sweep(
       settings.samples, settings.threads, control, Misses(), misses,
       [&](std::uint64_t n, Misses& part) {
         ++part.samples;

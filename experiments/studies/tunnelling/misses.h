@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "experiments/harness/run_control.h"
+#include "experiments/run/run_control.h"
 #include "experiments/studies/tunnelling/passes.h"
 
 namespace touchstone::tunnelling {
@@ -40,6 +40,6 @@ struct Misses {
 
 /// Counts the passes that `misses` does not contain yet. In the first process the result is a function of the settings
 /// and the number of samples done.
-void count_misses(const Settings& settings, const harness::RunControl<Misses>& control, Misses& misses);
+void count_misses(const Settings& settings, const run::RunControl<Misses>& control, Misses& misses);
 
 }  // namespace touchstone::tunnelling

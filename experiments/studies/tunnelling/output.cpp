@@ -4,23 +4,23 @@
 namespace touchstone::tunnelling {
 namespace {
 
-using harness::path;
+using run::path;
 
 struct MissRow {
   double radius;
   std::uint64_t steps, contacts, missed, beside;
-  harness::Rate rate;
+  run::Rate rate;
 };
 
-const harness::Table<MissRow>& misses_table() {
-  static const harness::Table<MissRow> table(
+const run::Table<MissRow>& misses_table() {
+  static const run::Table<MissRow> table(
       "misses.csv", "a radius and a number of steps",
-      harness::all_columns<MissRow>(
+      run::all_columns<MissRow>(
           {{{"radius", "the radius of the ball, as a share of the polygon's size", &MissRow::radius},
             {"steps", "equal steps of a way as long as the polygon's size", &MissRow::steps},
             {"contacts", "motions that touch, by the exact sweep", &MissRow::contacts},
             {"missed", "those of which no place between steps touches", &MissRow::missed}},
-           harness::rate_columns<MissRow>("missed contacts", &MissRow::rate),
+           run::rate_columns<MissRow>("missed contacts", &MissRow::rate),
            {{"beside",
              "motions that do not touch, although a place on them does, once rounded to doubles; at any "
              "number of steps",
@@ -34,7 +34,7 @@ struct CostRow {
   std::optional<timing::Quartiles> ratio;
 };
 
-const harness::Table<CostRow>& cost_table() {
+const run::Table<CostRow>& cost_table() {
   constexpr const char* kTime = "{:.1f}";
   constexpr const char* kRatio = "{:.3g}";
   const auto time = [](double timing::Quartiles::*part) {
@@ -43,7 +43,7 @@ const harness::Table<CostRow>& cost_table() {
   const auto ratio = [](double timing::Quartiles::*part) {
     return [part](const CostRow& row) { return row.ratio ? std::optional((*row.ratio).*part) : std::nullopt; };
   };
-  static const harness::Table<CostRow> table(
+  static const run::Table<CostRow> table(
       "cost.csv", "a way of asking about a motion; a measurement, which differs from run to run",
       {{"asked", "the exact sweep, or a number of steps", [](const CostRow& row) { return row.measured->name; }},
        {"motions", "motions", [](const CostRow& row) { return row.measured->queries; }},
@@ -64,7 +64,7 @@ std::vector<MissRow> rows_of(const Misses& misses) {
     for (std::size_t level = 0; level <= kMostLevel; ++level) {
       const Contacts& contacts = misses.of[i];
       rows.push_back({kRadii[i], std::uint64_t{1} << level, contacts.all, contacts.missed[level], contacts.beside,
-                      harness::rate(contacts.missed[level], contacts.all)});
+                      run::rate(contacts.missed[level], contacts.all)});
     }
   return rows;
 }
@@ -88,7 +88,7 @@ void write_cost(const std::filesystem::path& folder, const timing::Result& cost)
   cost_table().write(folder, rows_of(cost));
 }
 
-std::vector<harness::TableDescription> tables() { return {misses_table().description(), cost_table().description()}; }
+std::vector<run::TableDescription> tables() { return {misses_table().description(), cost_table().description()}; }
 
 std::string table(const Misses& misses) { return misses_table().aligned(rows_of(misses)); }
 std::string table(const timing::Result& cost) { return cost_table().aligned(rows_of(cost)); }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/table.h"
-#include "experiments/harness/timing/measurement.h"
+#include "experiments/run/table.h"
+#include "experiments/run/timing/measurement.h"
 #include "experiments/studies/tunnelling/misses.h"
 
 namespace touchstone::tunnelling {
@@ -19,7 +19,7 @@ void write_misses(const std::filesystem::path& folder, const Misses& misses);
 /// cost.csv: times, which differ from run to run.
 void write_cost(const std::filesystem::path& folder, const timing::Result& cost);
 
-[[nodiscard]] std::vector<harness::TableDescription> tables();
+[[nodiscard]] std::vector<run::TableDescription> tables();
 
 /// Returns the tables for the terminal.
 [[nodiscard]] std::string table(const Misses& misses);

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/workloads/loops.h"
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/workload.h"
+#include "experiments/cases/workloads/loops.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/workload.h"
 
 namespace touchstone::tunnelling {
 namespace {

@@ -3,17 +3,17 @@
 
 #include <memory>
 
-#include "experiments/harness/study.h"
+#include "experiments/cases/workloads/workload.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/tunnelling/cost.h"
 #include "experiments/studies/tunnelling/output.h"
-#include "experiments/workloads/workload.h"
 
 namespace touchstone::commands {
 namespace {
 
 using namespace tunnelling;
 
-struct Options : harness::StudyOptions {
+struct Options : run::StudyOptions {
   std::size_t vertices = 12;
   unsigned repetitions = 7;
 };
@@ -22,7 +22,7 @@ struct Options : harness::StudyOptions {
 constexpr int kVersion = 1;
 
 /// One run: all processes count misses, one process alone measures times.
-int run_tunnelling(harness::StudyRun& run, const Options& options) {
+int run_tunnelling(run::StudyRun& run, const Options& options) {
   const Settings settings{options.vertices, options.samples, options.seed, options.threads};
   const Misses misses = run.phase("passes", "checkpoint.json", settings.samples, Misses(),
                                   [&](const auto& control, Misses& sum) { count_misses(settings, control, sum); });
@@ -50,8 +50,8 @@ int run_tunnelling(harness::StudyRun& run, const Options& options) {
 
 }  // namespace
 
-harness::Command tunnelling_command() {
-  harness::Command command("tunnelling", "Count the contacts that discrete steps of a moving ball miss");
+run::Command tunnelling_command() {
+  run::Command command("tunnelling", "Count the contacts that discrete steps of a moving ball miss");
   command.footer("Counts are the same bytes for the same settings; cost.csv holds times, which are measured.");
   auto options = std::make_shared<Options>();
   options->samples = 20'000;
@@ -61,11 +61,11 @@ harness::Command tunnelling_command() {
              workloads::kMostRandomSimple)
       .changes_results();
   command.whole("--repetitions", options->repetitions, "The number of turns of each way of asking", 1, 100'000);
-  harness::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");
+  run::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");
   command.writes(tables());
   command.example("tunnelling --samples 1000");
-  command.runs(harness::study_runner("tunnelling", kVersion, *options,
-                                     [options](harness::StudyRun& run) { return run_tunnelling(run, *options); }));
+  command.runs(run::study_runner("tunnelling", kVersion, *options,
+                                 [options](run::StudyRun& run) { return run_tunnelling(run, *options); }));
   return command;
 }
 

@@ -10,16 +10,16 @@ namespace touchstone::commands {
 namespace {
 
 TEST(JudgeCommand, RefusesAnEngineWhoseNameIsNotUtf8) {
-  EXPECT_THROW(judge_command()({"--engine", "cat # \xff", "/dev/null"}), harness::UsageError);
+  EXPECT_THROW(judge_command()({"--engine", "cat # \xff", "/dev/null"}), run::UsageError);
   EXPECT_NO_THROW(judge_command()({"--engine", "cat # \xc3\xa9", "/dev/null"}));
 }
 
 TEST(CasesCommand, RefusesNumbersThatMeanNothing) {
-  EXPECT_THROW(cases_command()({"--vertices", "2"}), harness::UsageError);
-  EXPECT_THROW(cases_command()({"--vertices", "131073"}), harness::UsageError);
+  EXPECT_THROW(cases_command()({"--vertices", "2"}), run::UsageError);
+  EXPECT_THROW(cases_command()({"--vertices", "131073"}), run::UsageError);
   for (const char* option : {"--vertices", "--holes", "--seed", "--first", "--samples"})
     for (const char* number : {"-1", "1.5", "many", "18446744073709551616"})
-      EXPECT_THROW(cases_command()({option, number}), harness::UsageError) << option << ' ' << number;
+      EXPECT_THROW(cases_command()({option, number}), run::UsageError) << option << ' ' << number;
   EXPECT_NO_THROW(cases_command()({"--samples", "0", "--vertices", "3"}));
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: examples.py TOUCHSTONE SOURCE COMPILER
 
-The two engines of experiments/judge/README.md run as they stand there, and are judged as the page says. Exit status 1
+The two engines of docs/engines.md run as they stand there, and are judged as the page says. Exit status 1
 otherwise.
 """
 
@@ -34,7 +34,7 @@ def judged(program, engine, folder):
 
 
 def main(program, source, compiler):
-    page = (pathlib.Path(source) / "experiments/judge/README.md").read_text()
+    page = (pathlib.Path(source) / "docs/engines.md").read_text()
     blocks = dict(re.findall(r"```(python|cpp)\n(.*?)```", page, re.DOTALL))
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -13,7 +13,7 @@ import sys
 
 
 def main(touchstone, source):
-    page = pathlib.Path(source, "experiments/judge/REJECTIONS.md").read_text()
+    page = pathlib.Path(source, "docs/rejections.md").read_text()
     codes = re.findall(r'RejectionCode::\w+: return "([a-z-]+)"',
                        pathlib.Path(source, "geometry/shapes/rejection.cpp").read_text())
     entries = re.findall(r"^## (\S+)\n\n(.+?)\n\n```json\n(.+?)\n```\n\n> (.+?)$", page, re.MULTILINE | re.DOTALL)

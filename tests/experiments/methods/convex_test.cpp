@@ -7,10 +7,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "experiments/cases/workloads/outline.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/registry.h"
-#include "experiments/workloads/outline.h"
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/workload.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::methods {

@@ -7,12 +7,12 @@
 #include <string>
 
 #include "experiments/cases/method.h"
+#include "experiments/cases/workloads/grazing_radius.h"
+#include "experiments/cases/workloads/loops.h"
+#include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/engines/mesh.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/triangulate.h"
-#include "experiments/workloads/grazing_radius.h"
-#include "experiments/workloads/loops.h"
-#include "experiments/workloads/workload.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/motion.h"
 

@@ -60,7 +60,7 @@ std::pair<std::string, std::string> selected(const std::vector<std::string>& arg
   Selection selection{{"fast", "thesis"}};
   std::string line;
   std::function<std::vector<std::pair<std::string, std::string>>()> options;
-  harness::Command command("measure", "Measures");
+  run::Command command("measure", "Measures");
   declare_compared_methods(command, selection);
   command.keep_line(line);
   command.keep_result_options(options);
@@ -76,7 +76,7 @@ TEST(Selection, EnginesAloneReplaceTheDefaultMethods) {
   EXPECT_EQ(selected({"--engine", "cat=u-mine"}), Pair("u-mine", "touchstone measure --engine cat=u-mine"));
   EXPECT_EQ(selected({"--engine", "cat=u-mine", "--methods", "fast", "--engine", "cat -u =u-b"}),
             Pair("fast,u-mine,u-b", "touchstone measure --methods fast --engine cat=u-mine --engine 'cat -u =u-b'"));
-  EXPECT_THROW((void)selected({"--engine", " "}), harness::UsageError);
+  EXPECT_THROW((void)selected({"--engine", " "}), run::UsageError);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "experiments/workloads/outline.h"
-#include "experiments/workloads/workload.h"
+#include "experiments/cases/workloads/outline.h"
+#include "experiments/cases/workloads/workload.h"
 
 namespace touchstone::cell_model_tests {
 namespace {

@@ -25,7 +25,7 @@ SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBo
 
 
 def calls(source, mesh):
-    cell = str(source / "experiments/cell/cells/aristo.json")
+    cell = str(source / "experiments/thesis/cell/cells/aristo.json")
     return {
         "meshes": ["meshes", mesh, "--methods", "exact,filtered,fast,cgal-double,thesis"],
         "near-edge": ["near-edge", "--methods", "filtered,fast,thesis", "--families", "u", "--samples", "4", "--search", "2", "--no-pictures"],
@@ -63,12 +63,12 @@ def write(program, source, results):
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         list(pool.map(lambda item: run(program, *item[1], "--output", str(results / item[0])), reversed(calls(source, str(mesh)).items())))
     for n in (1, 2):
-        run(program, "cell", "run", str(source / "experiments/cell/cells/aristo.json"), "--preset", f"case {n}", "--every-face", "--methods", "filtered,thesis",
+        run(program, "cell", "run", str(source / "experiments/thesis/cell/cells/aristo.json"), "--preset", f"case {n}", "--every-face", "--methods", "filtered,thesis",
             "--output", str(results / "cell" / f"case-{n}"))
     for folder, drive in (("u-part", []), ("driven", ["--drive", "thesis"])):  # which ends with status 1
-        call = ["cell", "run", str(source / "experiments/cell/cells/aristo.json"), "--preset", "U-part", "--methods", "filtered,thesis", *drive]
+        call = ["cell", "run", str(source / "experiments/thesis/cell/cells/aristo.json"), "--preset", "U-part", "--methods", "filtered,thesis", *drive]
         assert subprocess.run([program, *call, "--output", str(results / "cell" / folder)], capture_output=True).returncode == len(drive) / 2
-    run(program, "cell", "export", str(source / "experiments/cell/cells/aristo.json"), str(results / "cell/cell.html"), "--methods", "filtered")
+    run(program, "cell", "export", str(source / "experiments/thesis/cell/cells/aristo.json"), str(results / "cell/cell.html"), "--methods", "filtered")
     for path in (results / "near-edge").glob("map-*.csv"):
         path.write_text("".join(path.read_text().splitlines(keepends=True)[:200]))  # enough of one
     (results / "methods.txt").write_text(run(program, "methods"))

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/harness/write_file.h"
+#include "experiments/run/write_file.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run_tests {
@@ -28,7 +28,7 @@ struct MelfaMeshes {
       for (const int i : {a, b, c}) text += "vertex " + corners[static_cast<std::size_t>(i)] + "\n";
       text += "endloop\nendfacet\n";
     }
-    harness::write_file(scratch.path / file, text + "endsolid t\n");
+    run::write_file(scratch.path / file, text + "endsolid t\n");
   }
   const Scratch scratch;
 };

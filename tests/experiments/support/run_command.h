@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/command.h"
+#include "experiments/run/command.h"
 
 namespace touchstone::run_tests {
 
-using MakeCommand = harness::Command (*)();
+using MakeCommand = run::Command (*)();
 
 /// Runs the command with these arguments. Returns the exit status; throws the exceptions of the command.
 inline int run_command(MakeCommand make, const std::vector<std::string>& arguments) { return make()(arguments); }

@@ -4,14 +4,14 @@
 #include <atomic>
 #include <cstdint>
 
-#include "experiments/harness/processes.h"
-#include "experiments/harness/run_control.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/run_control.h"
 
 /// The control of a run in one process that is never stopped and shows no progress.
 namespace touchstone::run_tests {
 
 inline const std::atomic<bool> kNeverStop = false;
-inline const harness::Progress kSilent = [](std::uint64_t) {};
-inline const harness::Processes kAlone;
+inline const run::Progress kSilent = [](std::uint64_t) {};
+inline const run::Processes kAlone;
 
 }  // namespace touchstone::run_tests

@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/generators.h"

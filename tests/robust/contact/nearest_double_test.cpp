@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
 
 namespace touchstone::exact {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/workloads/lattice.h"
+#include "experiments/cases/workloads/lattice.h"
 #include "robust/exact/validate.h"
 #include "tests/robust/support/rearranged.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/workloads/workload.h"
+#include "experiments/cases/workloads/workload.h"
 
 namespace touchstone::exact {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::every_state_tests {

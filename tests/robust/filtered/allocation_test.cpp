@@ -9,7 +9,7 @@
 #include <new>
 #include <vector>
 
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 

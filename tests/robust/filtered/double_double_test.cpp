@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/filtered/exact_number.h"
 
@@ -54,7 +54,8 @@ TEST(FilteredErrorFree, SumsAreExact) {
     EXPECT_EQ(sum.high, a + b) << "index " << i;
     EXPECT_EQ(exactly(difference), exactly(a) - exactly(b)) << "index " << i;
     const double large = std::max(std::abs(a), std::abs(b)), small = std::min(std::abs(a), std::abs(b));
-    EXPECT_EQ(exactly(filtered::detail::quick_two_sum(large, -small)), exactly(large) - exactly(small)) << "index " << i;
+    EXPECT_EQ(exactly(filtered::detail::quick_two_sum(large, -small)), exactly(large) - exactly(small))
+        << "index " << i;
   }
 }
 
@@ -83,7 +84,8 @@ DoubleDouble double_double(Random& random, int reach) {
 void expect_within_unit(const DoubleDouble& computed, const mpq_class& exact, const char* operation,
                         std::uint64_t index) {
   const mpq_class error = abs(exactly(computed) - exact);
-  EXPECT_LE(error, abs(exact) * exactly(filtered::detail::bounds::kDoubleDoubleUnit)) << operation << ", index " << index;
+  EXPECT_LE(error, abs(exact) * exactly(filtered::detail::bounds::kDoubleDoubleUnit))
+      << operation << ", index " << index;
   EXPECT_TRUE(is_normalised(computed)) << operation << ", index " << index;
   EXPECT_EQ(sign(computed), sgn(exact)) << operation << ", index " << index;
 }
@@ -105,7 +107,8 @@ TEST(FilteredDoubleDouble, OperationsAreWithinTheirUnit) {
 
 /// |computed / exact - 1| asked without a root: squares are compared.
 TEST(FilteredDoubleDouble, QuotientsAndRootsAreWithinTheirBounds) {
-  const mpq_class unit = exactly(filtered::detail::bounds::kQuotient) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
+  const mpq_class unit =
+      exactly(filtered::detail::bounds::kQuotient) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
   for (std::uint64_t i = 0; i < kPairs; ++i) {
     Random random(2010, i);
     const DoubleDouble a = double_double(random, 100), b = double_double(random, 100);

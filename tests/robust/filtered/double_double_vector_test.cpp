@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/workloads/random.h"
-#include "robust/filtered/detail/signs/bounds.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/detail/numbers/lane_vector.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {
@@ -47,8 +47,10 @@ mpq_class product_sum(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble
   return product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z);
 }
 
-const mpq_class kDotError = exactly(filtered::detail::bounds::kDot) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
-const mpq_class kCrossError = exactly(filtered::detail::bounds::kCross) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
+const mpq_class kDotError =
+    exactly(filtered::detail::bounds::kDot) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
+const mpq_class kCrossError =
+    exactly(filtered::detail::bounds::kCross) * exactly(filtered::detail::bounds::kDoubleDoubleUnit);
 
 TEST(FilteredDoubleDoubleVector, DotIsWithinItsBound) {
   mpq_class largest = 0;
@@ -78,7 +80,8 @@ TEST(FilteredDoubleDoubleVector, CrossIsWithinItsBound) {
 }
 
 filtered::detail::LaneVector in_lanes(const Vector3<DoubleDouble>& v) {
-  return {{filtered::detail::pack(v.x.high, v.y.high, v.z.high, 0), filtered::detail::pack(v.x.low, v.y.low, v.z.low, 0)}};
+  return {
+      {filtered::detail::pack(v.x.high, v.y.high, v.z.high, 0), filtered::detail::pack(v.x.low, v.y.low, v.z.low, 0)}};
 }
 
 void expect_same(const DoubleDouble& a, const DoubleDouble& b) {

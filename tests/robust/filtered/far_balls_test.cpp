@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "experiments/workloads/placement.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/placement.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/support/printing.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/adversarial/case.h"
+#include "experiments/cases/workloads/adversarial/case.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/support/environment.h"

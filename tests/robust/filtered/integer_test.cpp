@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "tests/robust/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {

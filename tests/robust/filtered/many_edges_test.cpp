@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/outline.h"
+#include "experiments/cases/workloads/outline.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/support/printing.h"

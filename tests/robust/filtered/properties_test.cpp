@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/support/hard_cases.h"

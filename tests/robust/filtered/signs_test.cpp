@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/adversarial/case.h"
-#include "experiments/workloads/random.h"
-#include "robust/filtered/detail/signs/bounds.h"
+#include "experiments/cases/workloads/adversarial/case.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/filtered/exact_number.h"
 #include "tests/robust/support/hard_cases.h"
 

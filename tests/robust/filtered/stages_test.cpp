@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/support/hard_cases.h"

@@ -14,15 +14,15 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/sets/triangle_groups.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
@@ -31,11 +31,11 @@ namespace touchstone::filtered_tests {
 namespace {
 
 using contact_tests::Environment;
-using filtered::detail::Kernels;
 using filtered::Stage;
 using filtered::StageCounts;
-using filtered::detail::TriangleGroup;
 using filtered::TriangleSet;
+using filtered::detail::Kernels;
+using filtered::detail::TriangleGroup;
 using workloads::Random;
 
 bool exact_contact(const Ball& ball, const Triangle& t) { return exact::contact(ball, Polygon({t.a, t.b, t.c})); }
@@ -50,7 +50,8 @@ using Answers = std::vector<bool>;
 
 /// Asks about all triangles with one set of kernels. Nothing may be written behind the span.
 template <class Counts>
-Answers asked(const filtered::detail::KernelTable<Counts>& kernels, const Ball& ball, const TriangleSet& set, Counts& counts) {
+Answers asked(const filtered::detail::KernelTable<Counts>& kernels, const Ball& ball, const TriangleSet& set,
+              Counts& counts) {
   const std::unique_ptr<bool[]> touches(new bool[set.size() + 1]());
   touches[set.size()] = true;
   kernels.set_contact(ball, parts_of(set), {touches.get(), set.size()}, counts);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/support/hard_cases.h"

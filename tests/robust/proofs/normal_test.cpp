@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/workloads/random.h"
-#include "robust/filtered/detail/signs/bounds.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/detail/polygon/prepared.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/proofs/rationals.h"
 

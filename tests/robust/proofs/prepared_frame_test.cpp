@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/random.h"
-#include "robust/filtered/detail/signs/bounds.h"
-#include "robust/filtered/detail/polygon/frame.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/polygon/frame.h"
 #include "robust/filtered/detail/polygon/prepared.h"
+#include "robust/filtered/detail/signs/bounds.h"
 
 namespace touchstone::proofs::prepared_frame {
 namespace {

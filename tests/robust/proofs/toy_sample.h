@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/proofs/expressions.h"
 #include "tests/robust/proofs/toy.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/scene/posing.h"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/scene/detail/swept.h"
 
 namespace touchstone::scene_tests {

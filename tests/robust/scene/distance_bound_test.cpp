@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/filtered.h"
 
 namespace touchstone::scene_tests {

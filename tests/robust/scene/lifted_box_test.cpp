@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::scene_tests {

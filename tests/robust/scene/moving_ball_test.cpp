@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/motion.h"
 #include "robust/scene/detail/first_contact_search.h"
 #include "tests/robust/scene/adversarial_scenes.h"

@@ -8,8 +8,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/validate.h"
 #include "robust/scene/posing.h"
 

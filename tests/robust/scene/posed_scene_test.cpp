@@ -7,8 +7,8 @@
 #include <string>
 #include <variant>
 
-#include "experiments/statistics/clopper_pearson.h"
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/run/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "robust/scene/posing.h"

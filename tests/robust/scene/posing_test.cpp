@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "tests/robust/support/environment.h"
 
 namespace touchstone::scene_tests {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
 #include "tests/robust/support/rearranged.h"
 #include "tests/robust/support/signed_zeros.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/workload.h"
+#include "experiments/cases/workloads/workload.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "experiments/workloads/adversarial/case.h"
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/adversarial/case.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/robust/support/rearranged.h"

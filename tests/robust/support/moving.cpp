@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "tests/robust/support/rearranged.h"
 #include "tests/robust/support/signed_zeros.h"
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
-#include "experiments/workloads/random.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/mesh/weld.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/mesh.h"
 #include "geometry/shapes/polygon.h"

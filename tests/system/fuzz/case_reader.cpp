@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           same.ball.radius != shapes->ball.radius || same.to != shapes->to)
         throw std::logic_error("not read again as it was written: " + line);
     }
-  } catch (const harness::NotJson&) {
+  } catch (const run::NotJson&) {
   }
   return 0;
 }

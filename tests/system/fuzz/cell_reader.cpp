@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "experiments/cell/model/read_cell.h"
+#include "experiments/thesis/cell/model/read_cell.h"
 #include "tests/system/fuzz/written_file.h"
 
 using namespace touchstone;
@@ -13,7 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const char* arm : {"aristo.urdf", "melfa.urdf"}) {
     const auto copy = file.parent_path() / arm;
     if (!std::filesystem::exists(copy))
-      std::filesystem::copy_file(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/cell/cells" / arm, copy);
+      std::filesystem::copy_file(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells" / arm,
+                                 copy);
   }
   try {
     (void)cell::read_cell(file);

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"

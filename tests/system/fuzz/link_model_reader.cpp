@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "experiments/cell/model/link_model.h"
+#include "experiments/thesis/cell/model/link_model.h"
 #include "geometry/io/read_mesh.h"
 #include "tests/system/fuzz/written_file.h"
 

@@ -2,7 +2,7 @@
 // A URDF file is refused by BadCell, or read.
 #include <cstdint>
 
-#include "experiments/cell/model/read_urdf.h"
+#include "experiments/thesis/cell/model/read_urdf.h"
 #include "tests/system/fuzz/written_file.h"
 
 using namespace touchstone;

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "experiments/cases/comparison.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/studies/soak/system_under_test.h"
-#include "experiments/workloads/ulp.h"
 #include "geometry/contact/fast.h"
 #include "geometry/contact/fast_motion.h"
 #include "robust/exact/exact.h"
@@ -184,7 +184,8 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
 
     const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
     ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
-    const auto found_closest = filtered::detail::closest(filtered::detail::baseline_kernels().plain, ball.center, *triangle, none);
+    const auto found_closest =
+        filtered::detail::closest(filtered::detail::baseline_kernels().plain, ball.center, *triangle, none);
     ASSERT_EQ(found_closest, closest) << stored;
     ASSERT_TRUE(zeros_are_positive(found_closest)) << stored;
   }
@@ -219,7 +220,8 @@ TEST(Corpus, FilteredMeetsEveryCaseByTheHierarchyOfEdges) {
     if (!stored.answer) continue;
     const Asked asked(stored);
     const filtered::PreparedPolygon::Parts parts(stored.polygon(), filtered::detail::EdgeIndex::Use::OftenByHierarchy);
-    for (const filtered::detail::Kernels* kernels : {&filtered::detail::baseline_kernels(), &filtered::detail::kernels()}) {
+    for (const filtered::detail::Kernels* kernels :
+         {&filtered::detail::baseline_kernels(), &filtered::detail::kernels()}) {
       filtered::NoCounts none;
       ASSERT_EQ(kernels->plain.contact(stored.ball(), parts, none), stored.answer->contact()) << stored;
       ASSERT_EQ(kernels->plain.answer(stored.ball(), parts, none), *stored.answer) << stored;

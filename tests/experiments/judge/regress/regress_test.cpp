@@ -13,9 +13,9 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/commands.h"
-#include "experiments/harness/write_file.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
+#include "experiments/run/write_file.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
@@ -93,7 +93,7 @@ TEST(OutcomeTable, AMethodIsNotWrongWhereItIsUnsure) {
 TEST(Baseline, ReadsWhatItWrites) {
   const run_tests::Scratch scratch;
   const Baseline baseline{kSmall, outcomes_of({"fast", "thesis-float", "interval"})};
-  harness::write_file(scratch.path / "baseline.json", baseline_text(baseline));
+  run::write_file(scratch.path / "baseline.json", baseline_text(baseline));
   const Baseline read = read_baseline(scratch.path / "baseline.json");
   EXPECT_EQ(read.settings, baseline.settings);
   EXPECT_EQ(read.table, baseline.table);
@@ -105,7 +105,7 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
   const run_tests::Scratch scratch;
   const auto fault = [&](const std::string& text) -> std::string {
     const auto file = scratch.path / "baseline.json";
-    harness::write_file(file, text);
+    run::write_file(file, text);
     try {
       (void)read_baseline(file);
     } catch (const std::runtime_error& error) {
@@ -208,7 +208,7 @@ TEST(Regress, TakesSeedAndSamplesFromTheBaselineOrFromTheOptions) {
 TEST(Regress, RefusesABaselineWithoutAnyMethodOfTheRun) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  harness::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
+  run::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
   const auto ran = run_tests::run_captured(commands::regress_command, {"--baseline", file, "--methods", "fast"});
   EXPECT_EQ(ran.status, 2) << ran.out;
   EXPECT_EQ(ran.err, file + ": has none of the methods of this run");
@@ -217,7 +217,7 @@ TEST(Regress, RefusesABaselineWithoutAnyMethodOfTheRun) {
 TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  harness::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
+  run::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
   const std::vector<std::string> named = {"--baseline", file, "--methods", "thesis,fast"};
   const auto refused = run_tests::run_captured(commands::regress_command, named);
   EXPECT_EQ(refused.status, 2) << refused.out;
@@ -237,7 +237,7 @@ TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
   const std::vector<std::string> arguments = {"--methods", "fast", "--samples", "1", "--write", file};
   EXPECT_EQ(run_tests::run_captured(commands::regress_command, arguments).status, 0);
   const std::string written = run_tests::text_of(file);
-  harness::write_file(file, "mine");
+  run::write_file(file, "mine");
   const auto refused = run_tests::run_captured(commands::regress_command, arguments);
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");  // no time was spent
@@ -255,7 +255,7 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   Outcomes& outcomes = baseline.table["thesis"]["star"];
   const auto wrong = static_cast<std::size_t>(std::ranges::find(outcomes, Outcome::Wrong) - outcomes.begin());
   outcomes[wrong] = Outcome::Right;  // as if it had been right about it
-  harness::write_file(scratch.path / "baseline.json", baseline_text(baseline));
+  run::write_file(scratch.path / "baseline.json", baseline_text(baseline));
   const auto ran = run_tests::run_captured(commands::regress_command,
                                            {"--baseline", (scratch.path / "baseline.json").string(), "--methods",
                                             "thesis,boost-geometry", "--output", (scratch.path / "out").string()});

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/harness/timing/output.h"
+#include "experiments/run/timing/output.h"
 #include "experiments/studies/bench/families.h"
 #include "tests/experiments/studies/bench/run_bench.h"
 #include "tests/experiments/support/scratch.h"
@@ -296,19 +296,19 @@ TEST(BenchCommand, CountsTheQueriesOfOnePool) {
 }
 
 TEST(BenchCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_bench({"--family", "circles"}), harness::UsageError);
-  EXPECT_THROW(run_bench({"--samples", "0"}), harness::UsageError);
-  EXPECT_THROW(run_bench({"--samples", "-1"}), harness::UsageError);
-  EXPECT_THROW(run_bench({"--samples", "10000001"}), harness::UsageError);
-  EXPECT_THROW(run_bench({"--repetitions", "0"}), harness::UsageError);
-  EXPECT_THROW(run_bench({"--seed", "one"}), harness::UsageError);
-  EXPECT_THROW(run_bench({"--count", "fast"}), harness::UsageError);
-  EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), harness::UsageError);
+  EXPECT_THROW(run_bench({"--family", "circles"}), run::UsageError);
+  EXPECT_THROW(run_bench({"--samples", "0"}), run::UsageError);
+  EXPECT_THROW(run_bench({"--samples", "-1"}), run::UsageError);
+  EXPECT_THROW(run_bench({"--samples", "10000001"}), run::UsageError);
+  EXPECT_THROW(run_bench({"--repetitions", "0"}), run::UsageError);
+  EXPECT_THROW(run_bench({"--seed", "one"}), run::UsageError);
+  EXPECT_THROW(run_bench({"--count", "fast"}), run::UsageError);
+  EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), run::UsageError);
   EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--output", "/dev/null/bench"}), std::runtime_error);
   EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--output", "/tmp"}), std::runtime_error);
   try {
     run_bench({"--family", "circles"});
-  } catch (const harness::UsageError& error) {
+  } catch (const run::UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("there are random-triangles, half-near, "), std::string::npos);
   }
 }

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 
 namespace touchstone::bench {
 namespace {

@@ -9,9 +9,9 @@
 #include <set>
 #include <tuple>
 
+#include "experiments/cases/workloads/lattice/lattice_tangents.h"
 #include "experiments/methods/ericson.h"
 #include "experiments/studies/bench/polygon_queries.h"
-#include "experiments/workloads/lattice/lattice_tangents.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"

@@ -9,11 +9,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "experiments/cases/workloads/random.h"
 #include "experiments/commands.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/motions.h"
 #include "experiments/studies/bench_scenes/output.h"
-#include "experiments/workloads/random.h"
 #include "geometry/bvh/box.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
@@ -397,10 +397,10 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
 }
 
 TEST(SceneBenchCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_bench_scenes({"--max-faces", "999"}), harness::UsageError);
-  EXPECT_THROW(run_bench_scenes({"--max-faces", "10000001"}), harness::UsageError);
-  EXPECT_THROW(run_bench_scenes({"--axes", "far"}), harness::UsageError);
-  EXPECT_THROW(run_bench_scenes({"--count", "fast"}), harness::UsageError);
+  EXPECT_THROW(run_bench_scenes({"--max-faces", "999"}), run::UsageError);
+  EXPECT_THROW(run_bench_scenes({"--max-faces", "10000001"}), run::UsageError);
+  EXPECT_THROW(run_bench_scenes({"--axes", "far"}), run::UsageError);
+  EXPECT_THROW(run_bench_scenes({"--count", "fast"}), run::UsageError);
   EXPECT_THROW(run_bench_scenes({"--meshes", "/nowhere"}), std::runtime_error);
 }
 

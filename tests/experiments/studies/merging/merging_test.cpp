@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "experiments/commands.h"
-#include "experiments/harness/stop_signal.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/run/write_file.h"
 #include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"
 #include "geometry/io/read_mesh.h"
@@ -126,7 +126,7 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
   std::signal(SIGINT, SIG_DFL);  // in the background of a shell it is ignored
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();
-  harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::atomic<bool> ended = false;
   std::thread interrupting([&ended] {
     struct sigaction now {};
@@ -137,7 +137,7 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
       commands::merging_command, {mesh, "--compare", "10000000", "--output", (scratch.path / "out").string()});
   ended = true;
   interrupting.join();
-  EXPECT_EQ(ran.status, harness::kInterrupted) << ran.err;
+  EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
   EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers the first 0 of 1 meshes"),
             std::string::npos)
       << ran.err;
@@ -153,7 +153,7 @@ TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
   const std::string mesh = (scratch.path / "mesh.obj").string();
   std::string bad;
   for (std::size_t i = 0; i < kMostSentences + 500; ++i) bad += "v 0 0 zero\n";
-  harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
   const auto ran = run_tests::run_captured(
       commands::merging_command, {mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 0) << ran.err;
@@ -163,7 +163,7 @@ TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
 TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();
-  harness::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
+  run::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
   const auto polygons = [&](const char* tolerance) {
     const auto ran = run_tests::run_captured(
         commands::merging_command,
@@ -184,7 +184,7 @@ TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
 TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();
-  harness::write_file(mesh, "v 0 0 0\nf 1 1 1\n");
+  run::write_file(mesh, "v 0 0 0\nf 1 1 1\n");
   const auto ran = run_tests::run_captured(commands::merging_command,
                                            {mesh, "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 0) << ran.err;
@@ -195,8 +195,8 @@ TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
 TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
   const run_tests::Scratch scratch;
   const std::string none = (scratch.path / "none.obj").string(), mesh = (scratch.path / "mesh.obj").string();
-  harness::write_file(none, "V 0 0 0\n");
-  harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  run::write_file(none, "V 0 0 0\n");
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto ran = run_tests::run_captured(commands::merging_command, {none, mesh, "--compare", "0", "--skip-bad",
                                                                        "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 2);
@@ -215,7 +215,7 @@ TEST(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {
 TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string(), output = (scratch.path / "out").string();
-  harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
   for (const bool skip : {false, true}) {
     std::vector<std::string> arguments{mesh, "--compare", "0", "--force", "--output", output};
     if (skip) arguments.emplace_back("--skip-bad");

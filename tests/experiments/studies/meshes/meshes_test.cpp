@@ -13,11 +13,11 @@
 #include <sstream>
 #include <string>
 
+#include "experiments/cases/workloads/meshes/face_polygon.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/meshes/output.h"
 #include "experiments/studies/meshes/study.h"
-#include "experiments/workloads/meshes/face_polygon.h"
-#include "experiments/workloads/ulp.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
 

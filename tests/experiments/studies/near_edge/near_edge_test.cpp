@@ -9,8 +9,8 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
-#include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/output.h"
 #include "experiments/studies/near_edge/study.h"
@@ -206,13 +206,13 @@ TEST(NearEdgeStudy, AKilledRunGoesOnFromItsLastCheckpoint) {
              .progress = kSilent,
              .save =
                  [&](const Result& now) {
-                   if (saved.empty()) saved = harness::archived(now);
+                   if (saved.empty()) saved = run::archived(now);
                    stop = now.samples >= 4;
                  }},
             lost);
   EXPECT_GE(lost.samples, 4U);
   Result result = no_result(setting);
-  harness::restore(saved, result);
+  run::restore(saved, result);
   EXPECT_GT(result.samples, 0U);
   EXPECT_LT(result.samples, 4U);
   run_study(setting, {.processes = kAlone, .stop = kNeverStop, .progress = kSilent}, result);
@@ -291,7 +291,7 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnSomeSamplesThatNobodyFails) {
 
 // Sums of the largest sweep that the options allow stay below 2^64.
 TEST(NearEdgeCounts, DoNotOverflow) {
-  using harness::kMostSamples;
+  using run::kMostSamples;
   const std::uint64_t most = kMostSamples * cases::all_strata().size() * cases::all_offsets().size() * kTests.size();
   EXPECT_EQ(most / cases::all_strata().size() / cases::all_offsets().size() / kTests.size(), kMostSamples);
   EXPECT_LT(kMostSamples * cases::all_strata().size(), std::uint64_t{1} << 48) << "indices and redrawn ones stay apart";
@@ -391,18 +391,18 @@ TEST(NearEdgeCommand, RefusesASmallerSearchAtOnce) {
 TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);
-  EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--samples", "1099511627777"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--oracle", "fast"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--holes", "-1"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--vertices", "2"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--samples", "0"}), run::UsageError);
+  EXPECT_THROW(run_command({"--samples", "many"}), run::UsageError);
+  EXPECT_THROW(run_command({"--seed", "-1"}), run::UsageError);
+  EXPECT_THROW(run_command({"--threads", "0"}), run::UsageError);
+  EXPECT_THROW(run_command({"--samples", "1099511627777"}), run::UsageError);
+  EXPECT_THROW(run_command({"--oracle", "fast"}), run::UsageError);
+  EXPECT_THROW(run_command({"--holes", "-1"}), run::UsageError);
+  EXPECT_THROW(run_command({"--vertices", "2"}), run::UsageError);
   const Scratch scratch;
   EXPECT_EQ(error_of({"--vertices", "1025", "--output", scratch.path.string()}),
             "--vertices 1025: outlines of the family random-simple have at most 1024");
-  EXPECT_THROW(run_command({"--origin-distance", "-1"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--origin-distance", "-1"}), run::UsageError);
   EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }
 

@@ -12,7 +12,7 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
 #include "experiments/methods/registry.h"
-#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/support/unwatched.h"
@@ -184,7 +184,7 @@ TEST(Search, ReportsCasesThatAreWrong) {
 TEST(Search, TheNumberOfThreadsChangesNothing) {
   const auto one = settings({"fast", "thesis"}, {Family::U}, 1), three = settings({"fast", "thesis"}, {Family::U}, 3);
   const Onsets onsets = onsets_of(one, 7), same = onsets_of(three, 7);
-  EXPECT_EQ(harness::archived(onsets), harness::archived(same));
+  EXPECT_EQ(run::archived(onsets), run::archived(same));
   EXPECT_EQ(climbed(one, onsets).all, climbed(three, same).all);
 }
 

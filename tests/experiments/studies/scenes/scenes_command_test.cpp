@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/harness/stop_signal.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/run/write_file.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 
@@ -54,7 +54,7 @@ class SceneCommand : public testing::Test {
     write("roof.off", kRoof);
   }
   std::string write(const std::string& name, const std::string& text) const {
-    harness::write_file(scratch.path / name, text);
+    run::write_file(scratch.path / name, text);
     return path(name);
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }
@@ -401,7 +401,7 @@ TEST_F(SceneCommand, RecordsWhatIsMissingWhereItIsInterrupted) {
   EXPECT_EQ(::write(writer, "x", 1), 1);
   ::close(writer);
   reader.join();
-  EXPECT_EQ(run.status, harness::kInterrupted) << run.err;
+  EXPECT_EQ(run.status, run::kInterrupted) << run.err;
   const auto record = nlohmann::json::parse(text_of(path("results/run.json")));
   const auto asked = record["samples_asked"].get<int>(), done = record["samples_done"].get<int>();
   EXPECT_EQ(record["interrupted"], true);

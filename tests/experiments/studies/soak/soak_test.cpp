@@ -13,13 +13,13 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/output_lines.h"
+#include "experiments/cases/workloads/adversarial/motions.h"
 #include "experiments/commands.h"
-#include "experiments/harness/run_control.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/run/run_control.h"
+#include "experiments/run/write_file.h"
 #include "experiments/studies/soak/campaign.h"
 #include "experiments/studies/soak/comparison.h"
 #include "experiments/studies/soak/output.h"
-#include "experiments/workloads/adversarial/motions.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 #include "robust/exact/validate.h"
@@ -38,14 +38,14 @@ using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
-harness::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) {
+run::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) {
   return {scratch.path / "checkpoint.json",
           {2, {{"seed", std::to_string(settings.seed)}, {"from", std::to_string(settings.from)}}}};
 }
 
 /// Returns the tally from which a run with these settings continues.
-Tally resumed(const harness::Checkpoint& checkpoint, const Settings& settings) {
-  return harness::begin(checkpoint, kAlone, true, settings.cases, Tally());
+Tally resumed(const run::Checkpoint& checkpoint, const Settings& settings) {
+  return run::begin(checkpoint, kAlone, true, settings.cases, Tally());
 }
 
 /// Returns the tally of a whole run.
@@ -399,7 +399,7 @@ TEST(SoakCheckpoint, IsRefusedWhereItIsAnotherRuns) {
 
   const std::string text = text_of(checkpoint.path());
   for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string()}) {
-    harness::write_file(checkpoint.path(), damaged);
+    run::write_file(checkpoint.path(), damaged);
     expect_refused(scratch, settings, "is not a checkpoint");
   }
 }
@@ -467,7 +467,7 @@ TEST(SoakCommand, OptionsThatMeanNothingToPrintedCasesAreErrorsThatNameThem) {
     try {
       run_command(words);
       ADD_FAILURE() << option.front();
-    } catch (const harness::UsageError& error) {
+    } catch (const run::UsageError& error) {
       EXPECT_NE(std::string(error.what()).find(option.front() + " excludes --print"), std::string::npos)
           << error.what();
     }
@@ -490,11 +490,11 @@ TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
 }
 
 TEST(SoakCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--from", "1.5"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--samples", "0"}), run::UsageError);
+  EXPECT_THROW(run_command({"--samples", "many"}), run::UsageError);
+  EXPECT_THROW(run_command({"--seed", "-1"}), run::UsageError);
+  EXPECT_THROW(run_command({"--from", "1.5"}), run::UsageError);
+  EXPECT_THROW(run_command({"--threads", "0"}), run::UsageError);
   EXPECT_THROW(run_command({"--from", "18446744073709551615", "--samples", "2"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }

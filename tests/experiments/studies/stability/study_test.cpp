@@ -272,7 +272,7 @@ TEST(StabilityStudy, AStoppedRunIsAShorterOne) {
   Summary stopped = no_summary(longer);
   run_study(longer, {kAlone, stop, [&](std::uint64_t done) { stop = done == 4; }}, stopped);
   EXPECT_EQ(stopped.samples(), 2U);
-  EXPECT_EQ(harness::archived(stopped), harness::archived(whole(shorter)));
+  EXPECT_EQ(run::archived(stopped), run::archived(whole(shorter)));
 }
 
 // A summary that was written and read again is the same, to the last bit.
@@ -281,10 +281,10 @@ TEST(StabilityStudy, PassesThroughACheckpoint) {
   const Summary summary = whole(setting);
   EXPECT_FALSE(summary.errors.empty());
   EXPECT_FALSE(summary.points.empty());
-  const std::string text = harness::archived(summary);
+  const std::string text = run::archived(summary);
   Summary read = no_summary(setting);
-  harness::restore(text, read);
-  EXPECT_EQ(harness::archived(read), text);
+  run::restore(text, read);
+  EXPECT_EQ(run::archived(read), text);
   EXPECT_EQ(read.errors.size(), summary.errors.size());
   EXPECT_EQ(read.points.size(), summary.points.size());
 }
@@ -326,11 +326,11 @@ TEST(StabilityCommand, WritesResultsAndASidecar) {
 
 TEST(StabilityCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
-  EXPECT_THROW(run_command({"--axes", "width"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--axes", "width"}), run::UsageError);
+  EXPECT_THROW(run_command({"--samples", "0"}), run::UsageError);
+  EXPECT_THROW(run_command({"--samples", "many"}), run::UsageError);
+  EXPECT_THROW(run_command({"--seed", "-1"}), run::UsageError);
+  EXPECT_THROW(run_command({"--threads", "0"}), run::UsageError);
   EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/workloads/random.h"
+#include "experiments/cases/workloads/random.h"
 #include "tests/experiments/studies/tradeoff/small_study.h"
 
 namespace touchstone::tradeoff {

@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <set>
 
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/errors.h"
-#include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/support/unwatched.h"

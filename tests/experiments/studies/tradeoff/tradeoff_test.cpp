@@ -14,12 +14,12 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/band.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "experiments/studies/tradeoff/output.h"
-#include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/studies/tradeoff/small_study.h"
 #include "tests/experiments/support/run_command.h"
@@ -225,10 +225,10 @@ TEST(Tradeoff, AStoppedRunIsAShorterOne) {
 // Errors that were written and read again are the same, to the last bit.
 TEST(Tradeoff, ErrorsPassThroughACheckpoint) {
   const auto setting = settings({"fast", "thesis", "interval"}, 3);
-  const std::string text = harness::archived(whole(setting));
+  const std::string text = run::archived(whole(setting));
   Errors read = no_errors(setting);
-  harness::restore(text, read);
-  EXPECT_EQ(harness::archived(read), text);
+  run::restore(text, read);
+  EXPECT_EQ(run::archived(read), text);
   EXPECT_EQ(table(setting, read, {}), table(setting, whole(setting), {}));
 }
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/contact/first_contact.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/operators.h>
+#include <pybind11/stl.h>
+
+#include <string>
+
+#include "bindings/python/bindings.h"
+#include "bindings/python/initialised.h"
+#include "bindings/python/pickling.h"
+#include "bindings/python/words.h"
+
+namespace touchstone::python {
+namespace {
+
+namespace py = pybind11;
+
+/// The members, enumerators as numbers, from which first_contact_from makes it again.
+py::tuple members_of(const FirstContact& f) {
+  return py::make_tuple(static_cast<int>(f.kind), f.time, f.momentary, static_cast<int>(f.feature.kind),
+                        f.feature.index, coordinates_of(f.point));
+}
+FirstContact first_contact_from(int kind, double time, bool momentary, int feature, std::size_t index,
+                                const Coordinates& point) {
+  return {enumerator_of<FirstContactKind>(kind, "kind"),
+          time,
+          momentary,
+          {enumerator_of<Feature::Kind>(feature, "feature"), index},
+          {point[0], point[1], point[2]}};
+}
+
+}  // namespace
+
+void add_first_contact(py::module_& module) {
+  py::class_<FirstContact> type(
+      module, "FirstContact",
+      "The first contact of a moving ball, in the words of the contract: `kind` is 'start', 'way'\n"
+      "or 'none'. Without a contact `time` is infinite.");
+  make_picklable(type, members_of);
+  type.def(py::init(&first_contact_from), "Takes what `pickle` kept.")
+      .def_property_readonly("kind", [](const FirstContact& f) { return text(to_string(f.kind)); })
+      .def_property_readonly("contact", &FirstContact::contact)
+      .def_readonly("time", &FirstContact::time)
+      .def_readonly("momentary", &FirstContact::momentary)
+      .def_property_readonly("feature", [](const FirstContact& f) { return feature_of(f.feature); })
+      .def_readonly("point", &FirstContact::point)
+      .def(py::self == py::self)
+      .def("__repr__",
+           [](const FirstContact& f) {
+             return "FirstContact(" + std::string(to_string(f.kind)) +
+                    (f.contact() ? " at " + py::repr(py::float_(f.time)).cast<std::string>() : "") +
+                    (f.momentary ? ", momentary)" : ")");
+           })
+      .attr("__hash__") = py::none();
+}
+
+}  // namespace touchstone::python

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The module that python/touchstone/__init__.py exports.
+#include <exception>
+#include <utility>
+
+#include "bindings/python/bindings.h"
+#include "bindings/python/query_functions.h"
+#include "bindings/python/words.h"
+
+namespace touchstone::python {
+namespace {
+
+namespace py = pybind11;
+
+/// Translates Rejected to the Python exception Rejected: a ValueError with the `code` of the contract.
+void add_rejected(py::module_& module) {
+  static py::handle type = py::exception<Rejected>(module, "Rejected", PyExc_ValueError).release();
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(std::move(pointer));
+    } catch (const Rejected& rejected) {
+      py::object error = type(rejected.what());
+      error.attr("code") = text(to_string(rejected.rejection().code));
+      PyErr_SetObject(type.ptr(), error.ptr());
+    }
+  });
+}
+
+/// Makes the base class of pybind11's classes raise a TypeError where pybind11 would end the process: for an object of
+/// no class that the module registers. The base is the module's own (CMakeLists.txt). Call it before classes are added,
+/// which inherit what it sets.
+void refuse_bare_objects() {
+  auto* const base = reinterpret_cast<PyTypeObject*>(py::detail::get_internals().instance_base);
+  base->tp_new = [](PyTypeObject* type, PyObject*, PyObject*) -> PyObject* {
+    if (!py::detail::all_type_info(type).empty()) return py::detail::make_new_instance(type);
+    PyErr_Format(PyExc_TypeError, "cannot create '%s' objects", type->tp_name);
+    return nullptr;
+  };
+}
+
+PYBIND11_MODULE(_touchstone, module) {
+  refuse_bare_objects();
+  add_rejected(module);
+  add_answer(module);
+  add_first_contact(module);
+  add_polygon(module);
+  add_triangle_set(module);
+  add_mesh(module);
+  add_scene(module);
+  QueryFunctions<filtered::PreparedPolygon>::add_to(module, "filtered",
+                                                    "The answers of `exact`, at about the price of `fast`.");
+  QueryFunctions<exact::PreparedPolygon>::add_to(module, "exact", "Exact answers, over an exact kernel of CGAL.");
+  QueryFunctions<fast::PreparedPolygon<>>::add_to(
+      module, "fast", "Plain doubles: may be wrong near a boundary, without any indication.");
+  module.attr("__version__") = TOUCHSTONE_VERSION;
+}
+
+}  // namespace
+}  // namespace touchstone::python

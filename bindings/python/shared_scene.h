@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/gil.h>
+
+#include <mutex>
+#include <shared_mutex>
+
+#include "bindings/python/fair_shared_mutex.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::python {
+
+/// A scene that Python threads may ask and change at once: questions share it, a change has it alone. Each waits for
+/// what was asked before it, and for nothing later. Both release the interpreter, also while they wait.
+class SharedScene {
+ public:
+  /// Returns f(scene).
+  template <class F>
+  auto ask(const F& f) const {
+    const pybind11::gil_scoped_release release;
+    const std::shared_lock lock(mutex_);
+    return f(scene_);
+  }
+  /// Returns f(scene), which may change it.
+  template <class F>
+  auto change(const F& f) {
+    const pybind11::gil_scoped_release release;
+    const std::unique_lock lock(mutex_);
+    return f(scene_);
+  }
+
+ private:
+  mutable FairSharedMutex mutex_;
+  scene::Scene scene_;
+};
+
+}  // namespace touchstone::python

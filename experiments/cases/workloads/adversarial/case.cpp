@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cases/workloads/adversarial/case.h"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "experiments/cases/workloads/adversarial/balls.h"
+#include "experiments/cases/workloads/adversarial/outlines.h"
+#include "experiments/cases/workloads/adversarial/scaling.h"
+#include "experiments/cases/workloads/adversarial/tangents.h"
+#include "experiments/cases/workloads/adversarial/triangles.h"
+
+namespace touchstone::adversarial {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Drawn {
+  Triangle triangle;
+  Ball ball;
+};
+
+Polygon triangle_polygon(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
+
+/// Draws a ball with the threshold radius about a centre off one of the features of the triangle.
+Drawn at_threshold(Random& random, const Triangle& triangle) {
+  const Polygon polygon = triangle_polygon(triangle);
+  const Vector3d center = center_off_feature(random, polygon);
+  return {triangle, {center, radius_at_threshold(random, center, polygon)}};
+}
+
+/// Draws a lattice triangle and a ball near it, also with integers.
+Drawn on_lattice(Random& random) {
+  const Triangle triangle = lattice_triangle(random);
+  const Vector3d* corners[] = {&triangle.a, &triangle.b, &triangle.c};
+  const auto most = static_cast<std::int64_t>(size_of(triangle));
+  Ball ball{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double corner = (*corners[random.integer(0, 2)])[axis];
+    ball.center[axis] = random.coin() ? corner : corner + static_cast<double>(random.integer(-most, most));
+  }
+  if (random.coin())
+    return {triangle, {ball.center, radius_at_threshold(random, ball.center, triangle_polygon(triangle))}};
+  const auto axis = static_cast<int>(random.integer(0, 2));
+  ball.radius = random.coin() ? static_cast<double>(random.integer(0, most))
+                              : std::abs(ball.center[axis] - (*corners[random.integer(0, 2)])[axis]);
+  return {triangle, ball};
+}
+
+Drawn above_boundary(Random& random) {
+  const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
+  const Polygon polygon = triangle_polygon(triangle);
+  const Vector3d center = center_above_boundary(random, polygon);
+  const double radius = random.coin() ? radius_at_threshold(random, center, polygon) : 2 * size_of(triangle);
+  return {triangle, {center, radius}};
+}
+
+Drawn on_triangle(Random& random) {
+  const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
+  const Vector3d center = center_on_polygon(random, triangle_polygon(triangle));
+  const double radii[] = {0, 0x1p-1074, size_of(triangle) * std::abs(random.log_uniform(-55, -45)),
+                          (center - triangle.b).norm()};
+  return {triangle, {center, radii[random.integer(0, 3)]}};
+}
+
+/// Moves a vertex, an edge or the face to the origin. Doubles are so dense there that the distance of the centre may be
+/// smaller than the square root of the least double.
+Drawn close_to_origin(Random& random) {
+  const Triangle t = lattice_triangle(random);
+  const Vector3d u = t.b - t.a, v = t.c - t.a;
+  const Triangle triangles[] = {{Vector3d::Zero(), u, v}, {u, -4 * u, v}, {u, v, -(u + v)}};
+  const Triangle& triangle = triangles[random.integer(0, 2)];
+  return {triangle, ball_close_to_origin(random, triangle_polygon(triangle))};
+}
+
+Drawn from_afar(Random& random) {
+  const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
+  const Vector3d direction = center_off_feature(random, triangle_polygon(triangle)) - triangle.a;
+  const Vector3d center = triangle.a + std::abs(random.log_uniform(0, 60)) * direction;
+  return {triangle, {center, radius_at_threshold(random, center, triangle_polygon(triangle))}};
+}
+
+/// Draws centres that share coordinates with vertices, so that distances are often doubles nevertheless.
+Drawn of_all_exponents(Random& random) {
+  const Triangle triangle = triangle_of_all_exponents(random);
+  const Vector3d* corners[] = {&triangle.a, &triangle.b, &triangle.c};
+  const auto range = static_cast<int>(random.integer(0, kExponentRanges - 1));
+  Ball ball{};
+  for (int axis = 0; axis < 3; ++axis)
+    ball.center[axis] =
+        random.integer(0, 2) == 0 ? number_of_any_exponent(random, range) : (*corners[random.integer(0, 2)])[axis];
+  const auto axis = static_cast<int>(random.integer(0, 2));
+  switch (random.integer(0, 3)) {
+    case 0: ball.radius = std::abs(number_of_any_exponent(random, range)); break;
+    case 1: ball.radius = std::abs(ball.center[axis] - (*corners[random.integer(0, 2)])[axis]); break;
+    default: ball.radius = radius_at_exact_threshold(random, ball.center, triangle_polygon(triangle));
+  }
+  return {triangle, ball};
+}
+
+Drawn anywhere(Random& random) {
+  const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
+  const double size = size_of(triangle);
+  Ball ball{};
+  for (int axis = 0; axis < 3; ++axis) ball.center[axis] = triangle.a[axis] + 2 * size * (2 * random.unit() - 1);
+  ball.radius = size * std::abs(random.log_uniform(-7, 0));
+  return {triangle, ball};
+}
+
+Drawn draw_triangle(Random& random, Family family) {
+  switch (family) {
+    case Family::General: return at_threshold(random, general_triangle(random));
+    case Family::Lattice: return on_lattice(random);
+    case Family::Tangent: {
+      const auto [triangle, ball] = tangent(random);
+      return {triangle, ball};
+    }
+    case Family::Needle: return at_threshold(random, needle_triangle(random));
+    case Family::FarAway: return at_threshold(random, far_triangle(random));
+    case Family::Foot: return above_boundary(random);
+    case Family::Point: return on_triangle(random);
+    case Family::Close: return close_to_origin(random);
+    case Family::Grazing: return from_afar(random);
+    case Family::Exponents: return of_all_exponents(random);
+    default: return anywhere(random);
+  }
+}
+
+bool is_finite(const Drawn& drawn) {
+  const auto& [t, ball] = drawn;
+  return t.a.allFinite() && t.b.allFinite() && t.c.allFinite() && !find_fault(ball);
+}
+
+/// Returns nothing if the drawn vertices are collinear or a number is beyond the finite doubles.
+std::optional<Case> try_triangle(Random& random, Family family) try {
+  constexpr Family kScalable[] = {Family::General, Family::Lattice, Family::Tangent, Family::Foot, Family::Point};
+  const bool scale = family == Family::Scaled;
+  const Drawn drawn = draw_triangle(random, scale ? kScalable[random.integer(0, 4)] : family);
+  if (!is_finite(drawn)) return std::nullopt;
+  Case result{family, drawn.ball, triangle_polygon(drawn.triangle)};
+  if (scale) {
+    auto scaled = scaled_to_extremes(random, result.ball, result.polygon);
+    if (!scaled) return std::nullopt;
+    result = {family, scaled->ball, std::move(scaled->polygon)};
+  }
+  if (!is_triangle(*result.triangle())) return std::nullopt;
+  return result;
+} catch (const Rejected&) {
+  return std::nullopt;
+}
+
+std::optional<Case> try_outline(Random& random) {
+  auto drawn = draw_outline(random);
+  if (!drawn) return std::nullopt;
+  return Case{Family::Outline, drawn->ball, std::move(drawn->polygon)};
+}
+
+}  // namespace
+
+std::string_view to_string(Family family) {
+  switch (family) {
+    case Family::General: return "general";
+    case Family::Lattice: return "lattice";
+    case Family::Tangent: return "tangent";
+    case Family::Needle: return "needle";
+    case Family::FarAway: return "far-away";
+    case Family::Foot: return "foot";
+    case Family::Point: return "point";
+    case Family::Close: return "close";
+    case Family::Grazing: return "grazing";
+    case Family::Exponents: return "exponents";
+    case Family::Scaled: return "scaled";
+    case Family::Anywhere: return "anywhere";
+    case Family::Outline: break;
+  }
+  return "outline";
+}
+
+const std::vector<Family>& all_families() {
+  static const std::vector<Family> families{Family::General, Family::Lattice,   Family::Tangent, Family::Needle,
+                                            Family::FarAway, Family::Foot,      Family::Point,   Family::Close,
+                                            Family::Grazing, Family::Exponents, Family::Scaled,  Family::Anywhere,
+                                            Family::Outline};
+  return families;
+}
+
+std::string name_of_case(std::uint64_t seed, std::uint64_t index) {
+  return "soak-s" + std::to_string(seed) + "-i" + std::to_string(index);
+}
+
+std::optional<Triangle> Case::triangle() const {
+  if (polygon.vertex_count() != 3) return std::nullopt;
+  return Triangle{polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)};
+}
+
+Case draw_case(std::uint64_t seed, std::uint64_t index) {
+  constexpr std::uint64_t kAttempts = 10'000;
+  const bool outline = index % 10 == 9;
+  const std::uint64_t triangles_before = index / 10 * 9 + index % 10;
+  const Family family = outline ? Family::Outline : all_families()[triangles_before % (all_families().size() - 1)];
+  for (std::uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
+    Random random(seed, index, attempt);
+    if (auto drawn = outline ? try_outline(random) : try_triangle(random, family)) return *std::move(drawn);
+  }
+  throw std::logic_error("no case " + std::to_string(index) + " of seed " + std::to_string(seed) + " was found");
+}
+
+}  // namespace touchstone::adversarial

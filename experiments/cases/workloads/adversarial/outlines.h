@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "experiments/cases/workloads/adversarial/scaling.h"
+#include "experiments/cases/workloads/random.h"
+
+namespace touchstone::adversarial {
+
+/// Draws a polygon of any family of workloads, with up to 24 vertices and two holes, in an integer or a rotated frame,
+/// at up to 2^20 sizes from the origin. In half of the draws its vertices are moved off the plane, by 2^-52 to 2^-3
+/// sizes; a third is scaled to extremes. The ball is drawn as for triangles, tangent on the lattice, or close to a
+/// vertex at the origin.
+///
+/// Returns nothing if the moved loops meet. Cost: about 50 us.
+[[nodiscard]] std::optional<BallAndPolygon> draw_outline(Random& random);
+
+}  // namespace touchstone::adversarial

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cases/workloads/loops.h"
+
+namespace touchstone::workloads {
+
+std::vector<Loop> loops_of(const Polygon& polygon) {
+  std::vector<Loop> loops(polygon.loop_count());
+  for (std::size_t loop = 0; loop < loops.size(); ++loop)
+    for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
+      loops[loop].push_back(polygon.vertex(i));
+  return loops;
+}
+
+double extent_of(const Polygon& polygon) {
+  Eigen::Vector3d low = polygon.vertex(0), high = low;
+  for (std::size_t i = 1; i < polygon.vertex_count(); ++i) {
+    low = low.cwiseMin(polygon.vertex(i));
+    high = high.cwiseMax(polygon.vertex(i));
+  }
+  return (high - low).maxCoeff();
+}
+
+Polygon polygon_of(const std::vector<Loop>& loops) { return Polygon(loops[0], {loops.begin() + 1, loops.end()}); }
+
+}  // namespace touchstone::workloads

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cases/workloads/meshes/named_meshes.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "geometry/io/detail/legible.h"
+
+namespace touchstone::workloads {
+namespace {
+
+std::string short_name(const std::filesystem::path& file) {
+  const auto folder = file.parent_path().filename();
+  return (folder.empty() || folder == "." ? file.stem() : folder / file.stem()).string();
+}
+
+}  // namespace
+
+std::vector<std::string> short_names(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  for (const std::string& file : files) names.push_back(short_name(file));
+  std::set<std::string> taken(names.begin(), names.end());
+  std::map<std::string, int> last;  // number, by the name without it
+  for (std::string& name : names) {
+    int& number = last[name];
+    if (++number == 1) continue;
+    std::string numbered;
+    while (!taken.insert(numbered = fmt::format("{}#{}", name, number)).second) ++number;
+    name = std::move(numbered);
+  }
+  return names;
+}
+
+NamedFiles read_named_files(const std::vector<std::string>& files, OnFault on_fault) {
+  constexpr std::size_t kShown = 3;
+  NamedFiles result;
+  std::vector<std::string> names = short_names(files);
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const std::string& file = files[k];
+    try {
+      ReadMesh mesh = read_mesh(file, on_fault);
+      for (std::size_t i = 0; i < mesh.left_out.size() && i < kShown; ++i)
+        fmt::print(stderr, "touchstone: left out: {}\n", mesh.left_out[i]);
+      if (mesh.parts_left_out > kShown)
+        fmt::print(stderr, "touchstone: left out: {}: {} more parts\n", io::all_legible(file),
+                   mesh.parts_left_out - kShown);
+      result.parts_left_out += mesh.parts_left_out;
+      result.read.push_back({std::move(names[k]), file, std::move(mesh)});
+    } catch (const BrokenMesh& broken) {
+      fmt::print(stderr, "touchstone: {}\n", broken.what());
+      result.all_read = false;
+    }
+  }
+  return result;
+}
+
+std::string left_out_text(const NamedFiles& files) {
+  std::string text;
+  for (const NamedFile& file : files.read) {
+    for (const std::string& sentence : file.content.left_out) text += sentence + "\n";
+    if (file.content.parts_left_out > file.content.left_out.size())
+      text += fmt::format("{}: {} more parts\n", io::all_legible(file.file),
+                          file.content.parts_left_out - file.content.left_out.size());
+  }
+  return text;
+}
+
+}  // namespace touchstone::workloads

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiments/judge/show/case_view.h"
+#include "experiments/judge/show/svg.h"
+
+namespace touchstone::show {
+
+/// Draws a case: the polygon from above with the ball, the foot of its centre and the nearest point; a section through
+/// them; and the radii around that of the ball, double by double, with what `exact` and each method say of contact. Of
+/// a moving ball: its way, and the ball at its first contact.
+[[nodiscard]] Svg picture(const CaseView& view);
+
+}  // namespace touchstone::show

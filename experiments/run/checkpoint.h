@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/run/archive.h"
+
+namespace touchstone::run {
+
+/// Everything that results depend on: the values of options by their names (without dashes), and a version. The version
+/// is raised when sample n of a seed changes, or when the form or the meaning of a state changes.
+struct ResultSettings {
+  int version;
+  std::vector<std::pair<std::string, std::string>> options;
+};
+
+/// The state of a long run, in a file that always holds one complete state. A state is written as an Archive; a
+/// function items_done(state) in its namespace returns how many items it covers.
+class Checkpoint {
+ public:
+  Checkpoint(std::filesystem::path path, ResultSettings settings)
+      : path_(std::move(path)), settings_(std::move(settings)) {}
+
+  /// Throws std::runtime_error, which names the file, if it cannot be written.
+  template <class State>
+  void write(const State& state) const {
+    write_text(items_done(state), archived(state));
+  }
+
+  /// Returns the state to continue with, or nothing if there is no file yet. Throws std::runtime_error for a file
+  /// that is damaged, of another version, or of other settings: it names those that differ.
+  template <class State>
+  [[nodiscard]] std::optional<State> read(State state) const {
+    const std::optional<std::string> text = read_text();
+    if (!text) return std::nullopt;
+    try {
+      restore(*text, state);
+      return state;
+    } catch (const DamagedArchive& error) {
+      refuse(std::string("is not a checkpoint of this program: ") + error.what());
+    }
+  }
+
+  /// Renames an existing file to the same name with `.previous`: a new run overwrites no earlier one. Returns whether
+  /// there was one. Throws std::runtime_error, which names the file, if that fails.
+  bool set_aside() const;
+
+  /// Throws std::runtime_error, which names the file, if the checkpoint holds more items than requested.
+  void refuse_more(std::uint64_t held, std::uint64_t asked) const;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void write_text(std::uint64_t done, const std::string& state) const;
+  [[nodiscard]] std::optional<std::string> read_text() const;
+  /// Throws std::runtime_error, which names the file and says why.
+  [[noreturn]] void refuse(const std::string& why) const;
+
+  std::filesystem::path path_;
+  ResultSettings settings_;
+};
+
+}  // namespace touchstone::run

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchstone::run {
+
+/// The facts that run.json records about a run besides the compiler, the flags, the commit, the machine and the date.
+struct Run {
+  std::string command;
+  std::uint64_t seed = 0;
+  std::uint64_t samples_asked = 0, samples_done = 0, samples_missing = 0;
+  unsigned threads = 1;  ///< of each process
+  double seconds = 0;
+  unsigned processes = 1;
+  std::optional<bool> interrupted{};  ///< only for studies that report it
+};
+
+/// Writes run.json. Throws std::runtime_error if it cannot be written.
+void write_run_record(const std::filesystem::path& folder, const Run& run);
+
+/// Returns the version of the project, the commit, the compiler and the optional engines of this build: a line each.
+[[nodiscard]] std::string version_text();
+/// Returns the current time as `2026-11-23T03:19:51Z`.
+[[nodiscard]] std::string utc_now();
+/// Quotes a text as one word of a shell command.
+[[nodiscard]] std::string shell_quoted(const std::string& word);
+/// Joins words with commas, as the value of an option.
+[[nodiscard]] std::string joined(const std::vector<std::string>& words);
+
+}  // namespace touchstone::run

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include "experiments/run/timing/output.h"
+
+namespace touchstone::timing {
+namespace {
+
+/// Formats a number with about three digits.
+std::string number(double value) {
+  if (value >= 99.95) return fmt::format("{:.0f}", value);
+  if (value >= 9.995) return fmt::format("{:.1f}", value);
+  return value >= 0.0995 ? fmt::format("{:.2f}", value) : fmt::format("{:.4f}", value);
+}
+
+std::string spread(const Quartiles& q) { return fmt::format("({} - {})", number(q.lower), number(q.upper)); }
+
+/// Returns half the distance of the quartiles, in % of the median.
+std::string deviation(const Quartiles& q) { return fmt::format("+-{:.0f}%", 50 * (q.upper - q.lower) / q.median); }
+
+std::string goal_text(const Goal& goal) { return fmt::format("{} {:.3g}", goal.at_most ? "<=" : ">=", goal.ratio); }
+
+std::string wrong_text(const Wrong& wrong) { return fmt::format("{} of {}", wrong.count, wrong.of); }
+
+std::string line(const std::string& name, const std::string& asked, const std::string& ns, const std::string& deviation,
+                 const std::string& ratio, const std::string& goal, const std::string& wrong) {
+  std::string text =
+      fmt::format("  {:<20}{:>7}{:>11} {:<7}{:<36}{:<18}{}", name, asked, ns, deviation, ratio, goal, wrong);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+std::string row(const Measured& m) {
+  const Quartiles ns = quartiles(m.nanoseconds);
+  std::string ratio, goal;
+  if (!m.ratios.empty()) {
+    const Quartiles q = quartiles(m.ratios);
+    ratio = fmt::format("{:>7} {} x {}", number(q.median), spread(q), m.comparison->base);
+    if (too_noisy(q))
+      goal = "too noisy to tell";
+    else if (const auto& wanted = m.comparison->goal)
+      goal = goal_text(*wanted) + (wanted->met_by(q.median) ? " met" : " MISSED");
+  }
+  return line(m.name, std::to_string(m.queries), number(ns.median), deviation(ns), ratio, goal,
+              m.wrong ? wrong_text(*m.wrong) : "");
+}
+
+std::string title(const Result& result) {
+  return result.name.empty() ? result.family : result.family + ", " + result.name;
+}
+
+}  // namespace
+
+std::string table(const Result& result) {
+  std::string text = "\n" + title(result) + (result.note.empty() ? "" : ": " + result.note) + "\n";
+  text += line("", "asked", "ns/" + result.unit, "", "  ratio", "goal", "wrong");
+  for (const Measured& m : result.candidates)
+    if (!m.nanoseconds.empty()) text += row(m);
+  return text;
+}
+
+std::string goals(const std::vector<Result>& results) {
+  std::string missed, unclear;
+  std::size_t met = 0, all = 0;
+  for (const Result& result : results)
+    for (const Measured& m : result.candidates) {
+      if (m.ratios.empty() || !m.comparison->goal) continue;
+      const Quartiles ratio = quartiles(m.ratios);
+      const double median = ratio.median;
+      ++all;
+      if (too_noisy(ratio))
+        unclear += fmt::format("  {}: {}\n", title(result), m.name);
+      else if (m.comparison->goal->met_by(median))
+        ++met;
+      else
+        missed += fmt::format("  {}: {} is {} x {}, not {}\n", title(result), m.name, number(median),
+                              m.comparison->base, goal_text(*m.comparison->goal));
+    }
+  return fmt::format("{} of {} goals met{}{}\n", met, all, missed.empty() ? "" : "; missed:\n" + missed,
+                     unclear.empty() ? "" : "; too noisy to tell:\n" + unclear);
+}
+
+std::string legend() {
+  return R"(
+The candidates take turns in every repetition. Each answers the first queries ("asked": their number) of the same
+distinct queries: all of them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions, +- half the
+distance of the quartiles or (quartiles); a ratio is one of times in the same repetition. Wrong: answers that differ
+from those of exact, not timed; for "answer" the decisions count, not the numbers. A ratio whose quartiles differ by
+more than a factor of 1.5 is too noisy to tell anything.
+)";
+}
+
+}  // namespace touchstone::timing

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "experiments/run/command.h"
+#include "experiments/run/output_folder.h"
+#include "experiments/run/pictures.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/run/table.h"
+#include "experiments/thesis/cell/cell_commands.h"
+#include "experiments/thesis/cell/configuration/area.h"
+#include "experiments/thesis/cell/model/reach.h"
+#include "experiments/thesis/cell/run_options.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct AreaOptions : RunOptions, run::Printing {
+  std::string output = "results/cell-area";
+  double angle_step = 5, length_step = 25;
+  unsigned threads = run::all_threads();
+  bool force = false, no_pictures = false;
+  std::string line;  ///< that repeats the run
+};
+
+/// The multiples of a step from `low` to `high`, both at most half a step away.
+std::vector<double> multiples(double low, double high, double step) {
+  std::vector<double> values;
+  for (long i = std::lround(low / step); i <= std::lround(high / step); ++i)
+    values.push_back(static_cast<double>(i) * step);
+  return values;
+}
+
+/// The table of the tried places; `row`: what varies.
+run::Table<Tried> tried_table(const std::string& file, const std::string& row) {
+  return {file,
+          row,
+          {{"angle_deg", "of the storage about the robot", &Tried::angle},
+           {"radius", "from the robot's axis, in the cell's unit", &Tried::radius},
+           {"height", "in the cell's unit", &Tried::height},
+           {"outcome", "completed, or the cause of the failure",
+            [](const Tried& tried) { return tried.cause ? to_string(*tried.cause) : std::string_view("completed"); }},
+           {"reason", "what failed", &Tried::reason}}};
+}
+
+run::Table<Tried> plan_csv() { return tried_table("plan.csv", "an angle and radius of the storage"); }
+
+run::Table<Tried> heights_csv() { return tried_table("heights.csv", "a height and radius of the storage"); }
+
+struct StationRow {
+  std::string_view name;
+  const Station* station;
+};
+
+const run::Table<StationRow>& stations_csv() {
+  using run::path;
+  static const run::Table<StationRow> table(
+      "stations.csv", "a station of the cell",
+      {{"station", "storage or machine", &StationRow::name},
+       {"home_deg", "its home angle", path(&StationRow::station, &Station::home)},
+       {"angle_deg", "the angle from there", path(&StationRow::station, &Station::angle)},
+       {"radius", "from the robot's axis", path(&StationRow::station, &Station::radius)},
+       {"height", "above the floor", path(&StationRow::station, &Station::height)}});
+  return table;
+}
+
+std::string table_of(const std::vector<Tried>& tried) {
+  std::array<std::size_t, 7> counts{};
+  for (const Tried& each : tried) ++counts[each.cause ? static_cast<std::size_t>(*each.cause) + 1 : 0];
+  std::string text = fmt::format("{} completed", counts[0]);
+  for (const FailureCause cause : {FailureCause::OutOfReach, FailureCause::JointLimit, FailureCause::NoContact,
+                                   FailureCause::NotHeld, FailureCause::Misplaced, FailureCause::InTheWay})
+    text += fmt::format(", {} {}", counts[static_cast<std::size_t>(cause) + 1], to_string(cause));
+  return text;
+}
+
+int run(const AreaOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::filesystem::path folder = options.output;
+  const run::OutputFolder held(folder, options.line, {.force = options.force});
+  const Cell cell = cell_of(options);
+  const auto parts = build_model(cell);
+  const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(parts, options.overhang));
+  const Reach reach = reach_of(cell);
+  const double step = options.length_step, furthest = reach.radius + reach.outer + step,
+               lowest = cell.storage.stand ? step - cell.storage.stand->top : 0;
+  constexpr double kMostPlaces = 1e7;
+  if (const double places = furthest / step * (360 / options.angle_step + (reach.height + reach.outer - lowest) / step);
+      !(places <= kMostPlaces))
+    throw std::invalid_argument(fmt::format("--length-step {:g}: that is about {:.2g} places; at most {:g} are tried",
+                                            step, places, kMostPlaces));
+  const std::vector<double> radii = multiples(step, furthest, step);
+  const Grid plan{multiples(-180, 180 - options.angle_step, options.angle_step), radii, {cell.storage.height}};
+  const Grid heights{{cell.storage.angle}, radii, multiples(lowest, reach.height + reach.outer, step)};
+
+  const run::StopSignal stop_signal;
+  std::optional<std::vector<Tried>> in_plan, in_height;
+  {
+    run::ProgressLine line("places of the storage", plan.size() + heights.size(), 0, !options.quiet);
+    in_plan = try_places(cell, parts, covered, plan, rule_of(options), options.threads, stop_signal.requested(),
+                         std::ref(line));
+    if (in_plan)
+      in_height = try_places(cell, parts, covered, heights, rule_of(options), options.threads, stop_signal.requested(),
+                             [&](std::uint64_t done) { line(plan.size() + done); });
+  }
+  if (!in_height) {
+    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
+    return run::kInterrupted;
+  }
+  plan_csv().write(folder, *in_plan);
+  heights_csv().write(folder, *in_height);
+  stations_csv().write(folder, {{"storage", &cell.storage}, {"machine", &cell.machine}});
+  run::write_run_record(folder,
+                        {.command = options.line,
+                         .samples_asked = plan.size() + heights.size(),
+                         .samples_done = plan.size() + heights.size(),
+                         .threads = options.threads,
+                         .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+  options.print(fmt::format("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
+                            cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height)),
+                folder);
+  return options.no_pictures ? 0 : run::draw_pictures("cell_area", held);
+}
+
+}  // namespace
+
+run::Command area_command() {
+  run::Command command("area", "Find where the storage may stand: the area of configuration and the heights");
+  auto options = std::make_shared<AreaOptions>();
+  command.keep_line(options->line);
+  command.footer(
+      "Runs the whole process with the storage at every place of a grid, and reports which runs complete, and why "
+      "the others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and "
+      "radii at its angle), stations.csv, and pictures of them.");
+  command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, docs/formats.md has its keys")
+      .required();
+  add_cell_options(command, *options);
+  command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
+  command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
+  command.threads(options->threads);
+  command.output(options->output, "Folder for the CSV files, run.json and pictures");
+  command.force(options->force);
+  command.no_pictures(options->no_pictures);
+  run::declare_printing(command, *options);
+  command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
+  command.example("cell area experiments/thesis/cell/cells/aristo.json --angle-step 90 --length-step 2000");
+  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  return command;
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/cell/kinematics/layout_study.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace touchstone::kinematics {
+namespace {
+
+constexpr int kLargestAngle = 60;                         // of the storage
+constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and the number of steps up and down
+constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1, kHeights = 2 * kLargestHeightStep + 1;
+
+/// Empty if both cases have the captions' values.
+std::string failure_of(const Layout& layout) {
+  for (std::size_t i = 0; i < kCases.size(); ++i)
+    if (const std::string d = difference(rehearse_case(layout, i), kCases[i]); !d.empty())
+      return "case " + std::to_string(i + 1) + ": " + d;
+  return "";
+}
+
+/// The furthest change, of up to 100, in one direction that keeps the captions, to 0.001.
+double furthest(const Layout& layout, const std::function<void(Layout&, double)>& change, double direction) {
+  const auto holds = [&](double by) {
+    Layout changed = layout;
+    change(changed, direction * by);
+    return failure_of(changed).empty();
+  };
+  double low = 0, high = 0.125;
+  while (high <= 100 && holds(high)) low = high, high *= 2;
+  while (high - low > 0.001) {
+    const double middle = (low + high) / 2;
+    (holds(middle) ? low : high) = middle;
+  }
+  return direction * low;
+}
+
+struct Parameter {
+  const char *name, *unit;
+  std::function<double&(Layout&)> of;
+};
+
+const std::array<Parameter, 12> kParameters{{
+    {"home lean of the upper arm", "deg", [](Layout& l) -> double& { return l.home.lean; }},
+    {"home elevation of the forearm", "deg", [](Layout& l) -> double& { return l.home.elevation; }},
+    {"sphere radius", "mm", [](Layout& l) -> double& { return l.sphere_radius; }},
+    {"sphere distance from the flange", "mm", [](Layout& l) -> double& { return l.sphere_distance; }},
+    {"material side", "mm", [](Layout& l) -> double& { return l.side; }},
+    {"gap between station axis and material", "mm", [](Layout& l) -> double& { return l.gap; }},
+    {"drop onto the place at the machine", "mm", [](Layout& l) -> double& { return l.drop; }},
+    {"storage radius in case 1", "mm", [](Layout& l) -> double& { return l.storage_radius[0]; }},
+    {"storage radius in case 2", "mm", [](Layout& l) -> double& { return l.storage_radius[1]; }},
+    {"machine radius", "mm", [](Layout& l) -> double& { return l.machine_radius; }},
+    {"machine height", "mm", [](Layout& l) -> double& { return l.machine_height; }},
+    {"clearance of the lift", "mm", [](Layout& l) -> double& { return l.clearance; }},
+}};
+
+Choice choice_of(const Layout& layout, const char* name, const char* unit, double value,
+                 const std::function<void(Layout&, double)>& change) {
+  return {name, unit, value, value + furthest(layout, change, -1), value + furthest(layout, change, 1)};
+}
+
+}  // namespace
+
+Member study_home(const Linkage& linkage, const LinkAngles& home) {
+  Member member{linkage, home, solve_layout(linkage, home), ""};
+  member.failure = member.layout ? failure_of(*member.layout) : "no layout";
+  return member;
+}
+
+std::size_t free_parameters() { return kParameters.size() + 1; }  // and the storage's height
+
+std::uint64_t layout_work(HomeSteps steps) {
+  const auto grid = static_cast<std::size_t>(2 * kHomeReach / steps.grid + 1);
+  const auto line = static_cast<std::size_t>(2 * kHomeReach / steps.line + 1);
+  return kCouplings.size() * kHands.size() * (grid * grid + line) + free_parameters() + 2 * (kAngles + kHeights);
+}
+
+std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>& stop,
+                                        const LayoutProgress& progress) {
+  std::uint64_t done = 0;
+  const auto stopped = [&] {
+    progress(++done);
+    return stop.load();
+  };
+  LayoutStudy study;
+  std::vector<Linkage> linkages;
+  for (const Hand hand : kHands)
+    for (const Coupling coupling : kCouplings) linkages.push_back({coupling, hand});
+  for (const Linkage& linkage : linkages) {
+    for (int elevation = -kHomeReach; elevation <= kHomeReach; elevation += steps.grid)
+      for (int lean = -kHomeReach; lean <= kHomeReach; lean += steps.grid) {
+        study.grid.push_back(study_home(linkage, {0.0 + lean, 0.0 + elevation}));
+        if (stopped()) return std::nullopt;
+      }
+    for (int elevation = -kHomeReach; elevation <= kHomeReach; elevation += steps.line) {
+      for (const double lean : leans_of_one_height(linkage, elevation))
+        study.one_height.push_back(study_home(linkage, {lean, 0.0 + elevation}));
+      if (stopped()) return std::nullopt;
+    }
+  }
+
+  study.chosen = chosen_layout();
+  const Layout& layout = study.chosen;
+  for (std::size_t i = 0; i < kCases.size(); ++i) study.cases.push_back(rehearse_case(layout, i));
+  study.choices.push_back(choice_of(layout, "storage height", "mm", layout.storage_height[0], [](Layout& l, double by) {
+    for (double& height : l.storage_height) height += by;
+  }));
+  if (stopped()) return std::nullopt;
+  for (const Parameter& parameter : kParameters) {
+    Layout copy = layout;
+    study.choices.push_back(choice_of(layout, parameter.name, parameter.unit, parameter.of(copy),
+                                      [&](Layout& l, double by) { parameter.of(l) += by; }));
+    if (stopped()) return std::nullopt;
+  }
+
+  for (std::size_t place = 0; place < kCases.size(); ++place) {
+    for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
+      const Station storage = layout.storage(place, angle);
+      study.angles.push_back({place, 0.0 + angle, storage.height, rehearse(layout, storage)});
+      if (stopped()) return std::nullopt;
+    }
+    for (int step = -kLargestHeightStep; step <= kLargestHeightStep; ++step) {
+      Station storage = layout.storage(place, kCases[place].storage_angle);
+      storage.height += step * kHeightStep;
+      study.heights.push_back({place, kCases[place].storage_angle, storage.height, rehearse(layout, storage)});
+      if (stopped()) return std::nullopt;
+    }
+  }
+  return study;
+}
+
+}  // namespace touchstone::kinematics

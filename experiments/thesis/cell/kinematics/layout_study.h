@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/thesis/cell/kinematics/laid_out.h"
+#include "experiments/thesis/cell/kinematics/solve_layout.h"
+
+/// The computations of `touchstone cell layout`: the layouts that reproduce the captioned angles, the chosen layout,
+/// and its predictions.
+namespace touchstone::kinematics {
+
+/// A home pose of the family and its layout.
+struct Member {
+  Linkage linkage;
+  LinkAngles home;
+  std::optional<Layout> layout;  ///< none if there is no solution
+  std::string failure;           ///< why the captions are not reproduced; empty if they are
+};
+
+/// Solves the layout for a home pose, and runs both cases in it. Cost: about 20 ms.
+[[nodiscard]] Member study_home(const Linkage& linkage, const LinkAngles& home);
+
+/// The steps between home poses, in degrees: divisors of kHomeReach.
+struct HomeSteps {
+  int grid = 5, line = 1;
+};
+
+/// The leans and elevations of home poses go as far from 0, in degrees.
+inline constexpr int kHomeReach = 60;
+/// Returns how many values of a layout are chosen freely: those that LayoutStudy::choices lists.
+[[nodiscard]] std::size_t free_parameters();
+
+/// A chosen value, and the range in which it may vary alone while the captions of both cases are reproduced.
+struct Choice {
+  std::string name, unit;
+  double value, lowest, highest;
+};
+
+/// A place of the storage, and the result there.
+struct Prediction {
+  std::size_t place;  ///< whose radius it has: 0 or 1, as in Layout
+  double angle, height;
+  cell::Process path;  ///< by the sphere alone, up to the machine
+};
+
+struct LayoutStudy {
+  std::vector<Member> grid;  ///< leans and elevations by HomeSteps::grid
+  std::vector<Member>
+      one_height;  ///< elevations by HomeSteps::line: those with one height of the storage in both cases
+  Layout chosen;
+  std::vector<cell::Process> cases;  ///< in the chosen layout
+  std::vector<Choice> choices;
+  std::vector<Prediction> angles;   ///< for every whole angle from -60 to 60, both places
+  std::vector<Prediction> heights;  ///< both cases' storage raised and lowered by 10 mm and more
+};
+
+/// Receives how much of `layout_work` is done.
+using LayoutProgress = std::function<void(std::uint64_t done)>;
+[[nodiscard]] std::uint64_t layout_work(HomeSteps steps);
+
+/// Runs the study. Returns nothing if it was stopped. Cost: about 20 s, with steps of 30 and 15 degrees 1 s.
+[[nodiscard]] std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>& stop,
+                                                      const LayoutProgress& progress);
+
+}  // namespace touchstone::kinematics

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/cell/model/model.h"
+
+#include <utility>
+
+namespace touchstone::cell {
+namespace {
+
+struct Named {
+  Carrier carrier;
+  std::size_t link;
+  std::string name;
+  Solid solid;
+};
+
+std::vector<Named> solids_of(const Cell& cell) {
+  std::vector<Named> result;
+  const auto add = [&](Carrier carrier, std::size_t link, const std::string& owner, const std::vector<Part>& parts) {
+    for (const Part& part : parts) result.push_back({carrier, link, owner + "/" + part.name, part.solid});
+  };
+  const Robot& robot = cell.robot;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) add(Carrier::Link, i, robot.links[i].name, robot.links[i].parts);
+  add(Carrier::Gripper, robot.links.size() - 1, "gripper", cell.gripper.parts);
+  const auto add_station = [&](Carrier carrier, const Station& station) {
+    add(carrier, 0, station.name, station.parts);
+    if (station.stand) result.push_back({carrier, 0, station.name + "/stand", stand_of(station)});
+  };
+  add_station(Carrier::Storage, cell.storage);
+  add_station(Carrier::Machine, cell.machine);
+  for (const Part& obstacle : cell.obstacles) result.push_back({Carrier::Obstacle, 0, obstacle.name, obstacle.solid});
+  result.push_back({Carrier::Material, 0, "material", cell.material.solid});
+  return result;
+}
+
+}  // namespace
+
+std::string_view to_string(Carrier carrier) {
+  switch (carrier) {
+    case Carrier::Link: return "link";
+    case Carrier::Gripper: return "gripper";
+    case Carrier::Storage: return "storage";
+    case Carrier::Machine: return "machine";
+    case Carrier::Obstacle: return "obstacle";
+    case Carrier::Material: return "material";
+  }
+  return "";
+}
+
+std::vector<ModelPart> build_model(const Cell& cell, const std::function<void(std::size_t, std::size_t)>& done) {
+  std::vector<Named> solids = solids_of(cell);
+  std::vector<ModelPart> parts;
+  for (Named& each : solids) {
+    SolidFaces faces = faces_of(each.solid, each.name);
+    parts.push_back({each.carrier, each.link, std::move(each.name), std::move(faces)});
+    if (done) done(parts.size(), solids.size());
+  }
+  return parts;
+}
+
+ModelFaces scene_faces(const SolidFaces& solid) {
+  ModelFaces result;
+  std::vector<std::size_t> polygons;
+  for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+    const Polygon& polygon = solid.faces[i].polygon;
+    if (polygon.vertex_count() == 3) {
+      result.faces.triangles.push_back({polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)});
+      result.numbers.push_back(i);
+    } else {
+      result.faces.polygons.push_back(polygon);
+      polygons.push_back(i);
+    }
+  }
+  result.numbers.insert(result.numbers.end(), polygons.begin(), polygons.end());
+  return result;
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/cell/model/read_things.h"
+
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/thesis/cell/model/home_poses.h"
+#include "experiments/thesis/cell/model/read_robot.h"
+#include "experiments/thesis/cell/model/read_station.h"
+#include "experiments/thesis/cell/model/read_zone.h"
+
+namespace touchstone::cell {
+namespace {
+
+/// A thing that the file gives by a key of its own, which is then its name, or in a list, where it has a name.
+struct Given {
+  CellEntry entry;
+  std::string name;
+  bool listed;
+};
+
+std::vector<Given> given(const CellEntry& whole, const std::string& one, const std::string& several) {
+  std::vector<Given> all;
+  const auto list = whole.find(several);
+  if (const auto entry = whole.find(one)) all.push_back({*entry, one, false});
+  if (list)
+    for (const CellEntry& item : list->items()) all.push_back({item, item.at("name").name(), true});
+  if (all.empty()) static_cast<void>(whole.at(one));
+  return all;
+}
+
+/// The one of some things that an entry names; without a name the only one, or the one that has a key of its own.
+std::size_t meant(const CellEntry& entry, const std::string& key, const std::vector<Given>& things) {
+  std::string names;
+  for (const Given& thing : things) names += (names.empty() ? "" : ", ") + thing.name;
+  const auto named = entry.find(key);
+  if (!named && (things.size() == 1 || !things.front().listed)) return 0;
+  if (!named) entry.bad(fmt::format("must say by \"{}\" which: there are {}", key, names));
+  const auto found = std::ranges::find(things, named->text(), &Given::name);
+  if (found == things.end()) named->bad(fmt::format("\"{}\" is not one of {}", named->text(), names));
+  return static_cast<std::size_t>(found - things.begin());
+}
+
+Plant::PlacedRobot read_placed(const Given& thing, const CellEntry& whole, const std::filesystem::path& folder,
+                               const SolidContext& context) {
+  const CellEntry& entry = thing.entry;
+  if (thing.listed)
+    entry.has_only({"name", "place", "turn", "gripper", "urdf", "height", "home", "speeds", "sides", "coupling",
+                    "links", "packages"});
+  else
+    entry.has_only({"urdf", "height", "home", "speeds", "sides", "coupling", "links", "packages"});
+  Plant::PlacedRobot placed{thing.name, {}, 0, read_robot(entry, folder, context), {}};
+  placed.gripper = read_gripper(thing.listed ? entry.at("gripper") : whole.at("gripper"), context);
+  if (const auto place = entry.find("place")) placed.frame.translation.head<2>() = place->point2();
+  if (const auto turn = entry.find("turn")) placed.turn = turn->number();
+  if (placed.turn != 0) placed.frame.rotation = rotation_about(Eigen::Vector3d::UnitZ(), placed.turn);
+  return placed;
+}
+
+Plant::PlacedStation read_placed(const Given& thing, const std::vector<Given>& robots, const SolidContext& context) {
+  if (thing.listed)
+    thing.entry.has_only({"name", "home", "angle", "radius", "height", "slots", "parts", "stand", "about", "turn"});
+  else
+    thing.entry.has_only({"home", "angle", "radius", "height", "slots", "parts", "stand", "about", "turn"});
+  return {read_station(thing.entry, thing.name, context),
+          thing.entry.find("about") ? meant(thing.entry, "about", robots) : 0};
+}
+
+struct Handlers {
+  const std::vector<Given>&robots, &storages, &machines;
+};
+
+Plant::Piece read_piece(const Given& thing, const Plant& plant, const Handlers& by, const SolidContext& context) {
+  const CellEntry& entry = thing.entry;
+  if (thing.listed)
+    entry.has_only({"name", "robot", "storage", "machine", "solid", "slot", "machine_slot", "drop", "tolerance"});
+  else
+    entry.has_only({"robot", "storage", "machine", "solid", "slot", "machine_slot", "drop", "tolerance"});
+  Plant::Piece piece{thing.name,
+                     entry.path(),
+                     {},
+                     meant(entry, "robot", by.robots),
+                     meant(entry, "storage", by.storages),
+                     meant(entry, "machine", by.machines)};
+  const Station &storage = plant.storages[piece.storage].station, &machine = plant.machines[piece.machine].station;
+  piece.material = {.solid = read_solid(entry.at("solid"), context),
+                    .slot = slot_named(storage, entry.at("slot")),
+                    .machine_slot = slot_named(machine, entry.at("machine_slot")),
+                    .tolerance = {}};
+  if (const auto drop = entry.find("drop")) piece.material.drop = drop->not_negative();
+  if (const auto tolerance = entry.find("tolerance")) {
+    tolerance->has_only({"distance", "degrees"});
+    piece.material.tolerance = {tolerance->at("distance").positive(), tolerance->at("degrees").positive()};
+  }
+  for (const Plant::Piece& other : plant.pieces)
+    if (other.storage == piece.storage && other.material.slot == piece.material.slot)
+      entry.at("slot").bad(fmt::format("\"{}\" lies there", other.name));
+  return piece;
+}
+
+/// Parts are told apart by the link or thing that they belong to: none may share its name with another.
+class Names {
+ public:
+  explicit Names(const Plant& plant) {
+    for (const Plant::PlacedRobot& robot : plant.robots)
+      for (const Link& link : robot.robot.links) links_.insert(link.name);
+  }
+
+  void take(const std::vector<Given>& things) {
+    for (const Given& thing : things)
+      if (thing.listed) take(thing.entry.at("name"));
+  }
+  void take(const CellEntry& entry) {
+    const std::string name = entry.name();
+    if (links_.contains(name) || !names_.insert(name).second) entry.bad("a link, or something else, has this name");
+  }
+  void refuse(const CellEntry& entry) const {
+    if (links_.contains(entry.name()) || names_.contains(entry.name()))
+      entry.bad("a link, or something else, has this name");
+  }
+
+ private:
+  std::set<std::string> names_{"robot", "gripper", "storage", "machine", "material"}, links_;
+};
+
+void check_links(const Given& robot, const Robot& read) {
+  std::set<std::string> names{"gripper", "storage", "machine", "material"};
+  for (const Link& link : read.links)
+    if (!names.insert(link.name).second)
+      robot.entry.at("urdf").bad(fmt::format("\"{}\" is not a valid name for a link", link.name));
+}
+
+}  // namespace
+
+void read_things(Plant& plant, const CellEntry& whole, const std::filesystem::path& folder,
+                 const SolidContext& context) {
+  const auto robots = given(whole, "robot", "robots");
+  if (robots.front().listed)
+    if (const auto gripper = whole.find("gripper")) gripper->bad("belongs to the key \"robot\", which is missing");
+  for (const Given& robot : robots) plant.robots.push_back(read_placed(robot, whole, folder, context));
+  const auto storages = given(whole, "storage", "storages"), machines = given(whole, "machine", "machines"),
+             pieces = given(whole, "material", "materials");
+  for (const Given& thing : storages) plant.storages.push_back(read_placed(thing, robots, context));
+  for (const Given& thing : machines) plant.machines.push_back(read_placed(thing, robots, context));
+  for (const Given& thing : pieces)
+    plant.pieces.push_back(read_piece(thing, plant, {robots, storages, machines}, context));
+  if (const auto obstacles = whole.find("obstacles"); obstacles && !obstacles->items().empty())
+    plant.obstacles = read_parts(*obstacles, context);
+  if (const auto zones = whole.find("zones"))
+    for (const CellEntry& zone : zones->items()) plant.zones.push_back(read_zone(zone));
+
+  for (std::size_t i = 0; i < robots.size(); ++i) check_links(robots[i], plant.robots[i].robot);
+  Names names(plant);
+  for (const auto* things : {&robots, &storages, &machines, &pieces}) names.take(*things);
+  for (const char* list : {"obstacles", "zones"})
+    if (const auto entries = whole.find(list))
+      for (const CellEntry& entry : entries->items()) names.take(entry.at("name"));
+  for (const Given& robot : robots)
+    for (const CellEntry& part : (robot.listed ? robot.entry.at("gripper") : whole.at("gripper")).at("parts").items())
+      names.refuse(part.at("name"));
+  for (const Plant::Piece& piece : plant.pieces)
+    for (const Part& part : plant.storages[piece.storage].station.parts)
+      if (part.name == piece.name)
+        whole.bad(fmt::format("{}: a part of the storage has the name \"{}\", too", piece.key, piece.name));
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/cell/model/solid_faces.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "experiments/thesis/cell/model/exact_boolean.h"
+#include "geometry/io/read_mesh.h"
+#include "robust/exact/detail/nearest_double.h"
+#include "robust/exact/validate.h"
+#include "robust/mesh/detail/face_plane.h"
+#include "robust/mesh/merge.h"
+#include "robust/scene/posing.h"
+
+namespace touchstone::cell {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, std::size_t face, const Rejection& rejection) {
+  throw BadSolid(fmt::format("{}: face {}: {}: {}", name, face, to_string(rejection.code), rejection.message));
+}
+
+/// With the largest move of its vertices onto its plane.
+Face measured(Polygon polygon) {
+  std::vector<Eigen::Vector3d> vertices;
+  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) vertices.push_back(polygon.vertex(i));
+  const double off_plane = mesh::detail::off_plane(polygon, vertices);
+  return {std::move(polygon), off_plane};
+}
+
+Face validated(const std::string& name, std::size_t face, const Boundary::Loops& loops) {
+  try {
+    Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
+    if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
+    return measured(std::move(polygon));
+  } catch (const Rejected& rejected) {
+    refuse(name, face, rejected.rejection());
+  }
+}
+
+SolidFaces faces_of_boolean(const Solid& solid, const std::string& name) {
+  const Boundary boundary = boundary_of(solid);
+  if (boundary.faces.empty()) throw BadSolid(name + ": the solid has no inside");
+  SolidFaces result;
+  for (std::size_t i = 0; i < boundary.faces.size(); ++i) result.faces.push_back(validated(name, i, boundary.faces[i]));
+  result.volume = exact::detail::nearest_double(boundary.volume.get_num(), boundary.volume.get_den());
+  return result;
+}
+
+SolidFaces faces_of_mesh(const MeshFile& file, const Pose& pose, const std::string& name) {
+  Mesh mesh = read_mesh(file.file).mesh;
+  workloads::convert(mesh, file.unit, file.cell_unit);
+  // Merged where it stands in its file: a pose rounds, and what it rounds is coplanar no more.
+  mesh::MergedMesh merged = mesh::merge_faces(mesh);
+  if (!merged.rejected.empty())
+    refuse(name + ": " + file.file.string(), merged.rejected[0].face, merged.rejected[0].rejection);
+  SolidFaces result;
+  for (std::size_t i = 0; i < merged.faces.size(); ++i) {
+    try {
+      result.faces.push_back(measured(scene::posed(pose, merged.faces[i].polygon)));
+    } catch (const Rejected& rejected) {
+      refuse(name + ": " + file.file.string() + ": merged and posed", i, rejected.rejection());
+    }
+  }
+  result.merged_from = mesh.faces.size();
+  return result;
+}
+
+}  // namespace
+
+std::size_t SolidFaces::vertices() const {
+  std::size_t sum = 0;
+  for (const Face& face : faces) sum += face.polygon.vertex_count();
+  return sum;
+}
+
+std::size_t SolidFaces::holes() const {
+  std::size_t sum = 0;
+  for (const Face& face : faces) sum += face.polygon.loop_count() - 1;
+  return sum;
+}
+
+double SolidFaces::off_plane() const {
+  double largest = 0;
+  for (const Face& face : faces) largest = std::max(largest, face.off_plane);
+  return largest;
+}
+
+SolidFaces faces_of(const Solid& solid, const std::string& name) {
+  if (const auto* const file = std::get_if<MeshFile>(&solid.shape)) return faces_of_mesh(*file, solid.pose, name);
+  try {
+    return faces_of_boolean(solid, name);
+  } catch (const std::invalid_argument& error) {
+    throw BadSolid(name + ": " + error.what());
+  }
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/run/data.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/standard_output.h"
+#include "experiments/run/stop_signal.h"
+#include "experiments/thesis/cell/browser/http_server.h"
+#include "experiments/thesis/cell/browser/recording.h"
+#include "experiments/thesis/cell/browser/routes.h"
+#include "experiments/thesis/cell/cell_commands.h"
+#include "experiments/thesis/cell/model/read_cell.h"
+#include "experiments/thesis/cell/run_options.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct ServeOptions {
+  RunOptions run;
+  std::string host = "127.0.0.1";
+  std::uint16_t port = 8080;
+};
+
+int run(const ServeOptions& options) {
+  const run::StopSignal stop_signal;
+  RunOptions chosen = options.run;
+  if (chosen.file.empty()) chosen.file = run::data("experiments/thesis/cell/cells/aristo.json").string();
+  const browser::Simulator simulator = simulator_of(chosen);
+  std::vector<browser::Variant> presets;
+  if (chosen.preset.empty())
+    for (const auto& [name, changes] : read_presets(chosen.file))
+      presets.push_back({name, [chosen, name = name](const browser::Variation& variation) {
+                           RunOptions variant = chosen;
+                           variant.preset = name;
+                           return simulator_of(variant, variation);
+                         }});
+  std::optional<browser::Routes> routes;
+  browser::HttpServer server(options.host, options.port,
+                             [&](const browser::HttpRequest& request) { return routes->answer(request); }, {});
+  routes.emplace(simulator, browser::KnownHosts(options.host, server.loopback()), std::move(presets),
+                 [chosen](const browser::Variation& variation) { return simulator_of(chosen, variation); });
+  if (!server.loopback())
+    fmt::print(stderr, "touchstone: --host {}: other machines can also reach this server\n", options.host);
+  fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());
+  run::flush_standard_output();
+  server.run(stop_signal.requested());
+  return 0;
+}
+
+}  // namespace
+
+run::Command serve_command() {
+  run::Command command("serve", "Show the cell in a browser: move the storage, run the process, look");
+  auto options = std::make_shared<ServeOptions>();
+  command.text("CELL", options->run.file, "A cell file (JSON); without one, the Aristo's");
+  command.whole("--port", options->port, "The port to listen at; 0 chooses a free one");
+  command.text("--host", options->host, "The address to listen at; only this machine can reach the default")
+      .takes("ADDRESS");
+  add_run_options(command, options->run);
+  command.example("cell serve experiments/thesis/cell/cells/aristo.json");
+  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  return command;
+}
+
+}  // namespace touchstone::cell

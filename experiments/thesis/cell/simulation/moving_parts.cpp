@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/cell/simulation/moving_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "experiments/thesis/cell/simulation/joint_turn.h"
+
+namespace touchstone::cell {
+namespace {
+
+Ball around(const Pose& pose, const touchstone::Box& box) {
+  const Eigen::Vector3d center = (box.low + box.high) / 2;
+  return posed_generously(pose, {center, (box.high - center).norm() * JointTurn::kGenerous});
+}
+
+}  // namespace
+
+std::string_view to_string(Mover mover) {
+  constexpr std::array<std::string_view, kMovers.size()> words{"arm", "held material", "sphere"};
+  return words[static_cast<std::size_t>(mover)];
+}
+
+Pose MovingPart::pose(const std::vector<Pose>& links, const MaterialTransfer& state) const {
+  return mover == Mover::Held ? within(links[link], *state.in_flange) : links[link];
+}
+
+DistanceBounds MovingPart::distance_from(const TriangleTree& still, const Pose& pose, double cutoff) const {
+  DistanceBounds bounds = distance(triangles, pose, still, cutoff + radius);
+  bounds.lower = std::max(0.0, bounds.lower - radius * JointTurn::kGenerous);
+  bounds.upper = std::max(0.0, bounds.upper - radius);
+  return bounds;
+}
+
+std::vector<std::vector<NamedTriangle>> by_owner(const std::vector<NamedTriangle>& triangles) {
+  std::map<std::uint32_t, std::vector<NamedTriangle>> owners;
+  for (const NamedTriangle& triangle : triangles) owners[triangle.owner].push_back(triangle);
+  std::vector<std::vector<NamedTriangle>> parts;
+  for (auto& [owner, its] : owners) parts.push_back(std::move(its));
+  return parts;
+}
+
+std::vector<MovingPart> moving_parts(const Workcell& workcell) {
+  const Arm& arm = workcell.arm();
+  std::vector<MovingPart> parts;
+  for (const Covered& part : workcell.covered())
+    if (part.carrier == Carrier::Link && arm.links[part.link].frame)
+      parts.push_back({Mover::Arm, part.name, part.link, TriangleTree(part.triangles), 0});
+  const std::size_t flange = arm.links.size() - 1;
+  const auto add = [&](Mover mover, const std::vector<NamedTriangle>& triangles) {
+    for (auto& its : by_owner(triangles)) {
+      const std::string& name = workcell.names()[its.front().owner];
+      parts.push_back({mover, name, flange, TriangleTree(std::move(its)), 0});
+    }
+  };
+  add(Mover::Arm, workcell.gripper());
+  add(Mover::Held, workcell.material());
+  const Ball& sphere = arm.sphere;
+  parts.push_back({Mover::Sphere, "sphere", flange, TriangleTree({{{sphere.center, sphere.center, sphere.center}, 0}}),
+                   sphere.radius});
+  return parts;
+}
+
+std::vector<Stretch> stretches_of(const Process& process) {
+  std::vector<Stretch> stretches;
+  const auto& transfers = process.transfers;
+  for (std::size_t i = 0; i < transfers.size() && !process.stops.empty(); ++i)
+    stretches.push_back({transfers[i].stop, i + 1 < transfers.size() ? transfers[i + 1].stop : process.stops.size() - 1,
+                         &transfers[i]});
+  return stretches;
+}
+
+WayBetween way_between(const Arm& arm, const std::vector<MovingPart>& parts, const Stop& from, const Stop& to,
+                       const std::vector<Pose>& links, const MaterialTransfer& state) {
+  WayBetween way{step_between(from, to), {}};
+  const JointTurn turn(arm, from.commanded, way.step.joint);
+  for (const MovingPart& part : parts) {
+    if (!part.is_there(state)) {
+      way.moved.push_back(0);
+      continue;
+    }
+    const Ball whole = around(part.pose(links, state), part.triangles.whole());
+    way.moved.push_back(turn.moved(turn.motion(part.link), whole.center, whole.radius, std::abs(way.step.degrees)));
+  }
+  return way;
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/cell/simulation/overlap.h"
+
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/thesis/cell/simulation/triangle_gap.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Piece {
+  std::uint32_t name;
+  std::vector<NamedTriangle> triangles;
+  touchstone::Box box;
+};
+
+struct Thing {
+  std::string name;
+  std::vector<Piece> parts;
+  TriangleTree tree;
+};
+
+std::vector<Thing> things_of(const Workcell& workcell) {
+  std::vector<std::pair<std::string, std::vector<Piece>>> found;
+  for (const NamedTriangle& each : workcell.standing_triangles()) {
+    const std::string& part = workcell.names()[each.owner];
+    const std::string name = part.substr(0, part.find('/'));
+    auto thing = std::ranges::find(found, name, &std::pair<std::string, std::vector<Piece>>::first);
+    if (thing == found.end()) thing = found.insert(thing, {name, {}});
+    auto& parts = thing->second;
+    if (parts.empty() || parts.back().name != each.owner) parts.push_back({each.owner, {}, {}});
+    parts.back().triangles.push_back(each);
+    parts.back().box = parts.back().box.joined(box(each.triangle));
+  }
+  std::vector<Thing> things;
+  for (auto& [name, parts] : found) {
+    std::vector<NamedTriangle> all;
+    for (const Piece& part : parts) all.insert(all.end(), part.triangles.begin(), part.triangles.end());
+    things.push_back({name, std::move(parts), TriangleTree(std::move(all))});
+  }
+  return things;
+}
+
+bool lies_in(const touchstone::Box& inner, const touchstone::Box& outer) {
+  return (inner.low.array() >= outer.low.array()).all() && (inner.high.array() <= outer.high.array()).all();
+}
+
+/// Whether a closed surface winds round a point that is not on it: the sum of solid angles, in quarters of a sphere.
+/// Source: [vanoosterom1983].
+bool winds_round(const std::vector<NamedTriangle>& surface, const Eigen::Vector3d& point) {
+  double sum = 0;
+  for (const auto& [t, owner] : surface) {
+    const Eigen::Vector3d a = t.a - point, b = t.b - point, c = t.c - point;
+    const double x = a.norm(), y = b.norm(), z = c.norm();
+    sum += 2 * std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
+  }
+  return std::abs(sum) > std::numbers::pi;
+}
+
+}  // namespace
+
+std::optional<Hindrance> overlap_of_things(const Workcell& workcell) {
+  const std::vector<Thing> things = things_of(workcell);
+  const std::vector<std::string>& names = workcell.names();
+  const auto hindrance = [&](const char* words, std::uint32_t one, std::uint32_t other) {
+    return Hindrance{0, fmt::format(fmt::runtime(words), names[one], names[other]), {names[one], names[other]}};
+  };
+  for (std::size_t i = 0; i < things.size(); ++i)
+    for (std::size_t j = i + 1; j < things.size(); ++j) {
+      for (const Piece& part : things[i].parts)
+        for (const NamedTriangle& each : part.triangles) {
+          const NamedTriangle* met = things[j].tree.find(box(each.triangle), [&](const NamedTriangle& other) {
+            return !further_apart(each.triangle, other.triangle, 0);
+          });
+          if (met != nullptr) return hindrance("{} stands in {}", each.owner, met->owner);
+        }
+      // Surfaces that are apart: one vertex tells for all of a part.
+      for (const Piece& part : things[i].parts)
+        for (const Piece& other : things[j].parts)
+          if ((lies_in(part.box, other.box) && winds_round(other.triangles, part.triangles.front().triangle.a)) ||
+              (lies_in(other.box, part.box) && winds_round(part.triangles, other.triangles.front().triangle.a)))
+            return hindrance("{} and {} stand one in the other", part.name, other.name);
+    }
+  return std::nullopt;
+}
+
+}  // namespace touchstone::cell

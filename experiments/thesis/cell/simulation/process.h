@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/cases/method.h"
+#include "experiments/thesis/cell/first_contact/first_contact.h"
+#include "experiments/thesis/cell/kinematics/chain.h"
+#include "experiments/thesis/cell/kinematics/simulation_terms.h"
+#include "experiments/thesis/cell/simulation/sweep.h"
+#include "experiments/thesis/cell/simulation/workcell.h"
+
+namespace touchstone::cell {
+
+/// The phases of the whole process, in order.
+enum class Phase {
+  ToStorage,      ///< from home until the sphere touches the material, which is then gripped
+  ToMachine,      ///< lifted, and lowered until the sphere touches the virtual material, where it is then placed
+  Withdraw,       ///< up, out of the way; then the material is milled
+  ToPiece,        ///< down again until the sphere touches the material, which is then gripped
+  BackToStorage,  ///< until the sphere touches the virtual material in its slot, where it is then placed
+  ToHome,
+};
+inline constexpr std::size_t kPhases = 6;
+/// `to-storage`, `to-machine`, ...
+[[nodiscard]] std::string_view to_string(Phase phase);
+
+using kinematics::FailureCause;
+using kinematics::Until;
+
+/// A stop at which the method that drives the robot says contact, or at which it should have.
+struct WrongStop {
+  /// By how many degrees it is before the stop of the exact answer, negative if behind it; empty if the exact answer
+  /// has no contact on the move.
+  std::optional<double> early;
+  double gap;  ///< between the sphere and the material, or its virtual copy; 0 if they touch
+};
+
+/// One completed move of one joint.
+struct Move {
+  Phase phase;
+  Moved joint;
+  Until until;
+  double degrees;  ///< a whole number of steps
+  double exact;    ///< the angle before rounding to steps; for Contact, the angle at which contact begins
+  double margin;   ///< degrees by which `exact` may change before `degrees` does
+  std::optional<kinematics::FirstContact> contact;  ///< for Contact: certified; empty without contact on the move
+  std::optional<WrongStop> wrong;                   ///< if the driving method is not the exact answer, and errs
+};
+
+/// A moment at which the arm is tested: at home, and after every step.
+struct Stop {
+  std::size_t move;  ///< the number of the move; that of the first move for the stop before it
+  kinematics::Angles commanded;
+  Ball sphere;
+  std::optional<StationSlot> target;   ///< of the material, real or virtual, that the sphere approaches or leaves
+  std::optional<std::size_t> touched;  ///< the lowest face of the target that it touches, by whatever drives the robot
+};
+
+/// The place of the material from a stop on; numbers of stops are ascending.
+struct MaterialTransfer {
+  std::size_t stop;
+  std::optional<StationSlot> slot;  ///< none while the gripper holds it
+  double shift;  ///< of its frame's origin, from where the gripper lets it go to its place; 0 when gripped
+  double turn;   ///< degrees, the same
+  std::optional<Pose> in_flange;  ///< where the gripper holds it
+};
+
+/// A thing that moves: the moving parts of the arm with the gripper, the held material, and the virtual sphere.
+enum class Mover { Arm, Held, Sphere };
+inline constexpr std::array kMovers{Mover::Arm, Mover::Held, Mover::Sphere};
+/// `arm`, `held material`, `sphere`
+[[nodiscard]] std::string_view to_string(Mover mover);
+
+/// A mover in a virtual object, as zone_triggers finds it.
+struct Trigger {
+  std::size_t zone;  ///< index in Cell::zones
+  Mover mover;
+  std::string part;    ///< of the mover, which comes in first
+  std::size_t after;   ///< it comes in after this stop,
+  double degrees;      ///< and the joint's way from there; 0 for what is in at that stop
+  std::size_t until;   ///< from this stop on it is outside; the last stop if it stays in
+  Eigen::Vector3d at;  ///< the sphere's centre when it comes in
+};
+
+/// Where a process ends early.
+struct Stuck {
+  std::string reason;              ///< one sentence
+  kinematics::Angles commanded;    ///< of the arm when parts touch, or when it stops
+  std::vector<std::string> parts;  ///< that touch, as in Hindrance; empty for another reason
+};
+
+struct Process {
+  std::vector<Move> moves;
+  std::vector<Stop> stops;
+  std::vector<MaterialTransfer> transfers;  ///< the first is at stop 0, in storage
+  std::string failure;         ///< why it ended early, for every approach; the members above hold everything until then
+  std::optional<Stuck> stuck;  ///< if there is a failure: that of the approach that went furthest
+  /// Set if there is a failure; if several approaches failed, the last of their causes in the order of FailureCause.
+  /// OutOfReach also if no lift clears the material.
+  std::optional<FailureCause> cause;
+  std::vector<Trigger> triggers;  ///< by stop
+  std::uint64_t queries = 0;      ///< the number of balls and triangles that were tested for obstacles
+
+  /// Returns the last transfer before a stop: where the material is when the arm arrives there.
+  [[nodiscard]] const MaterialTransfer& holding(std::size_t stop) const;
+  /// Returns the sum of a joint's moves in a phase.
+  [[nodiscard]] double turned(Moved joint, Phase phase) const;
+};
+
+/// How much of the process is simulated, and by which tests.
+struct Rule {
+  Phase last = Phase::ToHome;  ///< the process ends after this phase
+  /// The thesis's rule: nothing but the virtual sphere is tested. The arm, the gripper and what it holds go through
+  /// everything, and whatever the sphere touches is gripped.
+  bool sphere_alone = false;
+  /// The method whose answer about the faces of the target stops the robot; null for the exact answer.
+  const cases::Method* drive = nullptr;
+};
+
+/// Runs the process: home, storage, grip, lift, machine, place, milling, pick, storage, home.
+///
+/// One rule covers every angle, radius and height of the storage, and every robot: the first of several approaches that
+/// succeeds, up to the machine and then back home. The material in storage is approached from the side with the
+/// shoulder as it is at home; else from above; else from the side; else by either, with the base turned first. From
+/// above: the elbow moves to the angle that inverse kinematics gives for the sphere on the upper face, the base turns
+/// to face the place, the shoulder moves down until the sphere touches. From the side: shoulder and elbow move to the
+/// angles that inverse kinematics gives for a point a little below the height of the upper face (below_upper_face), and
+/// the base turns until the sphere touches. The machine is approached from above. At an empty slot the sphere comes
+/// upon the virtual material. On the way back the shoulder rises to where it is at home, or lifts, the base turns, and
+/// shoulder or elbow lowers. Home is reached by base, shoulder or elbow first, or with the arm raised to the height at
+/// which it carried. What was gripped or let go from above is left by a lift of the shoulder or of the elbow.
+///
+/// Guarantees
+///  (1) at every angle of every move the sphere touches no obstacle and, unless it approaches or leaves it, not the
+///      material: certified by first_contact;
+///  (2) at every angle of every move the arm, the gripper and what it holds touch nothing, as Sweep defines it;
+///  (3) unless a method drives, a move until contact ends at the first stop at which the sphere, exactly, touches a
+///      face of its target; the certified contact lies within the last step;
+///  (4) what is gripped is between the fingers (Gripper::Hold); what is let go is within the tolerance of its place
+///      (Material::Tolerance), where the gripper does not touch it;
+///  (5) no two things that stand overlap (overlap.h).
+/// With `sphere_alone`, (1) and (3) only. Virtual objects stop nothing, unless the file says so: then the process ends
+/// where something comes into one (zone_triggers). If one of them cannot be kept, or a step skips a contact, `failure`
+/// says why: it names the move, the angle in degrees, and the obstacle. Moves and stops are then those of the approach
+/// that went furthest, up to there.
+[[nodiscard]] Process simulate(const Workcell& workcell, const Rule& rule = {});
+
+}  // namespace touchstone::cell

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/cell/simulation/run_output.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
+#include "experiments/thesis/cell/simulation/cycle_time.h"
+#include "experiments/thesis/cell/simulation/separation_output.h"
+#include "experiments/thesis/cell/simulation/triggers_output.h"
+#include "robust/exact/exact.h"
+
+namespace touchstone::cell {
+namespace {
+
+using kinematics::FirstContact;
+
+const std::string& joint_name(const Workcell& workcell, Moved joint) {
+  return workcell.arm().chain.joints()[joint].name;
+}
+
+/// Returns where the material is at a stop: a place, or `gripper`.
+std::string_view holder(const Process& process, std::size_t stop) {
+  const auto slot = process.holding(stop).slot;
+  return slot ? to_string(*slot) : "gripper";
+}
+
+/// The move that a stop belongs to; none of the first one, and of the last ones of a run that failed within a move.
+const Move* move_of(const Process& process, std::size_t stop) {
+  const std::size_t move = process.stops[stop].move;
+  return stop == 0 || move >= process.moves.size() ? nullptr : &process.moves[move];
+}
+
+struct MoveRow {
+  std::size_t number;
+  std::string_view joint;
+  const Move* move;
+  std::optional<double> seconds;
+};
+
+run::Table<MoveRow> moves_csv() {
+  using run::path;
+  const auto contact = [](auto FirstContact::*member) {
+    return [member](const MoveRow& row) {
+      return row.move->contact ? std::optional((*row.move->contact).*member) : std::nullopt;
+    };
+  };
+  return {
+      "moves.csv",
+      "a move of one joint",
+      {{"move", "its number", &MoveRow::number},
+       {"phase", "the part of the process", path(&MoveRow::move, &Move::phase)},
+       {"joint", "the joint", &MoveRow::joint},
+       {"until", "what ends the move", path(&MoveRow::move, &Move::until)},
+       {"degrees", "a whole number of steps", path(&MoveRow::move, &Move::degrees)},
+       {"exact_deg", "the angle before it is rounded to steps", path(&MoveRow::move, &Move::exact), "{:.6f}"},
+       {"seconds", "it takes with every joint at its greatest speed", &MoveRow::seconds, "{:.4f}"},
+       {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::move, &Move::margin), "{:.6f}"},
+       {"contact_low_deg", "the certified enclosure of the first contact", contact(&FirstContact::low)},
+       {"contact_high_deg", "its upper end", contact(&FirstContact::high)},
+       {"kind", "the kind of contact", contact(&FirstContact::kind)},
+       {"face", "the face that is touched", contact(&FirstContact::face)},
+       {"early_deg", "degrees by which a wrong stop is before the exact one",
+        [](const MoveRow& row) { return row.move->wrong ? row.move->wrong->early : std::nullopt; }},
+       {"gap", "between the sphere and its target at a wrong stop",
+        [](const MoveRow& row) { return row.move->wrong ? std::optional(row.move->wrong->gap) : std::nullopt; }}}};
+}
+
+struct VertexRow {
+  std::optional<std::size_t> stop;
+  std::string_view part;
+  Eigen::Vector3d at;
+};
+
+const run::Table<VertexRow>& poses_csv() {
+  constexpr const char* kFormat = "{:.9f}";
+  static const run::Table<VertexRow> table(
+      "poses.csv", "a vertex of the gripper, of the material or of what stands",
+      {{"stop", "the stop; empty for what stands", &VertexRow::stop},
+       {"part", "the part", &VertexRow::part},
+       {"x", "the vertex, in the cell", [](const VertexRow& row) { return row.at.x(); }, kFormat},
+       {"y", "the same", [](const VertexRow& row) { return row.at.y(); }, kFormat},
+       {"z", "the same", [](const VertexRow& row) { return row.at.z(); }, kFormat}});
+  return table;
+}
+
+/// Each vertex once for each part, in order of first use.
+std::vector<VertexRow> vertices_of(const Workcell& workcell, const std::vector<NamedTriangle>& triangles) {
+  std::vector<VertexRow> rows;
+  std::set<std::tuple<std::uint32_t, double, double, double>> seen;
+  for (const auto& [triangle, owner] : triangles)
+    for (const Eigen::Vector3d& vertex : {triangle.a, triangle.b, triangle.c})
+      if (seen.insert({owner, vertex.x(), vertex.y(), vertex.z()}).second)
+        rows.push_back({{}, workcell.names()[owner], vertex});
+  return rows;
+}
+
+std::vector<VertexRow> pose_rows(const Workcell& workcell, const Process& process) {
+  std::vector<VertexRow> rows = vertices_of(workcell, workcell.standing_triangles());
+  const auto gripper = vertices_of(workcell, workcell.gripper()), material = vertices_of(workcell, workcell.material());
+  for (std::size_t i = 0; i < process.stops.size(); ++i) {
+    const Pose flange = workcell.arm().link_poses(process.stops[i].commanded).back();
+    const MaterialTransfer& last = process.holding(i);
+    const Pose lies = last.slot ? workcell.at(*last.slot).pose : within(flange, *last.in_flange);
+    for (const auto& [vertices, pose] : {std::pair(&gripper, &flange), std::pair(&material, &lies)})
+      for (const VertexRow& vertex : *vertices)
+        rows.push_back({i, vertex.part, pose->rotation * vertex.at + pose->translation});
+  }
+  return rows;
+}
+
+struct StopRow {
+  std::size_t number;
+  const Stop* stop;
+  const Move* move;  ///< none at home
+  std::string_view joint, material;
+
+  [[nodiscard]] const Eigen::Vector3d& sphere() const { return stop->sphere.center; }
+};
+
+run::Table<StopRow> trajectory_csv(const std::vector<std::string>& joints) {
+  using run::path;
+  std::vector<run::Column<StopRow>> columns{
+      {"stop", "its number", &StopRow::number},
+      {"phase", "the part of the process",
+       [](const StopRow& row) { return row.move ? to_string(row.move->phase) : std::string_view("home"); }},
+      {"joint", "the joint that moves", &StopRow::joint}};
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    columns.emplace_back(joints[i] + "_deg", "the angle of this joint",
+                         [i](const StopRow& row) { return row.stop->commanded.at(i); });
+  columns.emplace_back("sphere_x", "the first coordinate of the sphere's centre",
+                       [](const StopRow& row) { return row.sphere().x(); });
+  columns.emplace_back("sphere_y", "the second one", [](const StopRow& row) { return row.sphere().y(); });
+  columns.emplace_back("sphere_z", "the third one", [](const StopRow& row) { return row.sphere().z(); });
+  columns.emplace_back("target", "the place of the material that the sphere approaches or leaves",
+                       path(&StopRow::stop, &Stop::target));
+  columns.emplace_back("touched_face", "the lowest face of the target that it touches",
+                       path(&StopRow::stop, &Stop::touched));
+  columns.emplace_back("material", "where the material is", &StopRow::material);
+  return {"trajectory.csv", "a stop", columns};
+}
+
+struct ScoreRow {
+  const Score* score;
+  run::Rate wrong;
+};
+
+run::Table<ScoreRow> methods_csv() {
+  using run::path;
+  return {"methods.csv",
+          "a method beside the exact answers",
+          {{"method", "the method", [](const ScoreRow& row) { return row.score->method->name(); }},
+           {"asked", "questions", path(&ScoreRow::score, &Score::asked)},
+           {"wrong_hits", "wrong answers yes", path(&ScoreRow::score, &Score::wrong_hits)},
+           {"wrong_misses", "wrong answers no", path(&ScoreRow::score, &Score::wrong_misses)},
+           {"unsure", "questions that it did not decide", path(&ScoreRow::score, &Score::unsure)},
+           {"stops", "stops with a wrong answer", path(&ScoreRow::score, &Score::stops)},
+           {"share_low", "the lower limit of the share of wrong answers", path(&ScoreRow::wrong, &run::Rate::lower),
+            "{:.3g}"},
+           {"share_high", "its upper limit", path(&ScoreRow::wrong, &run::Rate::upper), "{:.3g}"}}};
+}
+
+struct NearRow {
+  std::size_t exponent;
+  std::uint64_t near, questions;
+};
+
+run::Table<NearRow> near_csv() {
+  return {"near.csv",
+          "an exponent",
+          {{"exponent", "k", &NearRow::exponent},
+           {"near",
+            "questions whose radius differs from the exact distance, as a double, by at most 2^-k of the largest side "
+            "of the face's box",
+            &NearRow::near},
+           {"questions", "pairs of a stop and a face that methods are asked about", &NearRow::questions}}};
+}
+
+std::vector<NearRow> near_rows(const MethodComparison& comparison) {
+  std::vector<NearRow> rows;
+  for (std::size_t k = 0; k < comparison.near.size(); ++k)
+    rows.push_back({k, comparison.near[k], comparison.questions});
+  return rows;
+}
+
+std::vector<MoveRow> move_rows(const Workcell& workcell, const Process& process) {
+  std::vector<MoveRow> rows;
+  for (const Move& move : process.moves)
+    rows.push_back(
+        {rows.size() + 1, joint_name(workcell, move.joint), &move, seconds(workcell.arm(), move.joint, move.degrees)});
+  return rows;
+}
+
+std::vector<StopRow> stop_rows(const Workcell& workcell, const Process& process) {
+  std::vector<StopRow> rows;
+  for (std::size_t i = 0; i < process.stops.size(); ++i) {
+    const Move* move = move_of(process, i);
+    rows.push_back({i, &process.stops[i], move, move ? std::string_view(joint_name(workcell, move->joint)) : "",
+                    holder(process, i)});
+  }
+  return rows;
+}
+
+std::vector<ScoreRow> score_rows(const MethodComparison& comparison) {
+  std::vector<ScoreRow> rows;
+  for (const Score& score : comparison.scores)
+    rows.push_back({&score, run::rate(score.wrong_hits + score.wrong_misses, score.asked)});
+  return rows;
+}
+
+std::string trajectory_json(const Workcell& workcell, const Process& process) {
+  using Json = nlohmann::ordered_json;
+  Json joints = Json::array(), stops = Json::array();
+  for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
+  for (std::size_t i = 0; i < process.stops.size(); ++i) {
+    const Stop& stop = process.stops[i];
+    const Move* move = move_of(process, i);
+    const Eigen::Vector3d& at = stop.sphere.center;
+    stops.push_back({{"phase", move ? to_string(move->phase) : "home"},
+                     {"joint", move ? Json(joint_name(workcell, move->joint)) : Json()},
+                     {"angles", stop.commanded},
+                     {"sphere", {at.x(), at.y(), at.z()}},
+                     {"target", stop.target ? Json(to_string(*stop.target)) : Json()},
+                     {"touched", stop.touched ? Json(*stop.touched) : Json()},
+                     {"material", holder(process, i)}});
+  }
+  const Json whole{{"cell", workcell.cell().name},
+                   {"unit", workcell.cell().unit.name},
+                   {"joints", joints},
+                   {"radius", workcell.arm().sphere.radius},
+                   {"failure", process.failure.empty() ? Json() : Json(process.failure)},
+                   {"stops", stops}};
+  return whole.dump(1) + "\n";
+}
+
+std::string disagreements_text(const MethodComparison& comparison, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, comparison.disagreements.size()); ++i) {
+    const Disagreement& d = comparison.disagreements[i];
+    std::vector<std::string> tags{"cell", d.owner};
+    for (const std::string& method : d.methods) tags.push_back("fails:" + method);
+    const auto answer = cases::PartialAnswer::of(exact::answer(d.sphere, d.polygon), "exact");
+    text += cases::case_line(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), d.sphere, d.polygon, tags, answer);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary(const Workcell& workcell, const Process& process, const Separation& separation,
+                    const MethodComparison& comparison) {
+  std::string text;
+  for (const Move& m : process.moves) {
+    text += fmt::format("{:<16} {:<10} {:+8g}  {:<8} at {:+.6f}", to_string(m.phase), joint_name(workcell, m.joint),
+                        m.degrees, to_string(m.until), m.exact);
+    if (m.contact) text += fmt::format(", face {}, {}", m.contact->face, to_string(m.contact->kind));
+    if (m.wrong)
+      text += fmt::format("; WRONG STOP, {}, {:.2f} {} from the material",
+                          m.wrong->early ? fmt::format("{:g} degrees early", *m.wrong->early)
+                                         : std::string("there is no contact on the way"),
+                          m.wrong->gap, workcell.cell().unit.name);
+    text += "\n";
+  }
+  double overhang = 0;
+  std::size_t balls = 0;
+  for (const Covered& part : workcell.covered()) {
+    overhang = std::max(overhang, part.cover.overhang());
+    balls += part.cover.smallest().size();
+  }
+  const std::string_view unit = workcell.cell().unit.name;
+  text += fmt::format(
+      "\n{} stops; the arm is covered by {} balls that reach at most {:.3g} {} beyond it; {} balls and triangles "
+      "were tested for obstacles\n",
+      process.stops.size(), balls, overhang, unit, process.queries);
+  for (const MaterialTransfer& transfer : process.transfers)
+    if (transfer.slot && transfer.stop > 0)
+      text += fmt::format("let go in the {}: {:.1f} {} from its place, turned by {:.2f} degrees\n",
+                          to_string(*transfer.slot), transfer.shift, unit, transfer.turn);
+  text += "\n" + separation_text(workcell, process, separation) + "\n";
+  if (const std::string triggers = triggers_text(workcell, process); !triggers.empty()) text += triggers + "\n";
+  text += fmt::format("{} pairs of a stop and a face could touch: their boxes meet\n\n", comparison.met);
+  text += methods_csv().aligned(score_rows(comparison)) +
+          "share_low, share_high: 95 % limits of the share of wrong answers\n";
+  if (!process.failure.empty()) text += fmt::format("\nnot completed: {}\n", process.failure);
+  return text;
+}
+
+void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
+               const Separation& separation, const MethodComparison& comparison, std::size_t most) {
+  std::vector<std::string> joints;
+  for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
+  moves_csv().write(folder, move_rows(workcell, process));
+  trajectory_csv(joints).write(folder, stop_rows(workcell, process));
+  poses_csv().write(folder, pose_rows(workcell, process));
+  run::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
+  write_separation(folder, workcell, process, separation);
+  write_triggers(folder, workcell, process);
+  methods_csv().write(folder, score_rows(comparison));
+  near_csv().write(folder, near_rows(comparison));
+  run::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
+}
+
+std::vector<run::TableDescription> run_tables() {
+  std::vector<run::TableDescription> tables{moves_csv().description(), trajectory_csv({"<joint>"}).description(),
+                                            poses_csv().description()};
+  for (run::TableDescription& table : separation_tables()) tables.push_back(std::move(table));
+  tables.push_back(triggers_table());
+  tables.push_back(methods_csv().description());
+  tables.push_back(near_csv().description());
+  return tables;
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/run/table.h"
+#include "experiments/thesis/cell/simulation/method_comparison.h"
+#include "experiments/thesis/cell/simulation/separation.h"
+
+namespace touchstone::cell {
+
+/// Returns the output of `touchstone cell run`: the moves, the numbers of tests made, the least distances, the
+/// methods, and how it ended.
+[[nodiscard]] std::string summary(const Workcell& workcell, const Process& process, const Separation& separation,
+                                  const MethodComparison& comparison);
+
+/// Writes the results of a run:
+///  - moves.csv: one line per move, with its certified contact;
+///  - trajectory.csv and trajectory.json: every stop: phase, joint that moves, all joints' angles, the sphere, the face
+///    that it touches, the place of the material;
+///  - poses.csv: the vertices of what stands, and of gripper and material at every stop;
+///  - separation.csv: the least distance of arm, held material and sphere from every element; distances.csv: from the
+///    nearest one at every stop, and on the way to it;
+///  - triggers.csv: what comes into virtual objects;
+///  - methods.csv: one line per method;
+///  - near.csv: how near the questions come to contact;
+///  - disagreements.jsonl: at most `most` cases for `touchstone judge`, with expected answers from `exact`.
+/// Throws std::runtime_error if a file cannot be written.
+void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
+               const Separation& separation, const MethodComparison& comparison, std::size_t most = 1000);
+
+[[nodiscard]] std::vector<run::TableDescription> run_tables();
+
+}  // namespace touchstone::cell

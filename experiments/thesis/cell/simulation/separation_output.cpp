@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/cell/simulation/separation_output.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <optional>
+
+#include "experiments/thesis/cell/simulation/cycle_time.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct LeastRow {
+  const LeastDistance* least;
+  std::optional<double> seconds;
+};
+
+run::Table<LeastRow> separation_csv() {
+  using run::path;
+  return {"separation.csv",
+          "a thing that moves, and one that stands",
+          {{"mover", "arm, held material or sphere", path(&LeastRow::least, &LeastDistance::mover)},
+           {"element", "the part that stands, or material that lies there",
+            path(&LeastRow::least, &LeastDistance::element)},
+           {"least_low", "their least distance on the run: a proved lower bound",
+            [](const LeastRow& row) { return row.least->bounds.lower; }, "{:.6f}"},
+           {"least_high", "the distance that is attained", [](const LeastRow& row) { return row.least->bounds.upper; },
+            "{:.6f}"},
+           {"part", "the part of the mover that attains it", path(&LeastRow::least, &LeastDistance::part)},
+           {"stop", "it is attained after this stop,", path(&LeastRow::least, &LeastDistance::stop)},
+           {"degrees", "the degrees from there on the way to the next one",
+            path(&LeastRow::least, &LeastDistance::degrees), "{:.6f}"},
+           {"seconds", "when that is, with every joint at its greatest speed", &LeastRow::seconds, "{:.4f}"}}};
+}
+
+struct DistanceRow {
+  std::size_t stop;
+  std::optional<double> seconds;
+  Mover mover;
+  std::string_view element;
+  const NearestElement* nearest;
+};
+
+run::Table<DistanceRow> distances_csv() {
+  return {"distances.csv",
+          "a thing that moves, at a stop",
+          {{"stop", "the stop", &DistanceRow::stop},
+           {"seconds", "when that is, with every joint at its greatest speed", &DistanceRow::seconds, "{:.4f}"},
+           {"mover", "arm, held material or sphere", &DistanceRow::mover},
+           {"distance", "from the nearest element at the stop",
+            [](const DistanceRow& row) { return row.nearest->here; }, "{:.6f}"},
+           {"element", "that element", &DistanceRow::element},
+           {"way_low", "the least on the way from the stop before: a proved lower bound",
+            [](const DistanceRow& row) { return row.nearest->bounds.lower; }, "{:.6f}"},
+           {"way_high", "the least that is attained there",
+            [](const DistanceRow& row) { return row.nearest->bounds.upper; }, "{:.6f}"}}};
+}
+
+std::vector<LeastRow> least_rows(const Workcell& workcell, const Process& process, const Separation& separation) {
+  const std::vector<double> times = times_of(workcell.arm(), process);
+  std::vector<LeastRow> rows;
+  for (const LeastDistance& least : separation.least)
+    rows.push_back({&least, when(times, workcell.arm(), process, least)});
+  return rows;
+}
+
+std::vector<DistanceRow> distance_rows(const Workcell& workcell, const Process& process, const Separation& separation) {
+  const std::vector<double> times = times_of(workcell.arm(), process);
+  std::vector<DistanceRow> rows;
+  for (std::size_t stop = 0; stop < process.stops.size(); ++stop)
+    for (const Mover mover : kMovers)
+      if (const auto& nearest = separation.nearest[static_cast<std::size_t>(mover)][stop])
+        rows.push_back({stop, times.empty() ? std::nullopt : std::optional(times[stop]), mover,
+                        separation.elements[nearest->element], &*nearest});
+  return rows;
+}
+
+}  // namespace
+
+std::string separation_text(const Workcell& workcell, const Process& process, const Separation& separation) {
+  if (process.stops.empty()) return "";
+  double gap = 0;
+  for (const LeastDistance& least : separation.least) gap = std::max(gap, least.bounds.upper - least.bounds.lower);
+  std::string text = separation_csv().aligned(least_rows(workcell, process, separation));
+  text += fmt::format(
+      "Least distances in {}: at least least_low on the whole run, between the stops, too; least_high is attained. "
+      "They differ by at most {:.2g}.\n",
+      workcell.cell().unit.name, gap);
+  const std::vector<double> times = times_of(workcell.arm(), process);
+  text += times.empty() ? std::string("no cycle time: the greatest speed of a joint is unknown\n")
+                        : fmt::format(
+                              "cycle time {:.2f} s: one joint after the other at its greatest speed, without "
+                              "gripping and milling\n",
+                              times.back());
+  return text;
+}
+
+void write_separation(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
+                      const Separation& separation) {
+  separation_csv().write(folder, least_rows(workcell, process, separation));
+  distances_csv().write(folder, distance_rows(workcell, process, separation));
+}
+
+std::vector<run::TableDescription> separation_tables() {
+  return {separation_csv().description(), distances_csv().description()};
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/run/table.h"
+#include "experiments/thesis/cell/simulation/separation.h"
+
+namespace touchstone::cell {
+
+/// Returns the least distances as `touchstone cell run` prints them, and the cycle time.
+[[nodiscard]] std::string separation_text(const Workcell& workcell, const Process& process,
+                                          const Separation& separation);
+
+/// Writes separation.csv, a line for each mover and element, and distances.csv, a line for each mover and stop. Throws
+/// std::runtime_error if a file cannot be written.
+void write_separation(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
+                      const Separation& separation);
+
+[[nodiscard]] std::vector<run::TableDescription> separation_tables();
+
+}  // namespace touchstone::cell

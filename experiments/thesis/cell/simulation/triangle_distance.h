@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiments/thesis/cell/simulation/triangle_tree.h"
+#include "geometry/shapes/pose.h"
+#include "geometry/shapes/triangle.h"
+
+namespace touchstone::cell {
+
+/// An enclosure of a distance: `lower` is proved, `upper` is attained by two points, up to their rounding.
+struct DistanceBounds {
+  double lower, upper;
+};
+
+/// Returns the distance of two closed triangles, points and segments among them.
+///
+/// The lower bound is that of projections onto the line through the two nearest points found, less than what they can
+/// be rounded by: no point of one triangle is nearer to the other. It differs from the upper one by rounding, or is 0
+/// for triangles that touch. Requires finite coordinates. Cost: 0.3 us.
+[[nodiscard]] DistanceBounds distance(const Triangle& first, const Triangle& second);
+
+/// Returns the distance of posed triangles from others. Both bounds are enlarged by more than posing is off. Distances
+/// of `cutoff` and more need not be told apart: then `lower` is the cutoff and `upper` may be infinite. Cost: 5 to 50
+/// us, by two hierarchies.
+[[nodiscard]] DistanceBounds distance(const TriangleTree& moving, const Pose& pose, const TriangleTree& still,
+                                      double cutoff);
+
+}  // namespace touchstone::cell

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/thesis/cell/kinematics/chain.h"
+#include "experiments/thesis/cell/model/cell.h"
+#include "experiments/thesis/cell/model/model.h"
+#include "experiments/thesis/cell/simulation/arm.h"
+#include "experiments/thesis/cell/simulation/ball_cover.h"
+#include "experiments/thesis/cell/simulation/triangle_tree.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::cell {
+
+/// The slots for a piece of material: that of the storage and that of the machine. At the empty slot the sphere is
+/// lowered onto an invisible copy of the material, the virtual material.
+enum class StationSlot { Storage, Machine };
+[[nodiscard]] std::string_view to_string(StationSlot slot);
+
+/// One of the two slots, in the cell.
+struct Workplace {
+  double azimuth,
+      out;  ///< of the point that the arm faces: degrees counter-clockwise, and distance from the base's axis
+  double bottom, top;  ///< of the material there, above the floor
+  double drop;         ///< of its virtual copy above it
+  double left,
+      right;  ///< of the material, from the plane of the arm that faces it: counter-clockwise is left; left >= right
+  Pose pose;  ///< of the material
+  scene::Faces faces;          ///< of the material
+  scene::Faces virtual_faces;  ///< of its virtual copy, `drop` above it
+};
+
+/// The fixed obstacles, in the cell's frame.
+struct Obstacles {
+  scene::Faces faces;
+  std::vector<std::string> owners;  ///< for each face, the part, as in ModelPart::name
+};
+
+/// A part of the arm, of the gripper, or the material, and the balls that cover it.
+struct Covered {
+  std::string name;  ///< as in ModelPart
+  Carrier carrier;
+  std::size_t link;
+  BallCover cover;
+  std::vector<NamedTriangle> triangles;  ///< that cover its faces, in its frame
+};
+/// Covers links, gripper and material. Throws std::length_error, which names the part, as BallCover does. Cost: that of
+/// BallCover.
+[[nodiscard]] std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang);
+
+/// A cell with its posed faces and its arm. Everything is in the cell's unit and frame.
+class Workcell {
+ public:
+  /// Throws BadCell as arm_of and PlanarArm do, Rejected for a face that the contract rejects after posing. Requires a
+  /// cover of these parts' arm. Cost: some us per face.
+  Workcell(const Cell& cell, const std::vector<ModelPart>& parts, std::shared_ptr<const std::vector<Covered>> arm);
+  /// Computes the cover itself.
+  Workcell(const Cell& cell, const std::vector<ModelPart>& parts, double overhang)
+      : Workcell(cell, parts, std::make_shared<const std::vector<Covered>>(cover_arm(parts, overhang))) {}
+
+  [[nodiscard]] const Cell& cell() const { return cell_; }
+  [[nodiscard]] const Arm& arm() const { return arm_; }
+  [[nodiscard]] const PlanarArm& plane() const { return plane_; }
+  [[nodiscard]] const Workplace& at(StationSlot slot) const { return places_[static_cast<std::size_t>(slot)]; }
+  [[nodiscard]] const Obstacles& obstacles() const { return obstacles_; }
+
+  [[nodiscard]] const std::vector<Covered>& covered() const { return *covered_; }
+
+  /// The place of the material that is an obstacle, if any.
+  using Material = std::optional<StationSlot>;
+
+  /// The parts that stand, the material in both slots, its virtual copies and the floor.
+  [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+  /// Returns the objects that are in the way: the parts that stand, the material in a slot and, if asked, the floor.
+  [[nodiscard]] scene::Scene::Objects in_the_way(Material material, bool floor) const;
+  /// Returns the lowest face of the material in a slot, or of its virtual copy, that a ball touches.
+  [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball, StationSlot slot, bool virtual_copy) const;
+
+  /// Returns the distance of a ball from the material in a slot, or from its virtual copy; 0 if they touch.
+  [[nodiscard]] double gap(const Ball& ball, StationSlot slot, bool virtual_copy) const;
+
+  /// The same things as triangles, which cover their faces: those of the parts that stand and of the floor, and those
+  /// of the material in a slot. Owners are indices of `names()`.
+  [[nodiscard]] const TriangleTree& standing() const { return *standing_tree_; }
+  [[nodiscard]] const TriangleTree& material_in(StationSlot slot) const {
+    return slots_triangles_[static_cast<std::size_t>(slot)];
+  }
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// The triangles of all that stands, in the cell, and those of the floor.
+  [[nodiscard]] std::vector<NamedTriangle> standing_parts() const;
+  /// Those without the floor.
+  [[nodiscard]] const std::vector<NamedTriangle>& standing_triangles() const { return standing_triangles_; }
+  /// The triangles of the gripper in the flange's frame, and of the material in its own.
+  [[nodiscard]] const std::vector<NamedTriangle>& gripper() const { return gripper_; }
+  [[nodiscard]] const std::vector<NamedTriangle>& material() const { return material_triangles_; }
+
+ private:
+  Cell cell_;
+  Arm arm_;
+  PlanarArm plane_;
+  std::vector<Workplace> places_;
+  Obstacles obstacles_;
+  std::shared_ptr<const std::vector<Covered>> covered_;
+  scene::Scene scene_;
+  std::vector<std::uint32_t> standing_;           // objects of the scene
+  std::vector<std::uint32_t> material_, copies_;  // by place
+  std::uint32_t floor_ = 0;
+  scene::Faces floor_faces_;
+  std::vector<std::string> names_;
+  std::vector<NamedTriangle> gripper_, material_triangles_;
+  std::vector<NamedTriangle> standing_triangles_;  // without the floor
+  std::optional<TriangleTree> standing_tree_;
+  std::vector<TriangleTree> slots_triangles_;  // by place
+};
+
+}  // namespace touchstone::cell

@@ -1,0 +1,460 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The module of Python gives the answers of C++, takes arrays as they lie, and names what it refuses."""
+
+import contextlib
+import copy
+import decimal
+import fractions
+import gc
+import io
+import json
+import pathlib
+import pickle
+import re
+import sys
+import threading
+import unittest
+
+import numpy as np
+import touchstone
+
+CORPUS = pathlib.Path(__file__).parents[2] / "corpus"
+SQUARE = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
+PATHS = (touchstone.filtered, touchstone.exact, touchstone.fast)
+
+
+def corpus():
+    for file in sorted(CORPUS.glob("*.jsonl")):
+        for line in file.read_text().splitlines():
+            yield json.loads(line)
+
+
+def parts(case):
+    ball, polygon = case["ball"], case["polygon"]
+    return [*ball["center"], ball["radius"]], polygon["outer"], polygon.get("holes", [])
+
+
+def rejection_of(make):
+    try:
+        make()
+    except touchstone.Rejected as rejected:
+        return rejected.code
+    return None
+
+
+def random_balls(count):
+    random = np.random.default_rng(2026)
+    return np.column_stack([random.uniform(-2, 6, (count, 2)), random.uniform(-2, 2, count), random.uniform(0, 2, count)])
+
+
+class Answers(unittest.TestCase):
+    def test_are_those_of_the_corpus(self):
+        asked = 0
+        for case in corpus():
+            expected = case["expected"]
+            if "error" in expected or "motion" in case:  # the module does not know moving balls
+                continue
+            ball, outer, holes = parts(case)
+            polygon = touchstone.Polygon(outer, holes)
+            for path in (touchstone.filtered, touchstone.exact):
+                verdict = path.answer(ball, polygon).verdict()
+                # A value beyond the finite doubles is null in a verdict.
+                finite = json.loads(json.dumps(verdict), parse_constant=lambda _: None)
+                self.assertEqual({key: finite[key] for key in expected}, expected, case["id"])
+                asked += 1
+        self.assertGreater(asked, 500)
+
+    def test_of_single_questions_are_the_keys_of_the_whole_answer(self):
+        square = touchstone.Polygon(SQUARE, [[[1, 1, 0], [3, 1, 0], [3, 3, 0], [1, 3, 0]]])
+        for path in PATHS:
+            for ball in random_balls(50):
+                answer = path.answer(ball, square)
+                self.assertEqual(path.contact(ball, square), answer.contact)
+                self.assertEqual(path.relation(ball, square), answer.relation)
+                self.assertEqual(path.plane_side(ball, square), answer.plane)
+                self.assertEqual(path.foot(ball, square), answer.foot)
+                self.assertEqual(path.edges_hit(ball, square).tolist(), answer.edges_hit)
+                point, distance = path.closest(ball, square)
+                self.assertEqual((point.tolist(), distance), (answer.point.tolist(), answer.distance))
+
+    def test_of_a_batch_are_those_of_its_balls_in_order(self):
+        square, balls = touchstone.Polygon(SQUARE), random_balls(300)
+        for path in PATHS:
+            one = [path.answer(ball, square) for ball in balls]
+            self.assertEqual(path.answer(balls, square), one)
+            self.assertEqual(path.contact(balls, square).tolist(), [a.contact for a in one])
+            self.assertEqual(path.relation(balls, square).tolist(), [a.relation for a in one])
+            self.assertEqual(path.plane_side(balls, square).tolist(), [a.plane for a in one])
+            self.assertEqual(path.foot(balls, square).tolist(), [a.foot for a in one])
+            self.assertEqual([hit.tolist() for hit in path.edges_hit(balls, square)], [a.edges_hit for a in one])
+            points, distances = path.closest(balls, square)
+            self.assertEqual(points.tolist(), [a.point.tolist() for a in one])
+            self.assertEqual(distances.tolist(), [a.distance for a in one])
+            self.assertEqual({a.relation for a in one}, {"separate", "overlapping"})
+
+    def test_differ_where_doubles_err(self):
+        triangle = touchstone.Polygon([[0, 0, 0], [3, 1, 0], [1, 3, 1]])
+        balls = random_balls(2000)
+        balls[:, 3] = touchstone.exact.closest(balls, triangle)[1]
+        self.assertTrue((touchstone.filtered.relation(balls, triangle) == touchstone.exact.relation(balls, triangle)).all())
+        self.assertFalse((touchstone.fast.relation(balls, triangle) == touchstone.exact.relation(balls, triangle)).all())
+
+    def test_of_no_balls_are_none(self):
+        square, none = touchstone.Polygon(SQUARE), np.empty((0, 4))
+        for path in PATHS:
+            self.assertEqual(path.contact(none, square).shape, (0,))
+            self.assertEqual(path.relation(none, square).shape, (0,))
+            self.assertEqual(path.answer(none, square), [])
+            self.assertEqual([a.shape for a in path.closest(none, square)], [(0, 3), (0,)])
+
+
+def random_motions(count):
+    return np.column_stack([random_balls(count), np.random.default_rng(7).uniform(-2, 6, (count, 3))])
+
+
+class MovingBalls(unittest.TestCase):
+    def test_have_the_first_contacts_of_the_corpus(self):
+        asked = 0
+        for case in corpus():
+            if "motion" not in case or "error" in case["expected"]:
+                continue
+            ball, outer, holes = parts(case)
+            polygon, expected = touchstone.Polygon(outer, holes), case["expected"]
+            for path in (touchstone.filtered, touchstone.exact):
+                motion = [*ball, *case["motion"]["to"]]
+                first = path.first_contact(motion, polygon)
+                self.assertIs(path.contact(motion, polygon), first.contact)
+                found = {"contact": first.contact, "first": first.kind, "momentary": first.momentary, "time": first.time,
+                         "feature": first.feature, "point": first.point.tolist()}
+                if not first.contact:
+                    found |= dict.fromkeys(("time", "feature", "point"))
+                if first.kind != "way":
+                    found["momentary"] = None
+                known = {key: value for key, value in expected.items() if key in found}
+                self.assertEqual({key: found[key] for key in known}, known, case["id"])
+                asked += len(known)
+        self.assertGreater(asked, 500)
+
+    def test_of_a_batch_are_answered_in_order(self):
+        square, motions = touchstone.Polygon(SQUARE), random_motions(200)
+        for path in PATHS:
+            one = [path.first_contact(motion, square) for motion in motions]
+            self.assertEqual(path.first_contact(motions, square), one)
+            self.assertEqual(path.contact(motions, square).tolist(), [first.contact for first in one])
+            self.assertEqual({first.kind for first in one}, {"start", "way", "none"})
+            self.assertTrue(all(first.time == np.inf for first in one if not first.contact))
+
+    def test_name_the_motion_that_is_refused(self):
+        square, motions = touchstone.Polygon(SQUARE), random_motions(5)
+        motions[3, 6] = np.nan
+        for ask in (touchstone.filtered.contact, touchstone.exact.first_contact):
+            with self.assertRaisesRegex(touchstone.Rejected, "motion 3"):
+                ask(motions, square)
+        with self.assertRaisesRegex(touchstone.Rejected, "n x 7"):
+            touchstone.filtered.first_contact([0, 0, 0, 1], square)
+
+
+class Arrays(unittest.TestCase):
+    def test_of_other_layouts_and_types_give_the_same(self):
+        square = touchstone.Polygon(SQUARE)
+        balls = np.round(random_balls(64) * 4).astype(np.float64)
+        expected = touchstone.filtered.contact(balls, square).tolist()
+        wide = np.zeros((128, 8))
+        wide[::2, ::2] = balls
+        for same in (np.asfortranarray(balls), balls.astype(np.int64), balls.astype(np.float32), wide[::2, ::2], balls.tolist()):
+            self.assertEqual(touchstone.filtered.contact(same, square).tolist(), expected)
+
+    def test_that_are_not_aligned_give_the_same(self):
+        def beside(array):
+            bytes_of = np.zeros(array.nbytes + 1, np.uint8)
+            same = bytes_of[1:].view(array.dtype).reshape(array.shape)
+            same[...] = array
+            self.assertFalse(same.flags.aligned)
+            return same
+
+        square, balls, motions = touchstone.Polygon(SQUARE), random_balls(64), random_motions(64)
+        triangles, mesh = np.array([SQUARE[:3]], float), touchstone.Mesh(SQUARE, [[0, 1, 2, 3]])
+        self.assertEqual(touchstone.Polygon(beside(np.array(SQUARE, float))), square)
+        self.assertEqual(touchstone.filtered.answer(beside(balls), square), touchstone.filtered.answer(balls, square))
+        self.assertEqual(touchstone.exact.first_contact(beside(motions), square), touchstone.exact.first_contact(motions, square))
+        self.assertEqual(touchstone.TriangleSet(beside(triangles)), touchstone.TriangleSet(triangles))
+        self.assertEqual(touchstone.Mesh(beside(np.array(SQUARE, float)), beside(np.array([[0, 1, 2, 3]]))), mesh)
+
+    def test_are_not_written_to_and_may_be_read_only(self):
+        square, balls = touchstone.Polygon(SQUARE), random_balls(64)
+        before = balls.copy()
+        balls.setflags(write=False)
+        touchstone.filtered.answer(balls, square)
+        self.assertTrue((balls == before).all())
+
+    def test_that_are_returned_outlive_what_they_came_from(self):
+        def point():
+            return touchstone.exact.answer([9, 9, 9, 1], touchstone.Polygon(SQUARE)).point
+
+        kept = point()
+        gc.collect()
+        self.assertEqual(kept.tolist(), [4, 4, 0])
+        with self.assertRaises(ValueError):
+            kept[0] = 1
+
+    def test_of_a_polygon_are_its_loops(self):
+        hole = [[1, 1, 0], [1, 2, 0], [2, 1, 0]]
+        polygon = touchstone.Polygon(np.array(SQUARE), (hole,))
+        self.assertEqual(polygon.outer.tolist(), SQUARE)
+        self.assertEqual([h.tolist() for h in polygon.holes], [hole])
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, code, words, make):
+        with self.assertRaises(touchstone.Rejected) as caught:
+            make()
+        self.assertIsInstance(caught.exception, ValueError)
+        self.assertEqual(caught.exception.code, code)
+        self.assertIn(words, str(caught.exception))
+
+    def test_have_the_codes_of_the_corpus(self):
+        refusals = 0
+        for case in corpus():
+            if "error" not in case["expected"] or case["expected"]["error"] in ("malformed-case", True):
+                continue
+            if "motion" in case:  # the module does not know moving balls
+                continue
+            try:
+                ball, outer, holes = parts(case)
+            except KeyError:
+                continue
+            # A ball and a polygon are refused apart; a case that holds two faults has the code of one of them.
+            codes = [rejection_of(lambda: touchstone.filtered.contact(ball, touchstone.Polygon(SQUARE))),
+                     rejection_of(lambda: touchstone.Polygon(outer, holes))]
+            self.assertIn(case["expected"]["error"], codes, case["id"])
+            refusals += 1
+        self.assertGreater(refusals, 10)
+
+    def test_name_the_loop_and_the_vertex(self):
+        self.refused("repeated-vertex", "vertex 1", lambda: touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, 1, 0]]))
+        self.refused("not-finite", "hole 0", lambda: touchstone.Polygon(SQUARE, [[[1, 1, 0], [2, 1, np.nan], [1, 2, 0]]]))
+        self.refused("loop-meets-itself", "edge", lambda: touchstone.Polygon([[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0], [-1, 1, 0]]))
+        self.refused("malformed-case", "hole 1", lambda: touchstone.Polygon(SQUARE, [[[1, 1, 0], [2, 1, 0], [1, 2, 0]], [[1, 2]]]))
+
+    def test_name_the_ball(self):
+        square, balls = touchstone.Polygon(SQUARE), random_balls(9)
+        balls[7, 3] = -1
+        self.refused("negative-radius", "ball 7", lambda: touchstone.filtered.contact(balls, square))
+        balls[5, 1] = np.inf
+        self.refused("not-finite", "ball 5", lambda: touchstone.exact.answer(balls, square))
+        self.refused("malformed-case", "n x 4", lambda: touchstone.fast.contact([1, 2, 3], square))
+        self.refused("malformed-case", "n x 4", lambda: touchstone.fast.contact(1.0, square))
+
+    def test_are_type_errors_where_there_are_no_numbers(self):
+        ball, loop, square = np.array([4, 0, 0, 1.0]), np.array(SQUARE), touchstone.Polygon(SQUARE)
+        for words, wrong in (("complex128", lambda numbers: numbers + 1j),
+                             ("<U", lambda numbers: numbers.astype(str)),
+                             ("<U", lambda numbers: numbers.astype(str).tolist()),
+                             ("<U", lambda numbers: "numbers"),
+                             ("datetime64", lambda numbers: numbers.astype("datetime64[s]")),
+                             ("masked", lambda numbers: np.ma.masked_equal(numbers, 4))):
+            for ask in (lambda: touchstone.filtered.contact(wrong(ball), square), lambda: touchstone.Polygon(wrong(loop)),
+                        lambda: touchstone.Polygon(SQUARE, [wrong(loop)])):
+                with self.assertRaisesRegex(TypeError, words):
+                    ask()
+        for word, wrong in (("'4'", "4"), ("complex|1j", 4 + 1j), ("4j", np.complex128(4j)), ("None", None)):
+            with self.assertRaisesRegex(TypeError, word):
+                touchstone.filtered.contact([fractions.Fraction(1), wrong, 0, 1], square)
+        masked = np.ma.masked_equal(ball, 4)
+        for rows in ([masked, masked], (ball, masked), [4, 0, np.ma.masked, 1]):
+            with self.assertRaisesRegex(TypeError, "masked"):
+                touchstone.filtered.contact(rows, square)
+        self.assertTrue(touchstone.filtered.contact([fractions.Fraction(4), decimal.Decimal(0), np.float32(0), True], square))
+        self.assertTrue(touchstone.filtered.contact(np.ma.array(ball), square))
+        with self.assertRaises(TypeError):
+            touchstone.filtered.contact(ball, SQUARE)
+
+
+    def test_are_value_errors_where_lists_are_nested_without_end(self):
+        square, itself, deep, mutual = touchstone.Polygon(SQUARE), [], [], [[]]
+        itself.append(itself)
+        mutual[0].append((mutual, 1))
+        for _ in range(100_000):
+            deep = [deep]
+        for nested in (itself, mutual, deep, [0, 0, 0, itself]):
+            for ask in (lambda: touchstone.filtered.contact(nested, square), lambda: touchstone.exact.first_contact(nested, square),
+                        lambda: touchstone.Polygon(nested), lambda: touchstone.Polygon(SQUARE, [nested]),
+                        lambda: touchstone.TriangleSet(nested), lambda: touchstone.Mesh(nested, [[0, 1, 2]]),
+                        lambda: touchstone.Scene().add("nested", nested),
+                        lambda: touchstone.Scene().add("square", square, nested)):
+                with self.assertRaisesRegex(ValueError, "nested more than 32 deep"):
+                    ask()
+            for faces in (nested, [nested]):
+                with self.assertRaises((TypeError, ValueError)):
+                    touchstone.Mesh(SQUARE, faces)
+
+
+def one_of_each_class():
+    square = touchstone.Polygon(SQUARE, [[[1, 1, 0], [1, 2, 0], [2, 1, 0]]])
+    mesh = touchstone.Mesh(SQUARE, [[0, 1, 2, 3]])
+    scene = touchstone.Scene()
+    scene.add("square", mesh)
+    first = touchstone.exact.first_contact([2.5, 3, 2, 1, 2.5, 3, 0], square)
+    return [square, touchstone.exact.answer([2.5, 3, 1, 1], square), mesh, touchstone.TriangleSet([SQUARE[:3]]), scene,
+            scene.nearest([5, 5, 1, 0]), first, scene.first_contact([2.5, 3, 2, 1, 2.5, 3, 0])]
+
+
+class Uninitialised(unittest.TestCase):
+    def test_objects_raise_whatever_is_done_with_them(self):
+        wholes = one_of_each_class()
+        classes = {kind for kind in vars(touchstone).values() if isinstance(kind, type) and not issubclass(kind, Exception)}
+        self.assertEqual(classes, {type(whole) for whole in wholes})
+        arguments = {"contact": [[0, 0, 1, 1]], "any_contact": [[0, 0, 1, 1]], "triangles_hit": [[0, 0, 1, 1]], "pose": [0],
+                     "touches": [[0, 0, 1, 1]], "touched": [[0, 0, 1, 1]], "first_contact": [[0, 0, 1, 1, 0, 0, 0]], "nearest": [[0, 0, 1, 1]], "closest": [[0, 0, 1, 1]],
+                     "add": ["square", touchstone.Polygon(SQUARE)], "set_pose": [0, None], "face_count": [0], "verdict": []}
+        for whole in wholes:
+            kind = type(whole)
+            empty = kind.__new__(kind)
+            uses = [lambda: repr(empty)]
+            for name, found in vars(kind).items():
+                if isinstance(found, property):
+                    uses.append(lambda name=name: getattr(empty, name))
+                elif name[0] != "_" and not isinstance(found, staticmethod):
+                    uses.append(lambda name=name: getattr(empty, name)(*arguments[name]))
+            if "__len__" in vars(kind):
+                uses.append(lambda: len(empty))
+            if kind is touchstone.Polygon:
+                uses += [lambda ask=ask, row=row: ask(row, empty) for path in PATHS for name, ask in vars(path).items()
+                         if name[0] != "_" for row in [[0, 0, 1, 1, 0, 0, 0] if name == "first_contact" else [0, 0, 1, 1]]]
+            if kind is not touchstone.Scene:
+                uses += [lambda: empty == whole, lambda: whole == empty, lambda: pickle.dumps(empty), lambda: copy.copy(empty)]
+                uses.append(lambda: touchstone.Scene().add("empty", empty))
+            self.assertGreater(len(uses), 2)
+            for use in uses:
+                with self.assertRaisesRegex(TypeError, "__init__ was not called|expected real numbers"):
+                    use()
+
+
+    def test_objects_of_the_base_class_cannot_be_made(self):
+        base = touchstone.Polygon.__base__
+        for make in (base, lambda: base.__new__(base), type("Derived", (base,), {}), lambda: copy.copy(type("D", (base,), {}))()):
+            with self.assertRaisesRegex(TypeError, "cannot create"):
+                make()
+
+
+class LoopNamed(touchstone.Polygon):
+    def __init__(self, name, outer):
+        super().__init__(outer)
+        self.name = name
+
+
+class Pickling(unittest.TestCase):
+    def test_keeps_the_class_and_the_attributes_of_a_subclass(self):
+        named = LoopNamed("square", SQUARE)
+        named.tags = ["flat"]
+        copies = [pickle.loads(pickle.dumps(named, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+        for same in (*copies, copy.copy(named), copy.deepcopy(named)):
+            self.assertEqual((type(same), same, same.__dict__), (LoopNamed, named, {"name": "square", "tags": ["flat"]}))
+        self.assertIs(copy.copy(named).tags, named.tags)
+        self.assertIsNot(copy.deepcopy(named).tags, named.tags)
+
+    def test_keeps_the_subclass_of_every_class(self):
+        for thing in one_of_each_class():
+            if isinstance(thing, touchstone.Scene):
+                continue
+            derived = type("Derived", (type(thing),), {"__slots__": ("mark",)})
+            globals()["Derived"] = derived  # where `pickle` looks for it
+            derived.__module__, derived.__qualname__ = __name__, "Derived"
+            _, made_of, _ = thing.__reduce__()
+            whole = derived(*made_of[2])
+            whole.mark = 7
+            for same in (pickle.loads(pickle.dumps(whole)), copy.copy(whole), copy.deepcopy(whole)):
+                self.assertEqual((type(same), same, same.mark), (derived, thing, 7))
+        with self.assertRaisesRegex(TypeError, "cannot pickle"):
+            pickle.dumps(type("Derived", (touchstone.Scene,), {})())
+
+    def test_refuses_numbers_that_stand_for_no_word(self):
+        checked = 0
+        enumerators = {touchstone.Answer: (0, 2, 4, 5), touchstone.FirstContact: (0, 3), touchstone.NearestFace: (2,)}
+        for thing in one_of_each_class():
+            if type(thing) not in enumerators:
+                continue
+            _, (_, kind, members), _ = thing.__reduce__()
+            for place in enumerators[kind]:
+                for number in (-1, 3, 99, 256, 2**31 - 1):
+                    with self.assertRaisesRegex(ValueError, f"no value has the number {number}"):
+                        kind(*members[:place], number, *members[place + 1:])
+                    checked += 1
+        self.assertEqual(checked, 35)
+
+    def test_makes_equal_objects_in_every_protocol(self):
+        for thing in one_of_each_class():
+            if isinstance(thing, touchstone.Scene):
+                continue
+            copies = [pickle.loads(pickle.dumps(thing, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+            for same in (*copies, copy.copy(thing), copy.deepcopy(thing)):
+                self.assertEqual(same, thing)
+                self.assertEqual((type(same), repr(same)), (type(thing), repr(thing)))
+                self.assertIsNot(same, thing)
+
+    def test_is_refused_for_scenes(self):
+        scene = touchstone.Scene()
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            with self.assertRaisesRegex(TypeError, "cannot pickle"):
+                pickle.dumps(scene, protocol)
+        for refused in (copy.copy, copy.deepcopy, lambda s: s.__reduce__(), lambda s: s.__reduce_ex__(0)):
+            with self.assertRaisesRegex(TypeError, "cannot pickle"):
+                refused(scene)
+
+
+class Equality(unittest.TestCase):
+    def test_of_polygons_is_that_of_their_loops(self):
+        hole = [[1, 1, 0], [1, 2, 0], [2, 1, 0]]
+        square = touchstone.Polygon(SQUARE)
+        self.assertEqual(square, touchstone.Polygon(np.array(SQUARE, dtype=float) * -1.0 * -1.0))
+        for other in (touchstone.Polygon(SQUARE, [hole]), touchstone.Polygon(SQUARE[1:] + SQUARE[:1]), SQUARE, None):
+            self.assertNotEqual(square, other)
+        with self.assertRaises(TypeError):
+            hash(square)
+
+
+class Threads(unittest.TestCase):
+    def test_may_ask_about_one_polygon_at_once(self):
+        square, balls = touchstone.Polygon(SQUARE), random_balls(2000)
+        expected = touchstone.exact.contact(balls, touchstone.Polygon(SQUARE)).tolist()
+        found = [None] * 4
+
+        def ask(i):
+            found[i] = PATHS[i % 2].contact(balls, square).tolist()
+
+        threads = [threading.Thread(target=ask, args=(i,)) for i in range(len(found))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, [expected] * len(found))
+
+
+class Page(unittest.TestCase):
+    def test_prints_what_it_says(self):
+        page = (pathlib.Path(__file__).parents[3] / "bindings/python/README.md").read_text()
+        *samples, refused = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+        said = [line.split("# ")[1] for sample in samples for line in sample.splitlines() if line.startswith("print")]
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            for sample in samples:
+                exec(sample, names)
+        self.assertEqual([line.split() for line in printed.getvalue().splitlines()], [line.split() for line in said])
+        self.assertGreater(len(said), 4)
+        with self.assertRaises(touchstone.Rejected) as caught:
+            exec("import touchstone\n" + refused, {})
+        kind = f"{type(caught.exception).__module__}.{type(caught.exception).__name__}"
+        self.assertIn(f"# {kind}: {caught.exception}\n", refused)
+
+
+class Stubs(unittest.TestCase):
+    def test_name_all_that_there_is(self):
+        text = (pathlib.Path(touchstone.__file__).parent / "__init__.pyi").read_text()
+        names = [name for path in PATHS for name in vars(path) if not name.startswith("_")]
+        names += [n for kind in map(type, one_of_each_class()) for n in vars(kind) if not n.startswith("_")]
+        for name in [*names, *touchstone.__all__]:
+            self.assertRegex(text, rf"\b{name}\b")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=1)

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sums over many items do not depend on threads and stops; and the progress that is shown meanwhile.
+#include "experiments/run/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "experiments/run/progress_line.h"
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::run {
+namespace {
+
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+
+TEST(Blocks, AreEachRunOnceByAThreadBelowTheCount) {
+  std::mutex mutex;
+  std::set<std::uint64_t> seen;
+  std::set<unsigned> threads;
+  std::uint64_t told = 0;
+  const std::uint64_t done = run_blocks(
+      1000, 3, kNeverStop, [&](std::uint64_t now) { EXPECT_EQ(now, ++told); },
+      [&](unsigned thread, std::uint64_t block) {
+        const std::lock_guard lock(mutex);
+        EXPECT_TRUE(seen.insert(block).second) << block;
+        threads.insert(thread);
+      });
+  EXPECT_EQ(done, 1000U);
+  EXPECT_EQ(told, 1000U);
+  EXPECT_EQ(seen.size(), 1000U);
+  EXPECT_LT(*threads.rbegin(), 3U);
+}
+
+// There may be more threads than cores: each waits for all others.
+TEST(Blocks, RunOnAsManyThreadsAsAskedFor) {
+  constexpr unsigned kThreads = 5;
+  std::atomic<unsigned> here = 0;
+  run_blocks(
+      kThreads, kThreads, kNeverStop, [](std::uint64_t) {},
+      [&](unsigned, std::uint64_t) {
+        ++here;
+        while (here < kThreads) std::this_thread::yield();
+      });
+  EXPECT_EQ(here, kThreads);
+}
+
+TEST(Blocks, ThatAreDoneAreTheFirst) {
+  for (const unsigned threads : {1U, 4U}) {
+    std::atomic<bool> stop = false;
+    std::mutex mutex;
+    std::set<std::uint64_t> seen;
+    const std::uint64_t done = run_blocks(
+        1000, threads, stop, [&](std::uint64_t now) { stop = now >= 20; },
+        [&](unsigned, std::uint64_t block) {
+          const std::lock_guard lock(mutex);
+          seen.insert(block);
+        });
+    EXPECT_EQ(seen.size(), done);
+    EXPECT_EQ(*seen.rbegin() + 1, done);
+    EXPECT_LT(done, 20U + threads);
+  }
+}
+
+TEST(Blocks, EndWithTheFirstException) {
+  const auto run = [] {
+    run_blocks(
+        1000, 3, kNeverStop, [](std::uint64_t) {},
+        [](unsigned, std::uint64_t block) {
+          if (block == 17) throw std::runtime_error("block 17");
+        });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
+/// How often each item was taken.
+struct Items {
+  std::map<std::uint64_t, int> all;
+
+  void insert(std::uint64_t item) { ++all[item]; }
+  auto members() { return std::tie(all); }
+};
+
+Items first_items(std::uint64_t count) {
+  Items items;
+  for (std::uint64_t i = 0; i < count; ++i) items.insert(i);
+  return items;
+}
+
+// The last block may be short; a sweep may begin within a block, if an earlier one was stopped or had fewer items.
+TEST(Sweep, TakesEveryItemOnce) {
+  for (const std::uint64_t block : {1U, 7U, 64U})
+    for (const std::uint64_t before : {0U, 1U, 99U, 100U}) {
+      Items items = first_items(before);
+      const std::uint64_t done = run_sweep(
+          {100, block, 3, kAlone, kNeverStop, [](std::uint64_t) {}},
+          [](std::uint64_t item, Items& part) { part.insert(item); }, [](std::uint64_t, const Items&) {}, Items(),
+          before, items);
+      EXPECT_EQ(done, 100U);
+      EXPECT_EQ(items.all, first_items(100).all) << block << " " << before;
+    }
+}
+
+// Three threads wait for each other within the first leg, so that each contributes a part.
+TEST(Sweep, AddsWhatEveryThreadFound) {
+  constexpr unsigned kThreads = 3;
+  std::atomic<unsigned> here = 0;
+  Items items;
+  run_sweep(
+      {kThreads, 1, kThreads, kAlone, kNeverStop, [](std::uint64_t) {}},
+      [&](std::uint64_t item, Items& part) {
+        part.insert(item);
+        ++here;
+        while (here < kThreads) std::this_thread::yield();
+      },
+      [](std::uint64_t, const Items&) {}, Items(), 0, items);
+  EXPECT_EQ(items.all, first_items(kThreads).all);
+}
+
+// Every saved sum, and that of a stopped sweep, covers exactly the first items.
+TEST(Sweep, AlwaysHoldsTheFirstItems) {
+  std::atomic<bool> stop = false;
+  Items items;
+  int saves = 0;
+  const std::uint64_t done = run_sweep(
+      {10'000, 3, 2, kAlone, stop, [&](std::uint64_t now) { stop = now >= 500; }},
+      [](std::uint64_t item, Items& part) { part.insert(item); },
+      [&](std::uint64_t now, const Items& sum) {
+        EXPECT_EQ(sum.all, first_items(now).all);
+        ++saves;
+      },
+      Items(), 0, items);
+  EXPECT_GE(done, 500U);
+  EXPECT_LT(done, 600U);
+  EXPECT_GT(saves, 2);
+  EXPECT_EQ(items.all, first_items(done).all);
+}
+
+// The pace is that of this run alone: 30 of 40 items left, 5 done in 2 s; earlier items do not count.
+TEST(Progress, TimeLeftDoesNotCountAnEarlierRun) {
+  EXPECT_EQ(progress_text("samples", 0, 10, 40, 4), "samples: 25 %, 12 s left");
+  EXPECT_EQ(progress_text("samples", 5, 10, 40, 2), "samples: 25 %, 12 s left");
+  EXPECT_EQ(progress_text("samples", 10, 10, 40, 2), "samples: 25 %");
+  EXPECT_EQ(progress_text("samples", 0, 1, 1001, 3), "samples: <1 %, 50 min left");
+  EXPECT_EQ(progress_text("samples", 0, 1, 10'001, 3), "samples: <1 %, 8.3 h left");
+}
+
+}  // namespace
+}  // namespace touchstone::run

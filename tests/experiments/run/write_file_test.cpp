@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run/write_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "experiments/run/output_folder.h"
+#include "tests/experiments/support/scratch.h"
+
+namespace {
+
+/// What a call of fsync below does besides counting.
+enum class OnSync { Nothing, Kill };
+OnSync on_sync = OnSync::Nothing;
+std::vector<std::string> synced;  // the names under which what was put on the disk lay then
+
+}  // namespace
+
+/// In place of the system's.
+extern "C" int fsync(int descriptor) {
+  synced.push_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor)).string());
+  if (on_sync == OnSync::Kill) ::kill(::getpid(), SIGKILL);
+  return 0;
+}
+
+namespace touchstone::run {
+namespace {
+
+namespace fs = std::filesystem;
+using run_tests::Scratch;
+using run_tests::text_of;
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+  return names;
+}
+
+/// Returns the message of the std::runtime_error of the function; "" without one.
+std::string refusal(const std::function<void()>& function) {
+  try {
+    function();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(WriteFile, ReplacesAFileAndLeavesNothingBeside) {
+  const Scratch scratch;
+  write_file(scratch.path / "a.csv", "a long text\n");
+  write_file(scratch.path / "a.csv", std::string("\0\n", 2));
+  EXPECT_EQ(text_of(scratch.path / "a.csv"), std::string("\0\n", 2));
+  EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"a.csv"});
+}
+
+TEST(WriteFile, ReplacesASymbolicLinkInPlaceOfFollowingIt) {
+  const Scratch scratch;
+  write_file(scratch.path / "victim.txt", "precious\n");
+  fs::create_symlink("victim.txt", scratch.path / "rates.csv");
+  write_file(scratch.path / "rates.csv", "new\n");
+  EXPECT_EQ(text_of(scratch.path / "victim.txt"), "precious\n");
+  EXPECT_EQ(text_of(scratch.path / "rates.csv"), "new\n");
+  EXPECT_FALSE(fs::is_symlink(scratch.path / "rates.csv"));
+}
+
+TEST(WriteFile, LeavesDevicesAndPipesWhereTheyAre) {
+  const Scratch scratch;
+  const fs::path pipe = scratch.path / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(refusal([&] { write_file(pipe, ""); }), pipe.string() + ": cannot be written: it is not a regular file");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST(WriteFile, SaysWhyItCannotWrite) {
+  const Scratch scratch;
+  EXPECT_EQ(refusal([&] { write_file(scratch.path / "no" / "a", ""); }),
+            (scratch.path / "no" / "a").string() + ": cannot be written: No such file or directory");
+  fs::create_directory(scratch.path / "folder");
+  EXPECT_EQ(refusal([&] { write_file(scratch.path / "folder", ""); }),
+            (scratch.path / "folder").string() + ": cannot be written: Is a directory");
+  EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"folder"});
+}
+
+// A limit on the size of files simulates a full disk: both allow only a part to be written.
+TEST(WriteFile, KeepsTheEarlierFileWhereTheNewOneDoesNotFit) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "checkpoint.json";
+  write_file(file, "earlier\n");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{100, 100};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    const bool told = refusal([&] { write_file(file, std::string(1000, 'x')); }) ==
+                      file.string() + ": cannot be written: File too large";
+    ::_exit(told ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(text_of(file), "earlier\n");
+  EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"checkpoint.json"});
+}
+
+/// Runs the function in a process that is killed where it first puts something on the disk. Returns that process.
+pid_t killed_in(const std::function<void()>& function) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    on_sync = OnSync::Kill;
+    function();
+    ::_exit(0);
+  }
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status)) << "nothing was put on the disk";
+  return child;
+}
+
+TEST(WriteFile, PutsTheTextOnTheDiskBeforeTheFileTakesItsNameAndTheNameBehind) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.csv";
+  const std::vector<std::string> wanted{file.string() + ".new-" + std::to_string(::getpid()), scratch.path};
+  synced.clear();
+  write_file(file, "first\n");
+  EXPECT_EQ(synced, wanted);
+  synced.clear();
+  write_file(scratch.path / "a.csv", "second\n", true);
+  EXPECT_EQ(synced, wanted);
+  fs::remove(file);
+  synced.clear();
+  write_file(file, "third\n", false);
+  EXPECT_EQ(synced, wanted);
+}
+
+TEST(WriteFile, PutsTheNameOfAFileInTheCurrentFolderOnTheDisk) {
+  const Scratch scratch;
+  const fs::path before = fs::current_path();
+  fs::current_path(scratch.path);
+  synced.clear();
+  write_file("a.csv", "first\n");
+  fs::current_path(before);
+  ASSERT_EQ(synced.size(), 2U);
+  EXPECT_EQ(synced[1], scratch.path);
+}
+
+// Only what no living process writes, and only of the file that is written.
+TEST(WriteFile, RemovesWhatAKilledProcessLeftOfAFileThatIsWrittenAgain) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "cell.glb";
+  for (const bool force : {false, true}) {
+    const pid_t killed = killed_in([&] { write_file(file, "first\n", force); });
+    ASSERT_EQ(names_in(scratch.path), std::vector<std::string>{"cell.glb.new-" + std::to_string(killed)});
+    write_file(file, "second\n", force);
+    EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"cell.glb"});
+    fs::remove(file);
+  }
+  const std::set<std::string> kept{"cell.glb.new-" + std::to_string(::getppid()),
+                                   "cell.glb.new-",
+                                   "cell.glb.new-a",
+                                   "cell.glb.new-1x",
+                                   "cell.glb.new-999999998.new-999999999",
+                                   "other.glb.new-999999999",
+                                   "cell.glb.new-9999999999"};
+  for (const std::string& name : kept) write_file(scratch.path / name, "");
+  write_file(file, "third\n", false);
+  fs::remove(file);
+  const auto names = names_in(scratch.path);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), kept);
+}
+
+// The run can be made anew, with and without --resume.
+TEST(WriteFile, LeavesAFolderEmptyForTheNextRunWhereTheFirstIsKilledBeforeItsFirstCheckpoint) {
+  const Scratch scratch;
+  for (const Existing existing : {Existing{}, Existing{.resume = true}}) {
+    const pid_t killed = killed_in([&] {
+      const OutputFolder folder(scratch.path, "touchstone first", {});
+      write_file(scratch.path / "checkpoint.json", "{}\n");
+    });
+    ASSERT_TRUE(fs::exists(scratch.path / ("checkpoint.json.new-" + std::to_string(killed))));
+    EXPECT_EQ(refusal([&] { const OutputFolder folder(scratch.path, "touchstone second", existing); }), "");
+    EXPECT_TRUE(fs::is_empty(scratch.path));
+  }
+}
+
+TEST(WriteFile, LeavesAnUnfinishedFileOfAFolderThatIsRefused) {
+  const Scratch scratch;
+  write_file(scratch.path / "rates.csv", "precious\n");
+  write_file(scratch.path / "notes.new-1", "precious\n");
+  EXPECT_NE(refusal([&] { const OutputFolder folder(scratch.path, "touchstone", {}); }), "");
+  EXPECT_TRUE(fs::exists(scratch.path / "notes.new-1"));
+  EXPECT_EQ(refusal([&] { const OutputFolder folder(scratch.path, "touchstone", {.force = true}); }), "");
+  EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"rates.csv"});
+}
+
+TEST(RefuseOverwrite, AllowsWhatIsNotThere) {
+  const Scratch scratch;
+  EXPECT_EQ(refusal([&] { refuse_overwrite(scratch.path / "new.json", false); }), "");
+  EXPECT_EQ(refusal([&] { refuse_overwrite(scratch.path / "no" / "new.json", false); }), "");
+}
+
+TEST(RefuseOverwrite, AllowsARegularFileWithForceOnly) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "base.json";
+  write_file(file, "{}\n");
+  EXPECT_EQ(refusal([&] { refuse_overwrite(file, false); }), file.string() + ": exists already; --force overwrites it");
+  EXPECT_EQ(refusal([&] { refuse_overwrite(file, true); }), "");
+}
+
+// A file that appeared while the text was computed is detected, too.
+TEST(WriteFile, WritesOverWhatIsThereByNowOnlyWithForce) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "base.json";
+  write_file(file, "first\n", false);
+  EXPECT_EQ(refusal([&] { write_file(file, "second\n", false); }),
+            file.string() + ": exists already; --force overwrites it");
+  EXPECT_EQ(text_of(file), "first\n");
+  write_file(file, "third\n", true);
+  EXPECT_EQ(text_of(file), "third\n");
+  EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"base.json"});
+}
+
+TEST(RefuseOverwrite, RefusesAllElseWithForceToo) {
+  const Scratch scratch;
+  fs::create_symlink("nowhere", scratch.path / "dangling");
+  fs::create_symlink("/dev/null", scratch.path / "device");
+  for (const fs::path& what : {scratch.path / "dangling", scratch.path / "device", scratch.path, fs::path("/dev/null")})
+    for (const bool force : {false, true})
+      EXPECT_EQ(refusal([&] { refuse_overwrite(what, force); }),
+                what.string() + ": exists already, and is not a regular file");
+}
+
+}  // namespace
+}  // namespace touchstone::run

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/experiments/thesis/cell/browser/aristo.h"
+
+#include "experiments/methods/registry.h"
+#include "experiments/thesis/cell/model/read_cell.h"
+
+namespace touchstone::cell_browser_tests {
+
+using namespace cell::browser;
+
+const cell::Cell& aristo() {
+  static const cell::Cell cell = cell::read_cell(TOUCHSTONE_SOURCE_DIR "/experiments/thesis/cell/cells/aristo.json");
+  return cell;
+}
+
+const Simulator& simulator() {
+  static const Simulator simulator(
+      aristo(), {.overhang = 8, .methods = methods::find_methods({"filtered", "thesis"}), .rule = {}});
+  return simulator;
+}
+
+const Recording& recording() {
+  static const Recording recording = simulator().run(setting_of(aristo()));
+  return recording;
+}
+
+}  // namespace touchstone::cell_browser_tests

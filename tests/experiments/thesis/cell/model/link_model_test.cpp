@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The thesis's model files: nothing is lost, and what is wrong is named with its line.
+#include "experiments/thesis/cell/model/link_model.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "experiments/run/write_file.h"
+#include "experiments/thesis/cell/model/convert.h"
+#include "tests/experiments/support/scratch.h"
+
+namespace touchstone::cell_model_tests {
+namespace {
+
+using cell::LinkModel;
+using cell::LinkPart;
+using cell::LinkPolygon;
+
+LinkModel read(const std::string& text) {
+  const run_tests::Scratch scratch;
+  run::write_file(scratch.path / "Axis1.txt", text);
+  return cell::read_link_model(scratch.path / "Axis1.txt");
+}
+
+/// What the text is refused for, from the line on.
+std::string fault(const std::string& text) {
+  const run_tests::Scratch scratch;
+  const std::string path = (scratch.path / "Axis1.txt").string();
+  run::write_file(path, text);
+  try {
+    (void)cell::read_link_model(path);
+  } catch (const BrokenMesh& broken) {
+    const std::string message = broken.what();
+    return message.starts_with(path + ": ") ? message.substr(path.size() + 2) : "no file: " + message;
+  }
+  return "";
+}
+
+rc::Gen<double> finite_doubles() {
+  return rc::gen::suchThat(
+      rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) { return std::bit_cast<double>(bits); }),
+      [](double x) { return std::isfinite(x); });
+}
+
+rc::Gen<std::vector<std::uint32_t>> loops(std::uint32_t vertices) {
+  return rc::gen::resize(
+      6, rc::gen::suchThat(rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange<std::uint32_t>(0, vertices)),
+                           [](const auto& loop) { return loop.size() >= 3; }));
+}
+
+LinkPart random_part() {
+  LinkPart part;
+  part.name = *rc::gen::element<std::string>("body", "a-b", "3", "Link", "Hole", "\xC3\xA4");
+  const auto vertices = *rc::gen::inRange<std::uint32_t>(1, 6);
+  for (std::uint32_t i = 0; i < vertices; ++i) {
+    const double x = *finite_doubles(), y = *finite_doubles(), z = *finite_doubles();
+    part.vertices.emplace_back(x, y, z);
+  }
+  for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+    LinkPolygon polygon{*loops(vertices), {}};
+    for (int k = *rc::gen::inRange(0, 3); k > 0; --k) polygon.holes.push_back(*loops(vertices));
+    part.polygons.push_back(polygon);
+  }
+  return part;
+}
+
+RC_GTEST_PROP(LinkModelFile, IsReadAsItWasWrittenAndWrittenAsItWasRead, ()) {
+  LinkModel model{"Axis1", {}};
+  for (int i = *rc::gen::inRange(0, 4); i > 0; --i) model.parts.push_back(random_part());
+  const std::string text = cell::link_model_text(model);
+  const LinkModel again = read(text);
+  RC_ASSERT(again == model);
+  RC_ASSERT(cell::link_model_text(again) == text);  // the sign of zero, too
+}
+
+constexpr const char* kPlate =
+    "# a plate with a hole\n"
+    "Link  Gripper1\n"
+    "Parts 1\n"
+    "\n"
+    "Part plate   # its only part\n"
+    "Vertices 7\n"
+    "0 0 0\n4 0 0\n0 4 0\r\n1 1 0\n2 1 0\n1 2 0\n+1e1 -0 .5\n"
+    "Polygons 2\n"
+    "3 0 1 2 Hole 3 3 4 5\n"
+    "3 0 1 6\n";
+
+TEST(LinkModelFile, HoldsPartsVerticesPolygonsAndHoles) {
+  const LinkModel model = read(kPlate);
+  EXPECT_EQ(model.name, "Gripper1");
+  ASSERT_EQ(model.parts.size(), 1U);
+  EXPECT_EQ(model.parts[0].name, "plate");
+  EXPECT_EQ(model.parts[0].vertices.back(), Eigen::Vector3d(10, 0, 0.5));
+  EXPECT_TRUE(std::signbit(model.parts[0].vertices.back().y()));
+  EXPECT_EQ(model.parts[0].polygons, (std::vector<LinkPolygon>{{{0, 1, 2}, {{3, 4, 5}}}, {{0, 1, 6}, {}}}));
+}
+
+TEST(LinkModelFile, EveryFaultIsNamedWithItsLine) {
+  const std::string head = "Link A\nParts 1\nPart p\nVertices 3\n0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(fault(""), "line 1: the file is truncated: expected 'Link'");
+  EXPECT_EQ(fault("Robot A\n"), "line 1: expected 'Link', found 'Robot'");
+  EXPECT_EQ(fault("Link\n"), "line 1: a name is expected after 'Link'");
+  EXPECT_EQ(fault("Link A B\n"), "line 1: expected the end of the line, found 'B'");
+  EXPECT_EQ(fault("Link A\nParts -1\n"), "line 2: the count -1 is negative");
+  EXPECT_EQ(fault("Link A\nParts 1.5\n"), "line 2: '1.5' is not a count");
+  EXPECT_EQ(fault("Link A\nParts 2\nPart p\nVertices 0\nPolygons 0\n"),
+            "line 5: the file is truncated: expected 'Part'");
+  EXPECT_EQ(fault("Link A\nParts 1\nPart p\nVertices 2\n0 0 0\n"),
+            "line 5: the file is truncated: vertex 1 of 2 is missing");
+  EXPECT_EQ(fault("Link A\nParts 1\nPart p\nVertices 1\n0 0\n"),
+            "line 5: expected three numbers for a vertex, found 2");
+  EXPECT_EQ(fault("Link A\nParts 1\nPart p\nVertices 1\n0 0 0 0\n"), "line 5: expected the end of the line, found '0'");
+  EXPECT_EQ(fault("Link A\nParts 1\nPart p\nVertices 1\n0 x 0\n"), "line 5: 'x' is not a number");
+  EXPECT_EQ(fault("Link A\nParts 1\nPart p\nVertices 1\n0 1e999 0\n"), "line 5: '1e999' is not a finite double");
+  EXPECT_EQ(fault("Link A\nParts 1\nPart p\nVertices 1\n0 nan 0\n"), "line 5: 'nan' is not a finite double");
+  EXPECT_EQ(fault(head + "0 0 1\n"), "line 8: expected 'Polygons', found '0'");
+  EXPECT_EQ(fault(head + "Polygons 1\n"), "line 8: the file is truncated: polygon 0 of 1 is missing");
+  EXPECT_EQ(fault(head + "Polygons 1\n2 0 1\n"), "line 9: a loop needs at least 3 vertices, this one has 2");
+  EXPECT_EQ(fault(head + "Polygons 1\n3 0 1\n"), "line 9: expected 3 vertex numbers, found 2");
+  EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 3\n"),
+            "line 9: vertex 3 is out of range: the part has 3 vertices, numbered from 0");
+  EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 -1\n"),
+            "line 9: vertex -1 is out of range: the part has 3 vertices, numbered from 0");
+  EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 2 0\n"), "line 9: expected 'Hole' or the end of the line, found '0'");
+  EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 2 Hole\n"), "line 9: expected a count, found the end of the line");
+  EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 2\n3 0 1 2\n"), "line 10: the file continues after the announced counts");
+  EXPECT_EQ(fault(head + "Polygons 1\n9223372036854775807 0 1 2\n"),
+            "line 9: expected 9223372036854775807 vertex numbers, found 3");
+  EXPECT_THROW((void)cell::read_link_model("/nowhere/Axis1.txt"), BrokenMesh);
+}
+
+TEST(LinkModelFile, ANameIsOneWord) {
+  for (const char* const name : {"", "two words", "a#b", "a\tb", "a\n", "a\x01", "a\x7f", "a\xff", "\xe9"})
+    EXPECT_THROW((void)cell::link_model_text({name, {}}), std::invalid_argument) << name;
+  EXPECT_EQ(fault(std::string("Link A\nParts 1\nPart a") + '\0' + "b\n"),
+            "line 3: the name 'a\\x00b' has a control character, or is not UTF-8");
+  EXPECT_EQ(fault("Link \xff\xfe\nParts 0\n"),
+            "line 1: the name '\\xff\\xfe' has a control character, or is not UTF-8");
+  EXPECT_THROW((void)cell::link_model_text({"A", {{"b c", {}, {}}}}), std::invalid_argument);
+  EXPECT_EQ(cell::link_model_text({"\xc3\xa9", {}}), "Link \xc3\xa9\nParts 0\n");
+}
+
+class Conversion : public testing::Test {
+ protected:
+  /// Written as a file of that extension and read again.
+  LinkModel converted(const LinkModel& model, const std::string& extension,
+                      cell::Preparation preparation = cell::Preparation::None) {
+    const std::filesystem::path file = scratch.path / ("model" + extension);
+    written = cell::prepared(model, preparation, file);
+    run::write_file(file, cell::model_text(written, file));
+    return cell::read_model(file);
+  }
+
+  const run_tests::Scratch scratch;
+  LinkModel written;
+};
+
+/// Two parts: a square frame, and a tent of a quad and two triangles; numbers that no float holds.
+LinkModel frame_and_tent() {
+  LinkPart frame{"frame",
+                 {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
+                 {{{0, 1, 2, 3}, {{4, 5, 6, 7}}}}};
+  LinkPart tent{"tent",
+                {{0.1, 1.0 / 3, 1e-300}, {1e9 + 0.125, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}},
+                {{{0, 1, 4}, {}}, {{1, 2, 4}, {}}, {{3, 2, 1, 0}, {}}}};
+  return {"Axis1", {frame, tent}};
+}
+
+TEST_F(Conversion, KeepsCountsPointsAndBoundsInEveryFormat) {
+  LinkModel model = frame_and_tent();
+  model.parts[1].polygons.pop_back();  // the quad is not planar; OBJ, OFF and PLY would hold it, STL cannot
+  for (const char* const extension : {".txt", ".obj", ".off", ".ply", ".stl"}) {
+    const LinkModel read = converted(model, extension);
+    EXPECT_EQ(cell::differences(written, read), std::vector<std::string>{}) << extension;
+    const cell::ModelCounts before = cell::counts_of(model), after = cell::counts_of(read);
+    EXPECT_EQ(after.points, before.points) << extension;
+    EXPECT_EQ(after.bounds.min(), before.bounds.min()) << extension;
+    EXPECT_EQ(after.bounds.max(), before.bounds.max()) << extension;
+    EXPECT_EQ(after.polygons, extension == std::string(".txt") ? 3U : 8U + 2) << extension;
+  }
+}
+
+TEST_F(Conversion, OfAModelFileToItselfChangesNothing) {
+  const LinkModel model = frame_and_tent();
+  LinkModel read = converted(model, ".TXT");
+  EXPECT_EQ(read, model);
+}
+
+TEST_F(Conversion, WeldsAndMergesBackWhatStlTookApart) {
+  const LinkModel model{"frame", {frame_and_tent().parts[0]}};
+  const LinkModel stl = converted(model, ".stl");
+  EXPECT_EQ(cell::counts_of(stl).vertices, 24U);
+  const LinkModel welded = converted(stl, ".txt", cell::Preparation::Weld);
+  EXPECT_EQ(cell::counts_of(welded).vertices, 8U);
+  EXPECT_EQ(cell::counts_of(welded).polygons, 8U);
+  const LinkModel merged = converted(stl, ".txt", cell::Preparation::Merge);
+  EXPECT_EQ(cell::counts_of(merged).polygons, 1U);
+  EXPECT_EQ(cell::counts_of(merged).holes, 1U);
+  EXPECT_EQ(cell::counts_of(merged).points, 8U);
+}
+
+TEST_F(Conversion, AWeldKeepsHoles) {
+  LinkModel model{"frame", {frame_and_tent().parts[0]}};
+  model.parts[0].vertices.emplace_back(0, 0, -0.0);
+  model.parts[0].polygons[0].outer[0] = 8;
+  const LinkModel welded = converted(model, ".txt", cell::Preparation::Weld);
+  EXPECT_EQ(welded.parts[0].polygons, (std::vector<LinkPolygon>{{{0, 1, 2, 3}, {{4, 5, 6, 7}}}}));
+}
+
+TEST_F(Conversion, NamesTheFaceThatCannotBeCut) {
+  LinkModel model = frame_and_tent();
+  model.parts[1].polygons[1].outer = {0, 1, 0, 2};
+  try {
+    (void)converted(model, ".stl");
+    FAIL();
+  } catch (const cell::BadConversion& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("Axis1: part tent: face 1: ")) << error.what();
+  }
+  EXPECT_THROW((void)converted(model, ".step"), cell::BadConversion);
+}
+
+// What is compared must be able to differ: each of these is one thing lost.
+TEST(Differences, AreNoticedOneByOne) {
+  const LinkModel model = frame_and_tent();
+  EXPECT_EQ(cell::differences(model, model).size(), 0U);
+  LinkModel changed = model;
+  changed.parts[1].vertices[1].x() = 1e9;  // a float's worth off
+  EXPECT_EQ(cell::differences(model, changed).size(), 2U);
+  changed = model;
+  changed.parts[0].vertices[4].x() = 1.5;  // within the bounds; (1, 1, 0) is a point of the tent, too
+  EXPECT_EQ(cell::differences(model, changed), std::vector<std::string>{"12 points became 13 or others"});
+  changed = model;
+  changed.parts[0].polygons[0].holes.clear();
+  EXPECT_FALSE(cell::differences(model, changed).empty());
+  changed = model;
+  changed.parts[1].polygons[0].outer = {0, 1, 2, 4};
+  EXPECT_EQ(cell::differences(model, changed), std::vector<std::string>{"polygons have other numbers of corners"});
+}
+
+}  // namespace
+}  // namespace touchstone::cell_model_tests

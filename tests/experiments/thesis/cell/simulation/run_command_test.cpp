@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `touchstone cell run`: its files, its exit status, and what it refuses.
+#include "tests/experiments/support/run_command.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/commands.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/thesis/cell/simulation/cells.h"
+
+namespace touchstone::cell_simulation_tests {
+namespace {
+
+using run_tests::Ran;
+
+Ran cell_run(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"run", kAristo.string(), "--cover-margin", "8"});
+  return run_tests::run_captured(commands::cell_command, std::move(arguments));
+}
+
+TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {
+  const run_tests::Scratch scratch;
+  const auto text = [&](const char* name) { return run_tests::text_of(scratch.path / name); };
+  const Ran ran = cell_run({"--output", scratch.path.string(), "--methods", "filtered,thesis"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("to-machine       shoulder        +28  contact  at +27.492"), std::string::npos) << ran.out;
+  const auto lines = [](const std::string& s) { return std::count(s.begin(), s.end(), '\n'); };
+  EXPECT_EQ(lines(text("trajectory.csv")), 1 + 603);
+  EXPECT_EQ(lines(text("moves.csv")), 1 + 15);
+  EXPECT_NE(text("moves.csv").find("\n2,to-storage,base,contact,-149,-148.498862,2.4833,0.498862,148.49"),
+            std::string::npos)
+      << text("moves.csv");
+  EXPECT_EQ(text("methods.csv").substr(0, 60), "method,asked,wrong_hits,wrong_misses,unsure,stops,share_low,");
+  EXPECT_EQ(text("near.csv").substr(0, 24), "exponent,near,questions\n");
+  EXPECT_EQ(lines(text("near.csv")), 1 + 61);
+  const auto trajectory = nlohmann::json::parse(text("trajectory.json"));
+  ASSERT_EQ(trajectory["stops"].size(), 603U);
+  EXPECT_EQ(trajectory["stops"][152]["material"], "storage");
+  EXPECT_EQ(trajectory["stops"][152]["touched"], 3);
+  EXPECT_EQ(trajectory["stops"][153]["material"], "gripper");
+  EXPECT_EQ(trajectory["stops"][602]["angles"], trajectory["stops"][0]["angles"]);
+  EXPECT_NE(text("run.json").find("touchstone cell run "), std::string::npos);
+}
+
+TEST(CellRun, SaysWhyItDidNotCompleteByItsExitStatusToo) {
+  const Ran ran = cell_run({"--set", "step=6", "--methods", "fast", "--sphere-alone"});
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_NE(
+      ran.out.find("not completed: from the side: to-storage base -150: steps of 6 degrees pass over the contact"),
+      std::string::npos)
+      << ran.out;
+}
+
+TEST(CellRun, NamesTheKeyThatIsWrong) {
+  const auto err = [](std::vector<std::string> arguments) {
+    const Ran ran = cell_run(std::move(arguments));
+    EXPECT_EQ(ran.status, 2) << ran.out;
+    const std::string file = kAristo.string() + ": ";
+    return ran.err.rfind(file, 0) == 0 ? ran.err.substr(file.size()) : ran.err;
+  };
+  EXPECT_EQ(err({"--set", "storage.height=-1"}), "storage.height: must not be negative, is -1");
+  EXPECT_EQ(
+      err({"--set", "storage.hight=1"}),
+      "storage.hight: is an unknown key; there are home, angle, radius, height, slots, parts, stand, about, turn");
+  EXPECT_EQ(err({"--set", "machine.radius=2000"}).substr(0, 24), "machine.radius: too far:");
+  EXPECT_EQ(err({"--set", "robot.home.shoulder=91"}),
+            "robot.home.shoulder: crosses a limit of the joint: 91 is not within -90 to 90 degrees");
+  EXPECT_EQ(err({"--set", "step=1e-320"}).rfind("step: at ", 0), 0U) << err({"--set", "step=1e-320"});
+  EXPECT_EQ(err({"--set", "material.slot=D"}), "material.slot: there is no slot \"D\"");
+  EXPECT_EQ(err({"--set", "no.where=1"}), "no.where: there is no key \"no\"");
+  EXPECT_NE(err({"--methods", "nonsense"}).find("\"nonsense\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace touchstone::cell_simulation_tests

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Distances of triangles: the two bounds enclose what another library computes exactly.
+#include "experiments/thesis/cell/simulation/triangle_distance.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/squared_distance_3.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "experiments/thesis/cell/simulation/triangle_gap.h"
+#include "tests/experiments/thesis/cell/simulation/cells.h"
+
+namespace touchstone::cell_simulation_tests {
+namespace {
+
+using cell::DistanceBounds;
+using cell::NamedTriangle;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Eigen::Vector3d point(workloads::Random& random, double size) {
+  return {between(random, -size, size), between(random, -size, size), between(random, -size, size)};
+}
+Triangle triangle(workloads::Random& random, const Eigen::Vector3d& at, double size) {
+  return {at + point(random, size), at + point(random, size), at + point(random, size)};
+}
+
+double reference(const Triangle& s, const Triangle& t) {
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  const auto at = [](const Eigen::Vector3d& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
+  const Kernel::Triangle_3 one(at(s.a), at(s.b), at(s.c)), other(at(t.a), at(t.b), at(t.c));
+  return std::sqrt(CGAL::to_double(CGAL::squared_distance(one, other)));
+}
+
+TEST(TriangleDistance, EnclosesTheExactDistance) {
+  workloads::Random random(1, 0);
+  int touching = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Triangle s = triangle(random, {0, 0, 0}, 10),
+                   t = triangle(random, point(random, 15), between(random, 0.1, 20));
+    const double exact = reference(s, t);
+    const DistanceBounds bounds = cell::distance(s, t);
+    EXPECT_LE(bounds.lower, exact + 1e-14);
+    EXPECT_GE(bounds.upper, exact - 1e-12);
+    EXPECT_LE(bounds.upper - bounds.lower, 1e-11);
+    if (exact == 0) ++touching;
+  }
+  EXPECT_GT(touching, 10);
+  EXPECT_LT(touching, 390);
+}
+
+TEST(TriangleDistance, OfPointsSegmentsAndParallelFaces) {
+  const Triangle flat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, above{{0, 0, 3}, {4, 0, 3}, {0, 4, 3}};
+  const auto is = [](const DistanceBounds& bounds, double distance) {
+    EXPECT_NEAR(bounds.lower, distance, 1e-12);
+    EXPECT_NEAR(bounds.upper, distance, 1e-12);
+  };
+  is(cell::distance(flat, above), 3);
+  is(cell::distance(flat, flat), 0);
+  const Eigen::Vector3d high{1, 1, 2}, far{-3, 0, 4};
+  is(cell::distance(flat, {high, high, high}), 2);
+  is(cell::distance({far, far, far}, flat), 5);
+  is(cell::distance({{-1, -2, 0}, {-1, -2, 0}, {9, -2, 0}}, flat), 2);
+  is(cell::distance({{1, 1, -1}, {1, 1, 1}, {1, 1, 1}}, flat), 0);  // a needle through it
+  is(cell::distance({high, high, high}, {far, far, far}), (high - far).norm());
+}
+
+// With two hierarchies and a pose, as with every pair; a cutoff hides only what is further.
+TEST(TriangleDistance, OfTreesIsTheLeastOfAllPairs) {
+  workloads::Random random(2, 0);
+  for (int i = 0; i < 20; ++i) {
+    std::vector<NamedTriangle> moving, still;
+    for (int k = 0; k < 40; ++k) moving.push_back({triangle(random, point(random, 20), 4), 0});
+    for (int k = 0; k < 60; ++k)
+      still.push_back({triangle(random, point(random, 20) + Eigen::Vector3d(30, 0, 0), 4), 0});
+    const Eigen::AngleAxisd turn(between(random, 0, 3), point(random, 1).normalized());
+    const Pose pose{turn.toRotationMatrix(), point(random, 10)};
+    DistanceBounds least{kInfinity, kInfinity};
+    const auto at = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return pose.rotation * p + pose.translation; };
+    for (const auto& m : moving)
+      for (const auto& s : still) {
+        const auto here = cell::distance(Triangle{at(m.triangle.a), at(m.triangle.b), at(m.triangle.c)}, s.triangle);
+        least = {std::min(least.lower, here.lower), std::min(least.upper, here.upper)};
+      }
+    const cell::TriangleTree one(moving), other(still);
+    const DistanceBounds bounds = cell::distance(one, pose, other, kInfinity);
+    EXPECT_NEAR(bounds.upper, least.upper, 1e-10);
+    EXPECT_LE(bounds.lower, least.upper);
+    EXPECT_NEAR(bounds.lower, least.lower, 1e-10);
+    EXPECT_EQ(cell::distance(one, pose, other, least.lower / 2).lower, least.lower / 2);
+    EXPECT_NEAR(cell::distance(one, pose, other, least.upper + 1).upper, least.upper, 1e-10);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::cell_simulation_tests
