@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # install_headers(FILE...): installs headers of the current folder under include/touchstone/, by their path from the root.
 #
-# The headers of touchstone/ come to lie beside them, so that `#include "geometry/shapes/ball.h"` there is found next to
+# The public headers come to lie beside them, so that `#include "geometry/shapes/ball.h"` there is found next to
 # the file that says it. All other installed headers include each other by relative paths. So `include` is the only
 # folder on a user's search path, and a folder `geometry` of the user's own hides nothing.
 function(install_headers)

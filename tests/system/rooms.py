@@ -4,10 +4,10 @@
 Holds the includes to the rooms: a file of experiments/ includes headers of its own room and of those that its room's
 CMakeLists.txt names behind STANDS_ON, and no others; each of those is used; no study stands on another; no room of the
 laboratory stands on one of experiments/thesis/; geometry/ includes nothing of robust/ or experiments/, robust/ and bindings/
-nothing of experiments/, and only tests/ includes tests/. What lies in
-robust/ROOM/detail/ is in namespace touchstone::ROOM::detail, and a folder in there has at most 12 files. Every source
-file is compiled, but those of absent engines. The table of docs/architecture.md lists the same rooms and arrows; --write
-updates it. Exit status 1, with the file and line, otherwise.
+nothing of experiments/, and only tests/ includes tests/. What lies in robust/ROOM/detail/ is in namespace
+touchstone::ROOM::detail, and a folder in there has at most 12 files. Every source file is compiled, but those of absent
+engines. The table of docs/architecture.md lists the same rooms and arrows; --write updates it. Exit status 1, with the
+file and line, otherwise.
 """
 
 import json
