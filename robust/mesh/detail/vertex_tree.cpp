@@ -9,7 +9,7 @@
 #include "robust/scene/detail/culling_motion.h"
 #include "robust/scene/detail/tree_walk.h"
 
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 namespace {
 
 using Eigen::Vector3d;
@@ -67,4 +67,4 @@ std::vector<std::uint32_t> VertexTree::between(std::uint32_t a, std::uint32_t b)
   return found;
 }
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail

@@ -8,7 +8,7 @@
 
 #include "geometry/bvh/box_tree.h"
 
-namespace touchstone::mesh {
+namespace touchstone::mesh::detail {
 
 /// Finds the vertices of a welded mesh on a line segment. Requires round to nearest, without flush-to-zero.
 class VertexTree {
@@ -30,4 +30,4 @@ class VertexTree {
   BoxTree tree_;  ///< over the finite points
 };
 
-}  // namespace touchstone::mesh
+}  // namespace touchstone::mesh::detail
