@@ -144,7 +144,7 @@ class EveryCommand(unittest.TestCase):
 
     def test_keeps_its_help_within_the_width_of_the_terminal(self):
         for name in ("", *COMMANDS, "cell", "corpus"):
-            for width in (60, 80, 120):
+            for width in (80, 120):
                 with self.subTest(command=name, width=width):
                     text = self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE, env={**os.environ, "COLUMNS": str(width)}).stdout
                     self.assertEqual([line for line in text.splitlines() if len(line) > width and len(line.split()) > 1], [])
@@ -168,7 +168,7 @@ class EveryCommand(unittest.TestCase):
         (SCRATCH / "half.jsonl").write_text('{"id":\n')
         calls = [[*name.split(), "--no-such-option", "5"] for name in COMMANDS] + [
             [], ["cell"], ["jugde"], ["near-edge", "--samples", "many"], ["near-edge", "--oracle", "exakt"], ["meshes"],
-            *([command, "nowhere"] for command in ("judge", "show", "meshes", "merging", "cell run", "cell show")),
+            *([command, "nowhere"] for command in ("judge", "show", "cell run", "cell show")), ["meshes", "nowhere.obj"], ["merging", "nowhere.obj"],
             ["judge", "half.jsonl"], ["show", "half.jsonl"], ["scenes", "mesh.obj", "--balls", "nowhere"],
             ["corpus", "shrink", "nowhere", "--method", "fast"], ["regress", "--baseline", "nowhere"]]
         for call in calls:
@@ -179,7 +179,7 @@ class EveryCommand(unittest.TestCase):
                 self.assertEqual(len(complaints), 1, done.stderr)
                 if call not in ([], ["cell"]):  # these print what there is first
                     self.assertEqual(done.stderr, complaints[0] + "\n")
-                if "nowhere" in call:
+                if "nowhere" in " ".join(call):
                     self.assertIn("No such file or directory", done.stderr)
                 if "--no-such-option" in call:
                     self.assertRegex(done.stderr, r"--no-such-option( 5)?\b")

@@ -152,7 +152,9 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
   for (const Key key : cases::kStaticKeys)
     if (has(decisive, key)) compare(key, same_value(key, stands, decisive), text(found[std::string(to_string(key))]));
 
-  const auto about = [](const mpq_class& x) { return fmt::format("{}{}", x == x.get_d() ? "" : "about ", x.get_d()); };
+  const auto about = [](const mpq_class& x) {
+    return fmt::format("{}{}", std::isfinite(x.get_d()) && x == x.get_d() ? "" : "about ", x.get_d());
+  };
   const mpq_class off_plane = rational(prepared.off_plane()), squared = rational(nearest->distance_squared);
   compare(Key::OffPlane, stands.off_plane && is_nearest_double(*stands.off_plane, off_plane), about(off_plane));
   compare(Key::Distance, stands.distance && *stands.distance >= 0 && is_nearest_root(*stands.distance, squared),

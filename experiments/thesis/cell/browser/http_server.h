@@ -61,8 +61,8 @@ class HttpServer {
   /// Returns whether only this machine can reach the server.
   [[nodiscard]] bool loopback() const;
 
-  /// Serves until `stop` is set. Notices that within a tenth of a second, but finishes requests in progress first;
-  /// those that still wait for a thread are dropped.
+  /// Serves until `stop` is set. Notices that within a tenth of a second, but waits for handlers that are at work.
+  /// Their clients, and those whose requests wait for a thread, may get no reply.
   void run(const std::atomic<bool>& stop);
 
  private:

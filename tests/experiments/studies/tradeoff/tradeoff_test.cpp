@@ -273,7 +273,7 @@ TEST(TradeoffCommand, WrongOptionsAreErrorsThatNameThem) {
 
 // Interrupted once its folder is there: it ends early, says so in words, status and record, and keeps what it has.
 TEST(TradeoffCommand, AnInterruptedRunIsMarked) {
-  std::signal(SIGINT, SIG_DFL);  // in the background of a shell it is ignored
+  signal(SIGINT, SIG_DFL);  // in the background of a shell it is ignored
   const Scratch scratch;
   const std::string folder = scratch.path / "run";
   std::vector<std::string> words{TOUCHSTONE_PROGRAM, "tradeoff",  "--methods", "fast", "--families", "l",
