@@ -14,8 +14,8 @@
 #include <utility>
 #include <variant>
 
-#include "geometry/detail/each_in_parallel.h"
 #include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
 #include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/validate.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/bvh/box.h"
-#include "robust/exact/detail/orientation.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/scene/detail/culling_motion.h"
 #include "robust/scene/detail/tree_walk.h"
 
@@ -31,7 +31,7 @@ std::vector<Box> boxes_of(std::span<const Vector3d> points, const std::vector<st
 bool is_on_segment(const Vector3d& point, const Vector3d& a, const Vector3d& b) {
   if ((point.array() < a.cwiseMin(b).array()).any() || (point.array() > a.cwiseMax(b).array()).any()) return false;
   for (int x = 0; x < 3; ++x)
-    if (const int y = (x + 1) % 3; exact::orientation(a[x], a[y], b[x], b[y], point[x], point[y]) != 0) return false;
+    if (const int y = (x + 1) % 3; exact::detail::orientation(a[x], a[y], b[x], b[y], point[x], point[y]) != 0) return false;
   return true;
 }
 
@@ -48,9 +48,9 @@ VertexTree::VertexTree(std::span<const Vector3d> points, std::vector<std::uint32
 
 std::vector<std::uint32_t> VertexTree::between(std::uint32_t a, std::uint32_t b) const {
   std::vector<std::uint32_t> found;
-  const scene::CullingMotion culling(Motion({points_[a], 0}, points_[b]), tree_);
-  const auto visit = [&](std::span<const scene::Leaf> leaves) {
-    for (const scene::Leaf& leaf : leaves)
+  const scene::detail::CullingMotion culling(Motion({points_[a], 0}, points_[b]), tree_);
+  const auto visit = [&](std::span<const scene::detail::Leaf> leaves) {
+    for (const scene::detail::Leaf& leaf : leaves)
       for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place) {
         const std::uint32_t number = finite_[tree_.order()[place]];
         if (number != a && number != b && is_on_segment(points_[number], points_[a], points_[b]))
@@ -58,7 +58,7 @@ std::vector<std::uint32_t> VertexTree::between(std::uint32_t a, std::uint32_t b)
       }
     return false;
   };
-  scene::walk<1>(tree_, culling, visit, [](const scene::Leaf&) {});
+  scene::detail::walk<1>(tree_, culling, visit, [](const scene::detail::Leaf&) {});
   // Points of a line are in order along it.
   const bool forward = precedes(points_[a], points_[b]);
   std::ranges::sort(found, [&](std::uint32_t i, std::uint32_t j) {
