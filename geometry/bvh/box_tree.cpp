@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "geometry/bvh/detail/tree_shape.h"
-#include "geometry/detail/parts_in_parallel.h"
 #include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
 
 namespace touchstone {
 namespace {

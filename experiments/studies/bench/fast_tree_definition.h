@@ -20,12 +20,12 @@ inline bool tree_contact(const Ball& ball, const filtered::PreparedPolygon& poly
   foot.x = filtered::detail::frame::coordinate(frame.x, height.to_center);
   foot.y = filtered::detail::frame::coordinate(frame.y, height.to_center);
   bool hit = false;
-  const bool inside =
-      walk(*parts.edges, foot, disc_sq, [&](const filtered::detail::EdgeTree::Leaf& leaf, const filtered::detail::LeafView& view) {
-        const unsigned lanes = (1U << leaf.count) - 1;
-        hit = (~negative_lanes(filtered::detail::all_lanes(disc_sq) - view.squared) & lanes) != 0;
-        return hit;
-      });
+  const bool inside = walk(*parts.edges, foot, disc_sq,
+                           [&](const filtered::detail::EdgeTree::Leaf& leaf, const filtered::detail::LeafView& view) {
+                             const unsigned lanes = (1U << leaf.count) - 1;
+                             hit = (~negative_lanes(filtered::detail::all_lanes(disc_sq) - view.squared) & lanes) != 0;
+                             return hit;
+                           });
   return hit || inside;
 }
 

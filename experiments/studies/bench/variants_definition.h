@@ -9,15 +9,15 @@
 #include "experiments/studies/bench/expansion.h"
 #include "experiments/studies/bench/variants.h"
 #include "robust/filtered/detail/kernels.h"
-#include "robust/filtered/detail/triangle/triangle_contact.h"
 #include "robust/filtered/detail/sets/triangle_groups_contact.h"
+#include "robust/filtered/detail/triangle/triangle_contact.h"
 
 namespace touchstone::bench {
 inline namespace TOUCHSTONE_TARGET {
 
+using filtered::Stage;
 using filtered::detail::FilterResult;
 using filtered::detail::SignKind;
-using filtered::Stage;
 
 /// Counts nothing, and leaves stages out.
 template <Stage... left_out>
@@ -63,7 +63,7 @@ struct ExpansionView {
   [[nodiscard]] Vector edge() const { return difference(view.vertex[(i + 1) % 3], view.vertex[i]); }
   [[nodiscard]] auto normal() const {
     return filtered::detail::signs::normal(difference(view.vertex[1], view.vertex[0]),
-                                   difference(view.vertex[2], view.vertex[1]));
+                                           difference(view.vertex[2], view.vertex[1]));
   }
   [[nodiscard]] Expansion<1> radius() const { return Expansion<1>(view.radius()); }
 };
@@ -90,12 +90,14 @@ inline bool contact_by_expansions(const Ball& ball, const Triangle& triangle) {
 
 /// Writes what is known of a group as a whole, as filtered::detail::group_contact does before it asks floats.
 /// Returns false if nothing is. Requires a ball that is in reach of groups.
-inline bool decided_as_a_whole(const Ball& ball, const filtered::detail::TriangleGroup& group, std::span<bool> touches) {
+inline bool decided_as_a_whole(const Ball& ball, const filtered::detail::TriangleGroup& group,
+                               std::span<bool> touches) {
   double seen[4];
   if (!filtered::detail::see(ball, group, seen)) return false;
   const bool misses = filtered::detail::misses_group(seen);
   const double around = seen[3] - 1;
-  const bool holds = around > 0 && filtered::detail::squared_length(seen) < around * around * filtered::detail::bounds::kNarrow;
+  const bool holds =
+      around > 0 && filtered::detail::squared_length(seen) < around * around * filtered::detail::bounds::kNarrow;
   if (!misses && !holds) return false;
   std::ranges::fill(touches, holds);
   return true;

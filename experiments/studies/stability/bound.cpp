@@ -12,8 +12,8 @@
 #include "geometry/contact/fast.h"
 #include "robust/filtered/detail/polygon/exact_edges.h"
 #include "robust/filtered/detail/polygon/frame_query.h"
-#include "robust/filtered/detail/signs/signs.h"
 #include "robust/filtered/detail/signs/sign_ladder.h"
+#include "robust/filtered/detail/signs/signs.h"
 
 namespace touchstone::stability {
 namespace {
@@ -66,8 +66,8 @@ template <SignKind kind>
 constexpr int roundings() {
   using Vector = Vector3<filtered::detail::Permanent<1>>;
   const auto count = []<int n>(const filtered::detail::Permanent<n>&) { return std::integral_constant<int, n>(); };
-  return decltype(count(
-      filtered::detail::expression<kind>(View<filtered::detail::Permanent<1>>{Vector{}, Vector{}, Vector{}, {}, 0})))::value;
+  return decltype(count(filtered::detail::expression<kind>(
+      View<filtered::detail::Permanent<1>>{Vector{}, Vector{}, Vector{}, {}, 0})))::value;
 }
 
 /// `size` is what the bound is a multiple of.
@@ -127,9 +127,9 @@ struct InFrame {
     const auto lane = static_cast<std::size_t>(std::ranges::find(here, edge) - here.begin());
     if (lane == leaf.count) continue;
     result.along = filtered::detail::frame::along(query.x, query.y, leaf.start_x[lane], leaf.start_y[lane],
-                                          leaf.direction_x[lane], leaf.direction_y[lane]);
+                                                  leaf.direction_x[lane], leaf.direction_y[lane]);
     result.across = filtered::detail::frame::across(query.x, query.y, leaf.start_x[lane], leaf.start_y[lane],
-                                            leaf.direction_x[lane], leaf.direction_y[lane]);
+                                                    leaf.direction_x[lane], leaf.direction_y[lane]);
   }
   return result;
 }
@@ -284,16 +284,18 @@ void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const Floatin
                                std::vector<Observation>& observations) const {
   const filtered::detail::Frame& frame = *parts_of(prepared_).frame;
   const InFrame computed = [&] {
-    const Environment environment(frame.unit.exponent < filtered::detail::Frame::kSubnormal ? FloatingPointMode() : mode);
+    const Environment environment(frame.unit.exponent < filtered::detail::Frame::kSubnormal ? FloatingPointMode()
+                                                                                            : mode);
     return quantities_in_frame(ball, parts_of(prepared_), edge);
   }();
   const RationalVector from = scaled(exactly(ball.center) - lifted_[edge], -frame.unit.exponent);
   const RationalVector direction = lifted_[polygon_.next(edge)] - lifted_[edge];
   const mpf_class normal_length = sqrt(real(filtered::detail::dot(normal_, normal_)));
   const mpf_class edge_length = sqrt(real(filtered::detail::dot(direction, direction)));
-  const mpf_class exact[] = {real(filtered::detail::dot(normal_, from)) / normal_length,
-                             real(filtered::detail::dot(from, direction)) / edge_length,
-                             real(filtered::detail::signs::side(normal_, direction, from)) / (normal_length * edge_length)};
+  const mpf_class exact[] = {
+      real(filtered::detail::dot(normal_, from)) / normal_length,
+      real(filtered::detail::dot(from, direction)) / edge_length,
+      real(filtered::detail::signs::side(normal_, direction, from)) / (normal_length * edge_length)};
   const double values[] = {computed.height, computed.along, computed.across};
   const double edge_bound = bounds::kEdgeFrame * bounds::kUnit * computed.size;
   const double errors[] = {computed.height_error, edge_bound, edge_bound};
@@ -306,7 +308,8 @@ void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const Floatin
 void BoundTrial::observe_fast(std::size_t vertex, double bound_factor, std::vector<Observation>& observations) const {
   if (std::abs(largest_exponent(polygon_)) > 160 || vertex == 0) return;
   const Eigen::Vector3d relative = polygon_.vertex(vertex) - polygon_.vertex(0);
-  const mpq_class exact = filtered::detail::dot(normal_, exactly(polygon_.vertex(vertex)) - exactly(polygon_.vertex(0))).value;
+  const mpq_class exact =
+      filtered::detail::dot(normal_, exactly(polygon_.vertex(vertex)) - exactly(polygon_.vertex(0))).value;
   observations.push_back(observation(kFastPlace, mpq_class(fast_normal_.dot(relative)), exact,
                                      bound_factor * fast_noise_,
                                      fast_noise_ / bounded_quantities()[kFastPlace].constant));

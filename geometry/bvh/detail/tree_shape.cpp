@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "geometry/detail/parts_in_parallel.h"
 #include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
 
 namespace touchstone::bvh {
 namespace {

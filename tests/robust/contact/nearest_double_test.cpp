@@ -13,8 +13,10 @@
 
 #include "experiments/cases/workloads/ulp.h"
 
-namespace touchstone::exact {
+namespace touchstone::contact_tests {
 namespace {
+
+using namespace exact::detail;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMax = std::numeric_limits<double>::max();
@@ -241,4 +243,4 @@ TEST(NearestSumWithRoot, DoesNotDependOnTheRoundingMode) {
 }
 
 }  // namespace
-}  // namespace touchstone::exact
+}  // namespace touchstone::contact_tests

@@ -5,8 +5,10 @@
 
 #include "experiments/cases/workloads/workload.h"
 
-namespace touchstone::exact {
+namespace touchstone::contact_tests {
 namespace {
+
+using exact::validate;
 
 std::string verdict(const Loop& outer, const std::vector<Loop>& holes = {}) {
   const auto rejection = validate(Polygon(outer, holes));
@@ -56,4 +58,4 @@ TEST(Validate, AcceptsLargePolygonsAndFindsOneCrossingInThem) {
 }
 
 }  // namespace
-}  // namespace touchstone::exact
+}  // namespace touchstone::contact_tests

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/prepared.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "tests/robust/lattice/lattice_case.h"
 
 namespace touchstone::lattice_tests {
@@ -50,8 +50,8 @@ struct Framed {
 /// The frame and its edges with every number displaced by a share of what bounds.h allows: those that move the foot,
 /// the vertices and the height in the worst way for this centre together, all others at random.
 Framed displaced(const Framed& framed, const Eigen::Vector3d& center, double share, Signs& signs) {
-  using filtered::detail::bounds::kUnit, filtered::detail::bounds::kFramePoint, filtered::detail::bounds::kFrameDirection,
-      filtered::detail::bounds::kFrameLength;
+  using filtered::detail::bounds::kUnit, filtered::detail::bounds::kFramePoint,
+      filtered::detail::bounds::kFrameDirection, filtered::detail::bounds::kFrameLength;
   const double off = share * kUnit;
   const Frame& frame = framed.frame;
   const double from[] = {std::ldexp(center[0], -frame.unit.exponent) - frame.origin.x,
@@ -145,7 +145,8 @@ Asked of_displaced_double_doubles(double units) {
   const auto& ask = filtered::detail::kernels().plain;
   filtered::NoCounts none;
   for_each_polygon(20'000, [&](Parts& parts, const std::vector<Questions>& about, Signs& signs) {
-    auto& lifted = const_cast<filtered::detail::LiftedPolygon&>(parts.exact_form().lifted);  // made by Parts, and not const
+    auto& lifted =
+        const_cast<filtered::detail::LiftedPolygon&>(parts.exact_form().lifted);  // made by Parts, and not const
     const filtered::detail::LiftedPolygon found = lifted;
     for (const auto& [center, foot, radii] : about) {
       lifted = displaced(found, units, signs);

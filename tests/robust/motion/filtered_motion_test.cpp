@@ -68,7 +68,8 @@ RC_GTEST_PROP(FilteredMotion, IsTheSameInEveryEngine, ()) {
   const MovingCase c = *moving(hard_cases());
   const FirstContact truth = exact::first_contact(c.motion, c.polygon);
   for (const Kernels* kernels : all_kernels()) {
-    for (const auto use : {filtered::detail::EdgeIndex::Use::Often, filtered::detail::EdgeIndex::Use::OftenByHierarchy}) {
+    for (const auto use :
+         {filtered::detail::EdgeIndex::Use::Often, filtered::detail::EdgeIndex::Use::OftenByHierarchy}) {
       const filtered::PreparedPolygon::Parts parts(c.polygon, use);
       filtered::NoCounts none;
       FirstContact found;
@@ -88,7 +89,8 @@ RC_GTEST_PROP(FilteredMotion, IsTheSameInEveryEngineForTriangles, ()) {
     FirstContact found;
     kernels->plain.triangle_first_contact(filtered::detail::view_of(c.motion, triangle), found, none);
     RC_ASSERT(found == truth);
-    RC_ASSERT(kernels->plain.triangle_motion_contact(filtered::detail::view_of(c.motion, triangle), none) == truth.contact());
+    RC_ASSERT(kernels->plain.triangle_motion_contact(filtered::detail::view_of(c.motion, triangle), none) ==
+              truth.contact());
   }
 }
 

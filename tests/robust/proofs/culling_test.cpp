@@ -53,7 +53,8 @@ mpq_class to_spare_in_floats(const mpq_class& wide) {
   const ErrorBound gap = scene::detail::culling::gap(corner, corner, zero, zero, zero);
   const mpq_class touching = 1 + scene::detail::culling::squared_distance(gap, gap, gap).error;
   const ErrorBound reach = exactly(1) + kZero;
-  const ErrorBound limit = scene::detail::culling::squared_reach(reach, exactly(wide)) + kZero;  // the sum with kTinyFloat
+  const ErrorBound limit =
+      scene::detail::culling::squared_reach(reach, exactly(wide)) + kZero;  // the sum with kTinyFloat
   return (wide - limit.error) * (1 - kFloatUnit) - touching;
 }
 

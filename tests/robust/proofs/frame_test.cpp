@@ -9,9 +9,9 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include "robust/filtered/detail/polygon/newell_plane.h"
 #include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/signs/edge_frame.h"
-#include "robust/filtered/detail/polygon/newell_plane.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 

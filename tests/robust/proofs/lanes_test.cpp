@@ -6,8 +6,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/sets/triangle_groups.h"
+#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/triangle/triangle_lanes.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"

@@ -17,7 +17,9 @@
 namespace touchstone::proofs::normal_of_polygon {
 namespace {
 
+using filtered::PreparedPolygon;
 using workloads::Random;
+using namespace filtered::detail;
 
 constexpr std::uint64_t kPolygons = std::uint64_t{20} * TOUCHSTONE_SAMPLES;
 

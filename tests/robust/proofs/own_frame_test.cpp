@@ -12,6 +12,7 @@ namespace touchstone::proofs::own_frame {
 namespace {
 
 using namespace scene::detail::own_frame;
+namespace bounds = filtered::detail::bounds;
 
 const mpq_class kU = 0x1p-53;  // round to nearest
 const mpq_class kMost = kMostResidual;

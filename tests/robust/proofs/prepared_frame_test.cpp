@@ -20,7 +20,9 @@
 namespace touchstone::proofs::prepared_frame {
 namespace {
 
+using filtered::PreparedPolygon;
 using workloads::Random;
+using namespace filtered::detail;
 using Rationals = std::array<mpq_class, 3>;
 
 constexpr std::uint64_t kPolygons = std::uint64_t{40} * TOUCHSTONE_SAMPLES;

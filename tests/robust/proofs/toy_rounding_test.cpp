@@ -13,6 +13,8 @@
 namespace touchstone::proofs {
 namespace {
 
+using filtered::detail::surely_nearest;
+
 /// All numbers of `bits` bits from 0 to `last`.
 std::vector<std::int64_t> numbers_up_to(std::int64_t last, int bits) {
   std::vector<std::int64_t> numbers;

@@ -26,8 +26,9 @@ struct Found {
 
 /// Asks about contact; tells whether there is any, and adds the faces.
 template <class Query>
-bool ask(const scene::detail::ContactWalks<Query>& walks, const Query& query, const scene::detail::TriangleSet& triangles,
-         const scene::detail::PolygonSet& polygons, std::vector<FaceId>& all) {
+bool ask(const scene::detail::ContactWalks<Query>& walks, const Query& query,
+         const scene::detail::TriangleSet& triangles, const scene::detail::PolygonSet& polygons,
+         std::vector<FaceId>& all) {
   const bool any = walks.touches_triangle(query, triangles) || walks.touches_polygon(query, polygons);
   walks.touched_triangles(query, triangles, {0, 0}, all);
   walks.touched_polygons(query, polygons, {1, 0}, all);
@@ -75,8 +76,8 @@ void expect_equal(const Found& found, const Found& expected, const std::string& 
 }
 
 /// Asks every engine.
-void expect_the_same_faces(const Motion& motion, const scene::detail::TriangleSet& triangles, const scene::detail::PolygonSet& polygons,
-                           const std::string& what) {
+void expect_the_same_faces(const Motion& motion, const scene::detail::TriangleSet& triangles,
+                           const scene::detail::PolygonSet& polygons, const std::string& what) {
   const Found expected = ask(scene::detail::baseline_walks(), motion, triangles, polygons);
   EXPECT_EQ(expected.any, !expected.all.empty()) << what;
   EXPECT_EQ(expected.any_on_way, !expected.all_on_way.empty()) << what;

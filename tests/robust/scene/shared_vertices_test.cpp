@@ -9,8 +9,10 @@
 #include <numeric>
 #include <vector>
 
-namespace touchstone::scene {
+namespace touchstone::scene_tests {
 namespace {
+
+using namespace scene::detail;
 
 /// A closed mesh like a torus: `across` x `across` squares, of two triangles each. No two points are the same.
 std::vector<Triangle> torus(std::size_t across) {
@@ -83,4 +85,4 @@ TEST(SharedVertices, TakeTheMemoryThatIsPromised) {
 }
 
 }  // namespace
-}  // namespace touchstone::scene
+}  // namespace touchstone::scene_tests
