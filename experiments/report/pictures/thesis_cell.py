@@ -345,14 +345,19 @@ def heights(cell, places, which):
     left.grid(alpha=0.25)
     for case, color in ((1, BLUE), (2, ORANGE)):
         rows = [row for row in places if row["scan"] == f"heights {case}"]
-        for outcome, run in itertools.groupby(rows, key=lambda row: row["outcome"]):
-            run = [row["height_mm"] for row in run]
-            completes = outcome in ("from the side", "from above")
-            if completes:
-                right.bar(case, run[-1] - run[0], 0.8, bottom=run[0], linewidth=1.5, edgecolor=color, color=color,
-                          alpha=0.85 if outcome == "from the side" else 0.4)
-            right.plot([case] * len(run), run, linestyle="", marker="." if completes else "x", markersize=4,
-                       color="white" if completes else BLACK)
+        runs = [(outcome, [row["height_mm"] for row in run])
+                for outcome, run in itertools.groupby(rows, key=lambda row: row["outcome"])]
+        completes = {"from the side": 0.85, "from above": 0.4}
+        # A bar ends at the last height that completes, but halfway to the next one if that completes, too.
+        for i, (outcome, run) in enumerate(runs):
+            below, above = runs[max(0, i - 1)], runs[min(len(runs) - 1, i + 1)]
+            low = (below[1][-1] + run[0]) / 2 if i > 0 and below[0] in completes else run[0]
+            high = (run[-1] + above[1][0]) / 2 if i + 1 < len(runs) and above[0] in completes else run[-1]
+            if outcome in completes:
+                right.bar(case, high - low, 0.8, bottom=low, linewidth=1 if low == high else 0, edgecolor=color, color=color,
+                          alpha=completes[outcome])
+            right.plot([case] * len(run), run, linestyle="", marker="." if outcome in completes else "x", markersize=4,
+                       color="white" if outcome in completes else BLACK)
         for end, offset, side in (("highest", 8, "bottom"), ("lowest", -8, "top")):
             if f"case {case}, {end}" in cell.sides:
                 at = cell.sides[f"case {case}, {end}"][0]["height"]

@@ -306,11 +306,11 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
   const std::string tried = fmt::format(
       "The whole process with the storage at the first case's angle and height, and at radii by {} mm and its own. ",
       study.settings.radius_scan);
-  entries.add("5.18", Status::WithChosen, tried + "No radius below the least one here completes." + too_close,
+  entries.add("5.18", Status::WithChosen, tried + "None of these below the least one given completes." + too_close,
               std::move(close),
               "The cell from above with the storage at the greatest radius that is too close, and the circle in which "
               "the robot's body turns.");
-  entries.add("5.19", Status::WithChosen, tried + "No radius beyond the greatest one here completes." + too_far,
+  entries.add("5.19", Status::WithChosen, tried + "None of these beyond the greatest one given completes." + too_far,
               std::move(far),
               "The cell from above with the storage at the least radius that is too far, and the circle that the "
               "sphere can reach at that height.");

@@ -36,13 +36,12 @@ def bars(step):
 
 
 class Heights(unittest.TestCase):
-    def test_the_bars_leave_no_gap_between_heights_that_complete(self):
+    def test_the_bars_end_at_heights_that_complete_and_leave_no_gap_between_them(self):
         for step in (2, 5, 10):
             with self.subTest(step=step):
                 above, beside = bars(step)[:2]
-                self.assertEqual(above[0], 1 + 2 * step - step / 2)
-                self.assertEqual(above[1], beside[0])
-                self.assertEqual(beside[1], 1 + 11 * step + step / 2)
+                self.assertEqual(above, (1 + 2 * step, 1 + 6.5 * step))
+                self.assertEqual(beside, (1 + 6.5 * step, 1 + 11 * step))
 
 
 class Looks(unittest.TestCase):

@@ -51,8 +51,8 @@ inline constexpr std::size_t kMostChanges = 200;
 
 /// Reads {"storage": {"angle": a, "radius": r, "height": h}, "slot": name, "step": s, "drive": name}. Missing values
 /// are those of the cell; "changes" and "piece" are for read_variation. Throws BadSetting for text that is not JSON, an
-/// unknown or duplicate key, another type, a number that is not finite, a number of the setting that is out of bounds,
-/// be it from the request or from the cell, an unknown slot, and a drive that `touchstone methods` does not list.
+/// unknown or duplicate key, another type, a number that is not finite, a number of the resulting setting that is out
+/// of bounds, an unknown slot, and a drive that `touchstone methods` does not list.
 [[nodiscard]] Setting read_setting(std::string_view text, const Cell& cell);
 
 /// A pose that the page asks about: the arm's commands in degrees, in the cell under a setting.
