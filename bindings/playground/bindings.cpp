@@ -177,7 +177,7 @@ EXPORT("first_contact") void first_contact(int by_exact) {
   to.add(first.point);
 }
 
-/// Returns the colours of so many balls of one radius: the buffer holds the radius, then the centres.
+/// Returns the colours of `count` balls of one radius: the buffer holds the radius, then the centres.
 EXPORT("paint") const std::uint8_t* paint(int count, int question) {
   colours.resize(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < colours.size(); ++i)

@@ -106,7 +106,7 @@ class Installed(unittest.TestCase):
         (moved / "tests/corpus").mkdir(parents=True)
         shutil.copy(DATA / "tests/corpus/point.jsonl", moved / "tests/corpus")
         done = self.run_program("corpus", "check", env={**os.environ, "TOUCHSTONE_DATA": str(moved)})
-        self.assertRegex(done.stdout, r" cases in 1 files, .* 0 faults\n")
+        self.assertRegex(done.stdout, r" cases in 1 file, .* 0 faults\n")
 
 
 if __name__ == "__main__":

@@ -62,7 +62,7 @@ class BulletMesh {
   [[nodiscard]] btBvhTriangleMeshShape& shape() { return shape_; }
 
  private:
-  static constexpr std::size_t kMostQuantized = std::size_t{1} << 21;  // so many fit into its quantized nodes
+  static constexpr std::size_t kMostQuantized = std::size_t{1} << 21;  // the number that fits into its quantized nodes
 
   template <class Visit>
   class Meeting : public btTriangleCallback {

@@ -31,7 +31,8 @@ std::vector<Box> boxes_of(std::span<const Vector3d> points, const std::vector<st
 bool is_on_segment(const Vector3d& point, const Vector3d& a, const Vector3d& b) {
   if ((point.array() < a.cwiseMin(b).array()).any() || (point.array() > a.cwiseMax(b).array()).any()) return false;
   for (int x = 0; x < 3; ++x)
-    if (const int y = (x + 1) % 3; exact::detail::orientation(a[x], a[y], b[x], b[y], point[x], point[y]) != 0) return false;
+    if (const int y = (x + 1) % 3; exact::detail::orientation(a[x], a[y], b[x], b[y], point[x], point[y]) != 0)
+      return false;
   return true;
 }
 

@@ -35,12 +35,15 @@ std::string fault(const std::string& option, const std::string& value, const std
 
 // What would take hours, or never end, is told at once, with the option and the limit.
 TEST(CasesCommand, RefusesNumbersThatNoPolygonOrSearchCanHave) {
-  EXPECT_EQ(fault("--holes", "1001"), R"(--holes: "1001" is not a whole number from 0 to 1000)");
-  EXPECT_EQ(fault("--vertices", "131073"), R"(--vertices: "131073" is not a whole number from 3 to 131072)");
+  EXPECT_EQ(fault("--holes", "1001"),
+            R"(--holes: "1001" is not a whole number from 0 to 1000; see `touchstone cases --help`)");
+  EXPECT_EQ(fault("--vertices", "131073"),
+            R"(--vertices: "131073" is not a whole number from 3 to 131072; see `touchstone cases --help`)");
   EXPECT_EQ(fault("--vertices", "1025", "random-simple"),
             "--vertices 1025: outlines of the family random-simple have at most 1024");
-  EXPECT_EQ(fault("--samples", "1099511627777"),
-            R"(--samples: "1099511627777" is not a whole number from 0 to 1099511627776)");
+  EXPECT_EQ(
+      fault("--samples", "1099511627777"),
+      R"(--samples: "1099511627777" is not a whole number from 0 to 1099511627776; see `touchstone cases --help`)");
 }
 
 }  // namespace

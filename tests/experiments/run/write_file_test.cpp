@@ -180,7 +180,7 @@ TEST(WriteFile, RemovesWhatAKilledProcessLeftOfAFileThatIsWrittenAgain) {
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), kept);
 }
 
-// The run can be made anew, with and without --resume.
+// The run can be made again, with and without --resume.
 TEST(WriteFile, LeavesAFolderEmptyForTheNextRunWhereTheFirstIsKilledBeforeItsFirstCheckpoint) {
   const Scratch scratch;
   for (const Existing existing : {Existing{}, Existing{.resume = true}}) {

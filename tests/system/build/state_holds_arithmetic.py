@@ -22,7 +22,7 @@ import sys
 import tempfile
 
 # Before the state is set, doubles are filtered by bounds that hold in every rounding direction.
-ANY_ROUNDING = re.compile(r"touchstone::filtered::(avx2|baseline)::ask<")
+ANY_ROUNDING = re.compile(r"touchstone::filtered::detail::(avx2|baseline)::ask<")
 
 ARITHMETIC = re.compile(r"v?(add|sub|mul|div|sqrt|rsqrt|rcp|min|max|u?comi|cmp[a-z_]*|round|addsub|hadd|hsub|dp|"
                         r"fn?m(add|sub|addsub|subadd)(132|213|231))[ps][sd]|v?cvt\w+")

@@ -24,7 +24,7 @@ inline namespace TOUCHSTONE_TARGET {
 
 #define TOUCHSTONE_INLINE inline __attribute__((always_inline))
 
-// A register of the target and its instructions: all that depends on the target, but for loads, shuffles and fused
+// A register of the target and its instructions: all that depends on the target, except loads, shuffles and fused
 // products, which follow below.
 #if defined(__AVX2__)
 

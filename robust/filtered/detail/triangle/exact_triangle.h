@@ -7,7 +7,7 @@
 #include "robust/filtered/detail/signs/signs.h"
 #include "robust/filtered/detail/triangle/ball_triangle_view.h"
 
-/// What queries about a triangle ask of integers of any size and of `exact`, for every finite input. Apart from the
+/// The questions about a triangle that integers of any size and `exact` answer, for every finite input. Apart from the
 /// kernels: what is compiled for one machine must not be linked into code for another, and a polygon is not of any
 /// target. Requires round to nearest.
 namespace touchstone::filtered::detail {

@@ -194,7 +194,7 @@ TEST(BusyServer, AnswersAtOnceWhoOnlyLooks) {
   for (auto& each : posted) EXPECT_EQ(each.get(), 200U);
 }
 
-// It tries again, but only after a pause, and goes on as soon as there are descriptors.
+// It tries again, but only after a pause, and continues as soon as there are descriptors.
 TEST(ServerWithoutDescriptors, DoesNotTryInALoop) {
   const auto begin = std::chrono::steady_clock::now();
   no_descriptors = true;

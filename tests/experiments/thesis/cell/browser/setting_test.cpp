@@ -152,7 +152,7 @@ TEST(Variation, SetsNothingThatNamesAFile) {
         << change << ": " << refused_change(change);
 }
 
-// What is only the text of a value, or a part of it, is no key.
+// The text of a value, or a part of it, is not a key.
 TEST(Variation, SetsNamesThatLookLikeFiles) {
   for (const char* change : {R"(obstacles[0]={"name":"profile","box":{"from":[0,0,0],"to":[1,1,1]},"move":[400,0,0]})",
                              R"(zones[0]={"name":"mesh-urdf-file","sphere":{"at":[0,0,0],"radius":1}})",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guarantees of experiments/thesis/cell/first_contact, against angles known in closed form and rationals on the arc.
+// The guarantees of first contact along arcs, against angles known in closed form and rationals on the arc.
 #include "experiments/thesis/cell/first_contact/first_contact.h"
 
 #include <gtest/gtest.h>

@@ -185,7 +185,7 @@ TEST_F(BadCells, RobotsAreNamed) {
   EXPECT_EQ(fault("/robot/links/Axis9", json::array()), "robot.links.Axis9: the robot has no link of this name");
 }
 
-// Only its direction counts; what is no direction is refused where it stands.
+// Only its direction counts; an axis without a direction is refused where it stands.
 TEST_F(BadCells, AnAxisMayHaveAnyLength) {
   const std::string urdf = run_tests::text_of(kCells / "aristo.urdf");
   for (const char* length : {"1e154", "1e200", "1.7e308", "3", "1e-200", "5e-324"}) {
