@@ -156,7 +156,7 @@ def what_is_stale_is_told(root, results, output, scratch):
     copy = scratch / "root"
     for folder in ("papers", "experiments/report", "tests/corpus"):
         shutil.copytree(root / folder, copy / folder)
-    (copy / "robust/filtered/detail").mkdir(parents=True)
+    (copy / "robust/filtered/detail/signs").mkdir(parents=True)
     (copy / "robust/proofs").mkdir()
     for file in ("robust/filtered/detail/signs/bounds.h", "robust/proofs/CLAIMS.md"):
         shutil.copy(root / file, copy / file)
