@@ -87,7 +87,9 @@ def kept(bench, root):
         raise SystemExit(f"no times of {', '.join(missing)}")
     if noisy:
         raise SystemExit(f"too noisy to quote: {'; '.join(noisy)}; measure again on an idle machine")
-    return {"run": {key: bench["run"][key] for key in RUN}, "repetitions": bench["repetitions"], "contests": contests}
+    run = {key: bench["run"][key] for key in RUN}
+    run["command"] = re.sub(r" --output \S+", "", run["command"])  # a folder of this machine
+    return {"run": run, "repetitions": bench["repetitions"], "contests": contests}
 
 
 def measured(touchstone, root):
