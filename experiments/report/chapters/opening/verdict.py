@@ -77,7 +77,7 @@ def price(found):
 
 
 USE = ("<b>Use it:</b> a C++20 library with two lines of CMake, <code>find_package(Touchstone REQUIRED)</code> and <code>target_link_libraries(yours PRIVATE "
-       "touchstone::robust)</code>, or from Python; <code>playground/README.md</code> says how to drag a ball in a browser until doubles are dots.")
+       "touchstone::robust)</code>, or from Python; <code>bindings/playground/README.md</code> says how to drag a ball in a browser until doubles are dots.")
 
 
 def pictures(found):
