@@ -17,7 +17,6 @@
 #include "experiments/judge/summary.h"
 #include "experiments/judge/tally.h"
 #include "experiments/methods/process/engine_signals.h"
-#include "experiments/methods/process/external_method.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/colour.h"
@@ -34,7 +33,7 @@ struct JudgeOptions {
   methods::Selection methods{{}};
   std::vector<std::string> files, keys;
   std::string junit, report;
-  double time_limit = 0;
+  double time_limit = std::chrono::duration<double>(methods::kTimeLimit).count();
   bool explain = false, at_rest = false, summary = false, json = false, quiet = false, force = false;
 };
 
@@ -67,10 +66,7 @@ judge::Order order_of(const JudgeOptions& options) {
     order.engines.push_back(std::move(engine));
   }
   if (options.methods.empty()) order.methods = methods::find_methods({"exact"});
-  if (options.time_limit > 0)
-    order.time_limit = std::chrono::milliseconds(std::lround(1000 * options.time_limit));
-  else if (order.engines.size() > 1)
-    order.time_limit = methods::kExternalTimeLimit;
+  order.time_limit = std::chrono::milliseconds(std::lround(1000 * options.time_limit));
   return order;
 }
 
@@ -127,8 +123,8 @@ run::Command judge_command() {
                            "Methods, separated by commas: names, or all (default: exact, or none with --engine)");
   command
       .real("--time-limit", options->time_limit,
-            "Seconds for each verdict of an engine, from 0.001 to 86400; it is then sent one case after the other, and "
-            "restarted if it ends, is late or prints anything but its verdict. Several engines have 60 s by default",
+            "Seconds for each verdict of an engine, from 0.001 to 86400; it gets one case after the other, and is "
+            "restarted if it ends, is late or prints anything but its verdict",
             1e-3, 86'400)
       .needs("--engine");
   command.names("--keys", options->keys, "Compare only these keys of answers, separated by commas, such as contact");

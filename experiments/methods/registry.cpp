@@ -8,7 +8,6 @@
 
 #include "experiments/methods/add_methods.h"
 #include "experiments/methods/engines/engines.h"
-#include "experiments/methods/process/external_method.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {

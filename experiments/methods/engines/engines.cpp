@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/engines/engines.h"
 
-#include "experiments/methods/process/external_method.h"
+#include "experiments/methods/process/engine.h"
 #include "experiments/run/data.h"
 #include "experiments/run/run_record.h"
 

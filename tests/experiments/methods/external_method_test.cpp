@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/process/external_method.h"
-
 #include <gtest/gtest.h>
 #include <sys/time.h>
 
@@ -30,7 +28,7 @@ std::string program(const std::string& statements) {
          statements + "\n print(json.dumps(v))\"";
 }
 
-std::unique_ptr<Method> external(const std::string& statements, std::chrono::milliseconds limit = kExternalTimeLimit) {
+std::unique_ptr<Method> external(const std::string& statements, std::chrono::milliseconds limit = kTimeLimit) {
   return external_method("it", "a test", program(statements), limit);
 }
 
