@@ -38,8 +38,10 @@ class VerdictReporter {
   void report_unread(const cases::Line& line);
   /// Reports the verdicts of the methods of the order, or the rejection.
   void report_own_methods(const cases::Line& line);
-  /// Reports the answer of an engine to a case that is not rejected: an empty one if it gave no verdict.
-  void report_answer(const cases::Line& line, const methods::Engine& engine, const cases::StatedAnswer& answer);
+  /// Reports the answer of an engine to a case that is not rejected: an empty one, with the fault of the engine, if it
+  /// gave no verdict.
+  void report_answer(const cases::Line& line, const methods::Engine& engine, const cases::StatedAnswer& answer,
+                     const std::string& fault);
   /// Reports a fault of an engine with a case that is not rejected, before its answer.
   void blame_engine(const cases::Line& line, const methods::Engine& engine, const std::string& reason);
   [[nodiscard]] Status status() const { return status_; }
@@ -48,12 +50,11 @@ class VerdictReporter {
   void report_rejection(const cases::Line& line);
   void print(const std::string& verdict);
   void compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer,
-               const std::string& fault = {});
+               const std::string& fault);
   [[nodiscard]] std::vector<std::string> compared_keys(const cases::StatedAnswer& expected) const;
 
   const Order& order_;
   Status status_ = AllMet;
-  std::string fault_;  ///< of the engine with the case that is being judged
 };
 
 void VerdictReporter::complain(const std::string& sentence) {
@@ -119,22 +120,22 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
       }
       continue;
     }
-    print(cases::verdict_line(*given.id, method->name(), *answered,
+    const cases::StatedAnswer answer = cases::stated(*answered);
+    print(cases::verdict_line(*given.id, method->name(), answer,
                               order_.explain ? std::optional(shapes.ball.radius) : std::nullopt));
-    compare(line, method->name(), cases::stated(*answered), fault);
+    compare(line, method->name(), answer, fault);
   }
 }
 
 void VerdictReporter::blame_engine(const cases::Line& line, const methods::Engine& engine, const std::string& reason) {
   complain(fmt::format("{}: method {}: {}", name(line), engine.name, reason));
   worsen(ExpectationNotMet);
-  fault_ = reason;
 }
 
 void VerdictReporter::report_answer(const cases::Line& line, const methods::Engine& engine,
-                                    const cases::StatedAnswer& answer) {
+                                    const cases::StatedAnswer& answer, const std::string& fault) {
   print(cases::verdict_line(*line.read->id, engine.name, answer));
-  compare(line, engine.name, answer, std::exchange(fault_, {}));
+  compare(line, engine.name, answer, fault);
 }
 
 void VerdictReporter::print(const std::string& verdict) {
@@ -184,7 +185,7 @@ class JudgedEngine {
       reporter_.worsen(ExpectationNotMet);
     }
     if (!answer) reporter_.blame_engine(line, engine_, reason);
-    reporter_.report_answer(line, engine_, answer.value_or(cases::StatedAnswer()));
+    reporter_.report_answer(line, engine_, answer.value_or(cases::StatedAnswer()), reason);
   }
 
   /// `last`: the last case that it got.

@@ -39,7 +39,7 @@ struct JudgeOptions {
 
 std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
   std::vector<std::string> known;
-  for (const cases::Key key : cases::kKeys) known.emplace_back(to_string(key));
+  for (const cases::Key& key : cases::kKeys) known.emplace_back(key.name);
   std::vector<cases::Key> keys;
   for (const std::string& name : names) {
     const auto key = cases::find_key(name);

@@ -32,7 +32,7 @@ Reply read_reply(const std::string& line) {
     if (read.duplicate_key)
       reply.echo = "duplicate key \"" + io::legible(*read.duplicate_key) + "\" in one object: " + reply.echo;
     else if (reply.id && !read.too_deep)
-      reply.answer = cases::answer_in(read.value);
+      reply.answer = cases::stated_in(read.value);
   } catch (const run::NotJson&) {
     // The reply echoes the line.
   }

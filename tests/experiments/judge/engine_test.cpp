@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"
@@ -199,7 +200,11 @@ TEST(JudgeEngine, IsRestartedAfterACaseForWhichItPrintsMoreThanALine) {
       "python3 -uc \"import sys,json,os; open('" + starts +
       "','a').write('s')\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"
       " os.write(1,(json.dumps({'id':id,'relation':'touching'})+chr(10)+('more'+chr(10))*(id=='t0')).encode())\"";
-  const Result result = run(numbered(3), engine("exec " + twice));
+  Order order = engine("exec " + twice);
+  std::vector<std::string> faults;  // of each case with its verdict
+  order.judged = [&](const Judged& judged) { faults.push_back(judged.fault); };
+  const Result result = run(numbered(3), order);
+  EXPECT_EQ(faults, std::vector<std::string>(3));
   EXPECT_EQ(result.status, ExpectationNotMet);
   EXPECT_EQ(result.complaints, "case t0: method exec " + io::all_legible(twice) + ": printed more than a line\n");
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;

@@ -73,7 +73,7 @@ TEST(Tally, TellsWhatIsNotGivenFromWhatIsWrong) {
 
 TEST(Judge, ComparesOnlyTheKeysOfTheOrder) {
   Order order;
-  order.keys = {cases::Key::Relation, cases::Key::Distance};
+  order.keys = {key_of(&cases::PartialAnswer::relation), key_of(&cases::PartialAnswer::distance)};
   const Collected collected = collect(order);
   EXPECT_EQ(collected.result.status, judge::AllMet);
   EXPECT_EQ(collected.result.complaints, "");

@@ -48,7 +48,7 @@ TEST(ExternalMethod, GivesTheKeysOfTheVerdict) {
   expected.edges_hit = {1, 5};
   expected.distance = 0.1;
   expected.nearest = {Feature::Kind::Edge, 5};
-  for (const cases::Key key : cases::kKeys) EXPECT_TRUE(same_value(key, answer, expected)) << to_string(key);
+  for (const cases::Key& key : cases::kKeys) EXPECT_TRUE(same_value(key, answer, expected)) << key.name;
   EXPECT_FALSE(answer.unsure);
 }
 
