@@ -12,10 +12,7 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/judge/judge.h"
-#include "experiments/judge/junit.h"
 #include "experiments/judge/report.h"
-#include "experiments/judge/summary.h"
-#include "experiments/judge/tally.h"
 #include "experiments/methods/process/engine_signals.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"

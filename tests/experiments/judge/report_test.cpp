@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the judge makes of many cases: counts, a summary, JSON, JUnit and a page.
-#include "experiments/judge/summary.h"
+#include "experiments/judge/report.h"
 
 #include "experiments/cases/key.h"
-#include "experiments/judge/junit.h"
-#include "experiments/judge/report.h"
-#include "experiments/judge/tally.h"
 #include "experiments/methods/process/engine.h"
 #include "run_judge.h"
 
