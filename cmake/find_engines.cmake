@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Contact engines of other projects: methods, and candidates of the study bench_scenes. Each that is found becomes a target
-# engine::NAME and an entry of `engines_found`; the program names those that it was built without.
+# engine::NAME and an entry of `engines_found`, for which experiments/methods/engines/NAME.cpp is compiled; the program
+# names those that it was built without. Methods have the order of these lines.
 set(engines_found "")
 
 # find_engine(NAME HEADER [FOLDER folder] LIBRARIES library...)
@@ -22,7 +23,6 @@ function(find_engine name header)
   endif()
 endfunction()
 
-find_engine(embree embree3/rtcore.h LIBRARIES embree3)
 find_engine(fcl fcl/fcl.h LIBRARIES fcl ccd)
 find_engine(libccd ccd/ccd.h LIBRARIES ccd)
 find_engine(bullet btBulletCollisionCommon.h FOLDER bullet LIBRARIES BulletCollision-float64 LinearMath-float64)
@@ -32,3 +32,4 @@ endif()
 # Bullet's float build defines the same names, so it needs a program of its own.
 find_engine(bullet-float btBulletCollisionCommon.h FOLDER bullet LIBRARIES BulletCollision LinearMath)
 find_engine(ode ode/ode.h LIBRARIES ode)
+find_engine(embree embree3/rtcore.h LIBRARIES embree3)

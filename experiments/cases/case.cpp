@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cases/case.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <utility>
 
-#include "experiments/cases/key.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/run/input.h"
 #include "experiments/run/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/validate.h"
@@ -15,43 +22,60 @@ namespace {
 
 using nlohmann::json;
 
+bool is_code(const json& value) {
+  if (!value.is_string()) return false;
+  for (int code = 0; !to_string(RejectionCode(code)).empty(); ++code)
+    if (to_string(RejectionCode(code)) == value.get_ref<const std::string&>()) return true;
+  return false;
+}
+
+bool is_finite(const json& value) {
+  if (value.is_structured()) return std::all_of(value.begin(), value.end(), is_finite);
+  return !value.is_number_float() || std::isfinite(value.get<double>());
+}
+
+/// What a case expects, and its faults, which Reader reports in their turn.
+struct Expected {
+  std::optional<StatedAnswer> answer{};  ///< nothing if the key is missing or its value is malformed
+  std::string malformed{};               ///< what is wrong in form; else empty
+  std::string infinite{};                ///< a key with a number beyond the finite doubles; else empty
+};
+
+Expected read_expected(const run::StrictJson& text) {
+  if (!text.value.is_object() || !text.value.contains("expected")) return {};
+  const json& expected = text.value["expected"];
+  if (!expected.is_object()) return {.malformed = "expected is not an object"};
+  if (text.ambiguous.contains("expected")) return {.malformed = "expected is, or contains, a duplicate key"};
+  const auto error = expected.find("error");
+  if (error != expected.end() && expected.size() != 1) return {.malformed = "expected has other keys beside \"error\""};
+  if (error != expected.end() && *error != json(true) && !is_code(*error))
+    return {.malformed = "expected.error is neither a code nor true, but " + io::legible(error->dump())};
+  Expected read;
+  for (const auto& [key, value] : expected.items()) {
+    if (key != "error" && !find_key(key)) return {.malformed = "expected has the unknown key \"" + key + "\""};
+    if (read.infinite.empty() && !is_finite(value)) read.infinite = "expected." + key;
+  }
+  read.answer = stated_in(expected);
+  return read;
+}
+
 /// Reads the parts of a case; what is wrong in form ends it with `malformed-case`.
 class Reader {
  public:
-  explicit Reader(const run::StrictJson& text) : text_(text) {}
+  Reader(const run::StrictJson& text, const Expected& expected) : text_(text), expected_(expected) {}
 
   void check_form() const {
     if (!text_.value.is_object()) malformed("the case is not an object");
     if (text_.too_deep) malformed("nested deeper than " + std::to_string(run::kMostLevels) + " levels");
     if (text_.duplicate_key) malformed("duplicate key \"" + *text_.duplicate_key + "\" in one object");
     if (const json& id = member(text_.value, "id", "the case"); !id.is_string()) malformed("id is not a string");
-    (void)expected();
+    if (!expected_.malformed.empty()) malformed(expected_.malformed);
     check_tags();
   }
 
-  /// Returns what the case expects; null if the key is missing.
-  [[nodiscard]] const json* expected() const {
-    const auto expected = text_.value.find("expected");
-    if (expected == text_.value.end()) return nullptr;
-    if (!expected->is_object()) malformed("expected is not an object");
-    if (text_.ambiguous.contains("expected")) malformed("expected is, or contains, a duplicate key");
-    if (const auto error = expected->find("error"); error != expected->end()) {
-      if (expected->size() != 1) malformed("expected has other keys beside \"error\"");
-      if (*error != json(true) && !is_code(*error))
-        malformed("expected.error is neither a code nor true, but " + io::legible(error->dump()));
-    } else {
-      for (const auto& [key, value] : expected->items())
-        if (!find_key(key)) malformed("expected has the unknown key \"" + key + "\"");
-    }
-    return &*expected;
-  }
-
   void check_expected_is_finite() const {
-    const json* expected = this->expected();
-    if (expected == nullptr) return;
-    for (const auto& [key, value] : expected->items())
-      if (!is_finite(value))
-        throw Rejected({RejectionCode::NotFinite, "expected." + key + " has a number beyond the finite doubles"});
+    if (!expected_.infinite.empty())
+      throw Rejected({RejectionCode::NotFinite, expected_.infinite + " has a number beyond the finite doubles"});
   }
 
   [[nodiscard]] Ball ball() const {
@@ -87,18 +111,6 @@ class Reader {
     throw Rejected({RejectionCode::MalformedCase, message});
   }
 
-  static bool is_code(const json& value) {
-    if (!value.is_string()) return false;
-    for (int code = 0; !to_string(RejectionCode(code)).empty(); ++code)
-      if (to_string(RejectionCode(code)) == value.get_ref<const std::string&>()) return true;
-    return false;
-  }
-
-  static bool is_finite(const json& value) {
-    if (value.is_structured()) return std::all_of(value.begin(), value.end(), is_finite);
-    return !value.is_number_float() || std::isfinite(value.get<double>());
-  }
-
   static const json& member(const json& object, const char* key, const char* owner) {
     const auto found = object.find(key);
     if (found == object.end()) malformed(std::string(owner) + " has no key \"" + key + "\"");
@@ -128,10 +140,10 @@ class Reader {
   }
 
   const run::StrictJson& text_;
+  const Expected& expected_;
 };
 
-Shapes read_shapes(const run::StrictJson& text) {
-  const Reader reader(text);
+Shapes read_shapes(const Reader& reader) {
   reader.check_form();
   const Ball ball = reader.ball();
   const auto to = reader.to();
@@ -153,6 +165,31 @@ Shapes read_shapes(const run::StrictJson& text) {
   }
 }
 
+using Take = std::function<bool(Line&&)>;
+
+bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& bytes, const Take& take) {
+  std::string text;
+  for (std::size_t number = 1; std::getline(stream, text); ++number) {
+    bytes += text.size() + 1;
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    Line line{.text = text, .place = fmt::format("{}: line {}", name, number), .read = {}, .complaint = {}};
+    line.file = name;
+    line.end = bytes;
+    try {
+      line.read = read_case(text);
+    } catch (const run::NotJson& error) {
+      line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
+    } catch (const std::bad_alloc&) {
+      line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
+    }
+    if (!take(std::move(line))) return false;
+  }
+  // Only the C stream records errors of standard input.
+  const bool failed = &stream == &std::cin ? std::ferror(stdin) != 0 : stream.bad();
+  if (!failed) return true;
+  return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
+}
+
 }  // namespace
 
 Case read_case(std::string_view line) {
@@ -161,19 +198,36 @@ Case read_case(std::string_view line) {
   if (text.value.is_object()) {
     if (const auto id = text.value.find("id"); id != text.value.end() && id->is_string())
       result.id = id->get<std::string>();
-    try {
-      if (const json* expected = Reader(text).expected()) result.expected = expectation_in(*expected);
-    } catch (const Rejected&) {
-      // A malformed `expected` expects nothing. read_shapes reports this rejection in its turn.
-    }
   }
+  Expected expected = read_expected(text);
   try {
-    result.content = read_shapes(text);
+    result.content = read_shapes(Reader(text, expected));
     if (text.value.contains("tags")) result.tags = text.value["tags"].get<std::vector<std::string>>();
   } catch (const Rejected& rejected) {
     result.content = rejected.rejection();
   }
+  result.expected = std::move(expected.answer);
   return result;
+}
+
+void read_lines(const std::vector<std::string>& files, const Take& take) {
+  std::uint64_t bytes = 0;
+  if (files.empty()) {
+    run::announce_standard_input("cases");
+    read_stream(std::cin, "standard input", bytes, take);
+  }
+  for (const std::string& file : files) {
+    std::ifstream stream;
+    std::string complaint;
+    try {
+      stream = run::open_file(file);
+    } catch (const std::runtime_error& error) {
+      complaint = error.what();
+    }
+    const bool continues = complaint.empty() ? read_stream(stream, file, bytes, take)
+                                             : take({.text = {}, .place = {}, .read = {}, .complaint = complaint});
+    if (!continues) return;
+  }
 }
 
 }  // namespace touchstone::cases

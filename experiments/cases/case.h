@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "experiments/cases/shapes.h"
-#include "experiments/cases/stated_answer.h"
+#include "experiments/cases/key.h"
 #include "experiments/run/json/not_json.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
+#include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
 
 namespace touchstone::cases {
+
+/// A valid ball, at a place or moving, and a valid polygon: input for every method.
+struct Shapes {
+  Ball ball;
+  Polygon polygon;
+  std::optional<Eigen::Vector3d> to{};  ///< the end of the centre's way, if the ball moves
+
+  [[nodiscard]] std::optional<Motion> motion() const { return to ? std::optional(Motion{ball, *to}) : std::nullopt; }
+};
 
 /// One line of a file of cases, read according to the contract.
 struct Case {
@@ -29,5 +43,19 @@ struct Case {
 /// makes the case malformed. A duplicate key anywhere, or arrays and objects nested deeper than kMostLevels, also make
 /// it malformed. Throws NotJson. Cost: that of exact::validate, plus time linear in the length of the line.
 [[nodiscard]] Case read_case(std::string_view line);
+
+/// A line of input: a case, or the reason why it could not be read.
+struct Line {
+  std::string text;
+  std::string place;  ///< `FILE: line NUMBER`; empty for a file that cannot be read
+  std::optional<Case> read;
+  std::string complaint;  ///< set if the line is not JSON or the file cannot be read
+  std::string file{};     ///< the name of the file, or `standard input`
+  std::uint64_t end = 0;  ///< the number of bytes read up to the end of the line, of all files
+};
+
+/// Calls `take` with every line of the files that is not blank, until it returns false. Without files, reads standard
+/// input.
+void read_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take);
 
 }  // namespace touchstone::cases

@@ -52,14 +52,14 @@ Outcome compare_edges(const Edges& answer, const Edges& truth) {
 
 }  // namespace
 
-bool same_value(Key key, const PartialAnswer& a, const PartialAnswer& b) {
+bool same_value(const Key& key, const PartialAnswer& a, const PartialAnswer& b) {
   if (!has(a, key) || !has(b, key)) return has(a, key) == has(b, key);
-  return visit_key(key, [&](auto member) { return same(*(a.*member), *(b.*member)); });
+  return key.visit([&](auto member) { return same(*(a.*member), *(b.*member)); });
 }
 
 std::vector<Key> differing_keys(const PartialAnswer& a, const PartialAnswer& b) {
   std::vector<Key> keys;
-  for (const Key key : kKeys)
+  for (const Key& key : kKeys)
     if (has(a, key) && has(b, key) && !same_value(key, a, b)) keys.push_back(key);
   return keys;
 }
@@ -99,13 +99,13 @@ std::string_view to_string(Test test) {
 
 Key key_of(Test test) {
   switch (test) {
-    case Test::Plane: return Key::Plane;
-    case Test::Foot: return Key::Foot;
-    case Test::Edges: return Key::EdgesHit;
-    case Test::Relation: return Key::Relation;
+    case Test::Plane: return key_of(&PartialAnswer::plane);
+    case Test::Foot: return key_of(&PartialAnswer::foot);
+    case Test::Edges: return key_of(&PartialAnswer::edges_hit);
+    case Test::Relation: return key_of(&PartialAnswer::relation);
     case Test::Contact: break;
   }
-  return Key::Contact;
+  return key_of(&PartialAnswer::contact);
 }
 
 cases::QueryKind query_kind(Test test) {

@@ -9,14 +9,13 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/cases/method.h"
-#include "experiments/cases/stated_answer.h"
 
 // All comparisons of answers: key by key, as the contract defines them, and test by test, as the studies count them.
 namespace touchstone::cases {
 
 /// Returns whether two answers have the same value for a key, or both lack it. Numbers are compared by value, as JSON
 /// has them: 0 = -0, and all numbers that are not finite are null.
-[[nodiscard]] bool same_value(Key key, const PartialAnswer& a, const PartialAnswer& b);
+[[nodiscard]] bool same_value(const Key& key, const PartialAnswer& a, const PartialAnswer& b);
 /// Returns the keys that both answers have, with different values, in the order of the contract.
 [[nodiscard]] std::vector<Key> differing_keys(const PartialAnswer& a, const PartialAnswer& b);
 

@@ -1,74 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "experiments/cases/method.h"
+#include "geometry/shapes/rejection.h"
 
+// The keys of answers. Names, comparison, reading and writing of JSON follow from one table, `kKeys`, and from the
+// types of the members of PartialAnswer.
 namespace touchstone::cases {
 
-/// The keys of answers, in the order in which verdicts have them.
-enum class Key {
-  Plane,
-  PlaneTangent,
-  Foot,
-  EdgesHit,
-  Relation,
-  Contact,
-  First,
-  Time,
-  Momentary,
-  Feature,
-  Nearest,
-  Point,
-  Distance,
-  OffPlane
-};
-inline constexpr std::array kKeys{Key::Plane,   Key::PlaneTangent, Key::Foot,     Key::EdgesHit,  Key::Relation,
-                                  Key::Contact, Key::First,        Key::Time,     Key::Momentary, Key::Feature,
-                                  Key::Nearest, Key::Point,        Key::Distance, Key::OffPlane};
-/// The keys of an answer about a ball at a place, in the order of the contract.
-inline constexpr std::array kStaticKeys{Key::Plane,   Key::PlaneTangent, Key::Foot,  Key::EdgesHit, Key::Relation,
-                                        Key::Contact, Key::Nearest,      Key::Point, Key::Distance, Key::OffPlane};
-/// The keys of an answer about a moving ball, in the order of the contract.
-inline constexpr std::array kMovingKeys{Key::Contact, Key::First, Key::Time,    Key::Momentary,
-                                        Key::Feature, Key::Point, Key::OffPlane};
+/// The member of PartialAnswer that holds a key.
+template <class Value>
+using Member = std::optional<Value> PartialAnswer::*;
+using AnyMember =
+    std::variant<Member<PlaneSide>, Member<bool>, Member<PointLocation>, Member<std::vector<std::size_t>>,
+                 Member<Relation>, Member<FirstContactKind>, Member<double>, Member<Feature>, Member<Eigen::Vector3d>>;
 
-/// Returns the key as JSON has it: `plane`, ..., `off_plane`.
-[[nodiscard]] std::string_view to_string(Key key);
-/// Returns the key of that word, if there is one.
-[[nodiscard]] std::optional<Key> find_key(std::string_view word);
+/// A key of answers.
+struct Key {
+  std::string_view name;  ///< as JSON has it
+  AnyMember member;
 
-/// Calls `visit` with the member of PartialAnswer that holds the key.
-template <class Visit>
-decltype(auto) visit_key(Key key, const Visit& visit) {
-  switch (key) {
-    case Key::Plane: return visit(&PartialAnswer::plane);
-    case Key::PlaneTangent: return visit(&PartialAnswer::plane_tangent);
-    case Key::Foot: return visit(&PartialAnswer::foot);
-    case Key::EdgesHit: return visit(&PartialAnswer::edges_hit);
-    case Key::Relation: return visit(&PartialAnswer::relation);
-    case Key::Contact: return visit(&PartialAnswer::contact);
-    case Key::First: return visit(&PartialAnswer::first);
-    case Key::Time: return visit(&PartialAnswer::time);
-    case Key::Momentary: return visit(&PartialAnswer::momentary);
-    case Key::Feature: return visit(&PartialAnswer::feature);
-    case Key::Nearest: return visit(&PartialAnswer::nearest);
-    case Key::Point: return visit(&PartialAnswer::point);
-    case Key::Distance: return visit(&PartialAnswer::distance);
-    case Key::OffPlane: break;
+  /// Returns whether its numbers denote their nearest doubles; numbers of other keys are indices.
+  [[nodiscard]] constexpr bool holds_doubles() const {
+    return std::holds_alternative<Member<double>>(member) || std::holds_alternative<Member<Eigen::Vector3d>>(member);
   }
-  return visit(&PartialAnswer::off_plane);
+  /// Calls `visit` with the member.
+  template <class Visit>
+  decltype(auto) visit(const Visit& visit) const {
+    return std::visit(visit, member);
+  }
+  friend constexpr bool operator==(const Key& a, const Key& b) { return a.member == b.member; }
+};
+
+/// All keys, in the order in which verdicts have them.
+inline constexpr std::array kKeys{
+    Key{"plane", &PartialAnswer::plane},         Key{"plane_tangent", &PartialAnswer::plane_tangent},
+    Key{"foot", &PartialAnswer::foot},           Key{"edges_hit", &PartialAnswer::edges_hit},
+    Key{"relation", &PartialAnswer::relation},   Key{"contact", &PartialAnswer::contact},
+    Key{"first", &PartialAnswer::first},         Key{"time", &PartialAnswer::time},
+    Key{"momentary", &PartialAnswer::momentary}, Key{"feature", &PartialAnswer::feature},
+    Key{"nearest", &PartialAnswer::nearest},     Key{"point", &PartialAnswer::point},
+    Key{"distance", &PartialAnswer::distance},   Key{"off_plane", &PartialAnswer::off_plane}};
+
+/// Returns the key that a member holds.
+template <class Value>
+[[nodiscard]] constexpr Key key_of(Member<Value> member) {
+  return *std::ranges::find(kKeys, AnyMember(member), &Key::member);
+}
+/// Returns the key of that name, if there is one.
+[[nodiscard]] constexpr std::optional<Key> find_key(std::string_view name) {
+  const auto found = std::ranges::find(kKeys, name, &Key::name);
+  return found == kKeys.end() ? std::nullopt : std::optional(*found);
 }
 
-[[nodiscard]] bool has(const PartialAnswer& answer, Key key);
+[[nodiscard]] inline bool has(const PartialAnswer& answer, const Key& key) {
+  return key.visit([&](auto member) { return (answer.*member).has_value(); });
+}
 /// Returns whether the key is absent because the contract calls it `null`, given `first`: there is no contact, or, for
 /// `momentary`, the first contact is not on the way.
-[[nodiscard]] bool is_null(const PartialAnswer& answer, Key key);
+[[nodiscard]] bool is_null(const PartialAnswer& answer, const Key& key);
 /// Returns an answer with only these keys of `answer`.
 [[nodiscard]] PartialAnswer only(const PartialAnswer& answer, const std::vector<Key>& keys);
+
+/// An answer or a rejection as a line of JSON states it: the expectation of a case, or a verdict.
+struct StatedAnswer {
+  PartialAnswer values;  ///< the keys whose value has the form of the contract; null stands for an infinite number
+  /// Every stated key of an answer, and `error` and `message`: its value as JSON, with numbers in the shortest form
+  /// that reads back as the same double. A value of the contract's form is written as verdicts write it.
+  std::map<std::string, std::string> texts;
+
+  [[nodiscard]] bool rejects() const { return texts.contains("error"); }
+};
+
+/// Returns the statement of a method. Numbers beyond the finite doubles become null, -0 becomes 0.
+[[nodiscard]] StatedAnswer stated(const PartialAnswer& answer);
+[[nodiscard]] StatedAnswer stated(const Rejection& rejection);
 
 }  // namespace touchstone::cases

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cases/method.h"
 
+#include "experiments/cases/key.h"
+
 namespace touchstone::cases {
 
 PartialAnswer PartialAnswer::of(const Answer& answer, std::string_view stage) {
-  return {.plane = answer.plane,
-          .plane_tangent = answer.plane_tangent,
-          .foot = answer.foot,
-          .edges_hit = answer.edges_hit,
-          .relation = answer.relation,
-          .contact = answer.contact(),
-          .first = {},
-          .time = {},
-          .momentary = {},
-          .feature = {},
-          .nearest = answer.nearest,
-          .point = answer.point,
-          .distance = answer.distance,
-          .off_plane = answer.off_plane,
-          .unsure = false,
-          .stage = stage};
+  PartialAnswer all;
+  all.plane = answer.plane;
+  all.plane_tangent = answer.plane_tangent;
+  all.foot = answer.foot;
+  all.edges_hit = answer.edges_hit;
+  all.relation = answer.relation;
+  all.contact = answer.contact();
+  all.nearest = answer.nearest;
+  all.point = answer.point;
+  all.distance = answer.distance;
+  all.off_plane = answer.off_plane;
+  all.stage = stage;
+  return all;
 }
 
 PartialAnswer PartialAnswer::of(const FirstContact& first, double off_plane, std::string_view stage) {
@@ -38,5 +37,18 @@ PartialAnswer PartialAnswer::of(const FirstContact& first, double off_plane, std
 }
 
 std::optional<PartialAnswer> PreparedMethod::ask_moving(const Motion&) const { return std::nullopt; }
+
+bool is_null(const PartialAnswer& answer, const Key& key) {
+  if (!answer.first || has(answer, key)) return false;
+  if (key == key_of(&PartialAnswer::momentary)) return *answer.first != FirstContactKind::Way;
+  return *answer.first == FirstContactKind::None &&
+         (key == key_of(&PartialAnswer::feature) || key == key_of(&PartialAnswer::point));
+}
+
+PartialAnswer only(const PartialAnswer& answer, const std::vector<Key>& keys) {
+  PartialAnswer some;
+  for (const Key& key : keys) key.visit([&](auto member) { some.*member = answer.*member; });
+  return some;
+}
 
 }  // namespace touchstone::cases

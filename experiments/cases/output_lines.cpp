@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "experiments/cases/key.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/ulp.h"
 
@@ -19,37 +18,31 @@ Verdict begin(const Verdict& id, std::string_view method) {
 
 }  // namespace
 
-std::string verdict_line(const std::string& id, std::string_view method, const PartialAnswer& answer,
-                         std::optional<double> explained_radius) {
-  Verdict verdict = begin(id, method);
-  verdict.update(object_of(answer));
-  if (explained_radius) {
-    if (!answer.stage.empty()) verdict["stage"] = answer.stage;
-    if (answer.first) return to_line(verdict);
-    if (answer.distance && !std::isnan(*answer.distance))
-      verdict["margin"] = workloads::doubles_between(*answer.distance, *explained_radius);
-    else
-      verdict["margin"] = nullptr;
-  }
-  return to_line(verdict);
-}
-
 std::string unanswered_line(const std::string& id, std::string_view method) {
   Verdict verdict = begin(id, method);
   verdict["unanswered"] = "motion";
   return to_line(verdict);
 }
 
-std::string verdict_line(const std::string& id, std::string_view method, const StatedAnswer& answer) {
+std::string verdict_line(const std::string& id, std::string_view method, const StatedAnswer& answer,
+                         std::optional<double> explained_radius) {
   std::string line = to_line(begin(id, method));
   line.resize(line.size() - 2);  // the end of the object and of the line
-  const auto add = [&](std::string_view name) {
-    if (const auto found = answer.texts.find(std::string(name)); found != answer.texts.end())
-      line.append(",\"").append(name).append("\":").append(found->second);
+  const auto add = [&](std::string_view name, const std::string& text) {
+    line.append(",\"").append(name).append("\":").append(text);
   };
-  for (const Key key : kKeys) add(to_string(key));
-  add("error");
-  add("message");
+  const auto add_stated = [&](std::string_view name) {
+    if (const auto found = answer.texts.find(std::string(name)); found != answer.texts.end()) add(name, found->second);
+  };
+  for (const Key& key : kKeys) add_stated(key.name);
+  add_stated("error");
+  add_stated("message");
+  const PartialAnswer& values = answer.values;
+  if (explained_radius && !values.stage.empty()) add("stage", Verdict(values.stage).dump());
+  if (explained_radius && !values.first)
+    add("margin", values.distance && !std::isnan(*values.distance)
+                      ? std::to_string(workloads::doubles_between(*values.distance, *explained_radius))
+                      : "null");
   return line + "}\n";
 }
 

@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "experiments/cases/key.h"
-
 namespace touchstone::cases {
 namespace {
 
@@ -20,25 +18,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Verdict number(double value) {
   if (!std::isfinite(value)) return nullptr;
   return value == 0 ? 0.0 : value;  // exact: drops the sign of zero
-}
-
-/// Returns whether numbers below this key denote their nearest doubles. Numbers below other keys are indices.
-bool holds_doubles(Key key) {
-  return key == Key::Time || key == Key::Point || key == Key::Distance || key == Key::OffPlane;
-}
-
-/// The same for every number within a value; keeps integers that are not doubles.
-json plain(const json& value, bool doubles) {
-  if (value.is_number_float() || (doubles && value.is_number())) return number(value.get<double>());
-  if (!value.is_structured()) return value;
-  json copy = value.is_array() ? json::array() : json::object();
-  for (const auto& [key, member] : value.items()) {
-    if (value.is_array())
-      copy.push_back(plain(member, doubles));
-    else
-      copy[key] = plain(member, doubles);
-  }
-  return copy;
 }
 
 Verdict value_of(PlaneSide value) { return to_string(value); }
@@ -159,16 +138,20 @@ void write(std::string& line, const Json& value) {
     }
     line += ']';
   } else if (value.is_number_float()) {
+    const double number = value.template get<double>() + 0.0;  // -0 + 0 = 0
+    if (!std::isfinite(number)) {
+      line += "null";
+      return;
+    }
     std::array<char, 32> digits;
-    const double finite = value.template get<double>() + 0.0;  // -0 + 0 = 0
-    const auto end = std::to_chars(digits.begin(), digits.end(), finite).ptr;
-    line.append(digits.begin(), end);
+    line.append(digits.begin(), std::to_chars(digits.begin(), digits.end(), number).ptr);
   } else {
     line += value.dump();
   }
 }
 
-std::string text(const json& value) {
+template <class Json>
+std::string text(const Json& value) {
   std::string line;
   write(line, value);
   return line;
@@ -178,11 +161,11 @@ std::string text(const json& value) {
 
 Verdict object_of(const PartialAnswer& answer) {
   Verdict object = Verdict::object();
-  for (const Key key : kKeys) {
-    visit_key(key, [&](auto member) {
-      if (answer.*member) object[std::string(to_string(key))] = value_of(*(answer.*member));
+  for (const Key& key : kKeys) {
+    key.visit([&](auto member) {
+      if (answer.*member) object[std::string(key.name)] = value_of(*(answer.*member));
     });
-    if (is_null(answer, key)) object[std::string(to_string(key))] = nullptr;
+    if (is_null(answer, key)) object[std::string(key.name)] = nullptr;
   }
   return object;
 }
@@ -195,27 +178,24 @@ StatedAnswer stated(const PartialAnswer& answer) {
 }
 
 StatedAnswer stated(const Rejection& rejection) {
-  return {.values = {}, .texts = {{"error", text(to_string(rejection.code))}, {"message", text(rejection.message)}}};
+  return {
+      .values = {},
+      .texts = {{"error", text(Verdict(to_string(rejection.code)))}, {"message", text(Verdict(rejection.message))}}};
 }
 
-StatedAnswer expectation_in(const json& expected) {
+StatedAnswer stated_in(const json& object) {
   StatedAnswer result;
-  for (const auto& [name, value] : expected.items()) {
+  for (const auto& [name, value] : object.items()) {
+    const auto key = find_key(name);
+    if (!key && name != "error" && name != "message") continue;
     result.texts[name] = text(value);
-    if (const auto key = find_key(name))
-      visit_key(*key, [&, &value = value](auto member) { read(value, result.values.*member); });
+    if (!key) continue;
+    key->visit([&, &name = name, &value = value](auto member) {
+      read(value, result.values.*member);
+      if (result.values.*member) result.texts[name] = text(value_of(*(result.values.*member)));
+    });
   }
   return result;
-}
-
-StatedAnswer answer_in(const json& reply) {
-  json known = json::object();
-  for (const Key key : kKeys)
-    if (const auto found = reply.find(to_string(key)); found != reply.end())
-      known[std::string(to_string(key))] = plain(*found, holds_doubles(key));
-  for (const char* key : {"error", "message"})
-    if (const auto found = reply.find(key); found != reply.end()) known[key] = plain(*found, false);
-  return expectation_in(known);
 }
 
 Verdict object_of(const Ball& ball) { return {{"center", value_of(ball.center)}, {"radius", number(ball.radius)}}; }

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/shapes.h"
-#include "experiments/cases/stated_answer.h"
+#include "experiments/cases/case.h"
 
 // Answers and cases as JSON values: for files that read JSON, or add keys of their own. Others use output_lines.h.
 namespace touchstone::cases {
@@ -25,11 +24,9 @@ using Verdict = nlohmann::ordered_json;
 /// Returns `outer` and `holes`.
 [[nodiscard]] Verdict object_of(const Polygon& polygon);
 
-/// Reads the object `expected` of a case. Its texts have the numbers of the case.
-[[nodiscard]] StatedAnswer expectation_in(const nlohmann::json& expected);
-/// Reads the reply of an engine and ignores unknown keys. Its texts have the nearest doubles of `time`, `point`,
-/// `distance` and `off_plane`.
-[[nodiscard]] StatedAnswer answer_in(const nlohmann::json& reply);
+/// Reads the keys of an answer, `error` and `message` of an object: `expected` of a case, or the reply of an engine.
+/// Ignores other keys.
+[[nodiscard]] StatedAnswer stated_in(const nlohmann::json& object);
 
 /// Returns a case in the form of the contract, without `expected` if that is null.
 [[nodiscard]] Verdict case_of(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,

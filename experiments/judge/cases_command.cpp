@@ -19,7 +19,8 @@
 namespace touchstone::commands {
 namespace {
 
-using cases::Key;
+using cases::key_of;
+using cases::PartialAnswer;
 
 // Bounds the search for failures of a method that never fails.
 constexpr std::uint64_t kMostSamplesPerCase = 10'000;
@@ -43,8 +44,10 @@ cases::PartialAnswer ask(const cases::Method& method, const workloads::Sample& s
 /// Returns whether one of the methods gives a wrong value for a key, apart from rounding errors of lengths and times.
 bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sample& sample,
            const cases::PartialAnswer& truth) {
-  const cases::PartialAnswer looked_at = only(truth, {Key::Foot, Key::EdgesHit, Key::Relation, Key::Contact,
-                                                      Key::Nearest, Key::First, Key::Momentary, Key::Feature});
+  const cases::PartialAnswer looked_at =
+      only(truth, {key_of(&PartialAnswer::foot), key_of(&PartialAnswer::edges_hit), key_of(&PartialAnswer::relation),
+                   key_of(&PartialAnswer::contact), key_of(&PartialAnswer::nearest), key_of(&PartialAnswer::first),
+                   key_of(&PartialAnswer::momentary), key_of(&PartialAnswer::feature)});
   return std::ranges::any_of(methods, [&](const cases::Method* method) {
     return !cases::differing_keys(looked_at, ask(*method, sample)).empty();
   });

@@ -1,31 +1,238 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/judge.h"
 
-#include "experiments/cases/input_lines.h"
-#include "experiments/judge/stream_cases.h"
-#include "experiments/judge/verdict_reporter.h"
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <deque>
+#include <exception>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/key.h"
+#include "experiments/cases/output_lines.h"
+#include "experiments/methods/process/engine_signals.h"
+#include "experiments/methods/process/supervised_engine.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
+namespace {
 
-void read_lines(const Order& order, const std::function<bool(cases::Line&&)>& take) {
-  cases::read_lines(order.files, [&](cases::Line&& line) {
-    const auto* shapes = line.read ? std::get_if<cases::Shapes>(&line.read->content) : nullptr;
-    const bool left_out = order.at_rest && shapes != nullptr && shapes->to;
-    return left_out || take(std::move(line));
-  });
+/// Returns the name of the case in complaints.
+std::string name(const cases::Line& line) { return line.read->id ? "case " + io::legible(*line.read->id) : line.place; }
+
+/// Prints verdicts on cases and complaints, and keeps the worst status. Throws std::system_error if a verdict cannot be
+/// written.
+class VerdictReporter {
+ public:
+  /// Keeps a reference to `order`, which must outlive the reporter.
+  explicit VerdictReporter(const Order& order) : order_(order) {}
+
+  void complain(const std::string& sentence);
+  void worsen(Status status);
+  /// Reports a line that is not a case.
+  void report_unread(const cases::Line& line);
+  /// Reports the verdicts of the methods of the order, or the rejection.
+  void report_own_methods(const cases::Line& line);
+  /// Reports the answer of an engine to a case that is not rejected: an empty one, with the fault of the engine, if it
+  /// gave no verdict.
+  void report_answer(const cases::Line& line, const methods::Engine& engine, const cases::StatedAnswer& answer,
+                     const std::string& fault);
+  /// Reports a fault of an engine with a case that is not rejected, before its answer.
+  void blame_engine(const cases::Line& line, const methods::Engine& engine, const std::string& reason);
+  [[nodiscard]] Status status() const { return status_; }
+
+ private:
+  void report_rejection(const cases::Line& line);
+  void print(const std::string& verdict);
+  void compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer,
+               const std::string& fault);
+  [[nodiscard]] std::vector<std::string> compared_keys(const cases::StatedAnswer& expected) const;
+
+  const Order& order_;
+  Status status_ = AllMet;
+};
+
+void VerdictReporter::complain(const std::string& sentence) {
+  if (order_.before_complaint) order_.before_complaint();
+  fmt::print(order_.complaints, "{}\n", io::all_legible(sentence));
 }
 
+void VerdictReporter::worsen(Status status) { status_ = std::max(status_, status); }
+
+void VerdictReporter::report_unread(const cases::Line& line) {
+  complain("touchstone: " + line.complaint);
+  worsen(InputRejected);
+}
+
+void VerdictReporter::report_rejection(const cases::Line& line) {
+  const cases::Case& given = *line.read;
+  Rejection rejection = std::get<Rejection>(given.content);
+  const std::string reason = rejection.message;
+  if (!given.id) rejection.message = fmt::format("{}: {}", io::all_legible(line.place), reason);
+  const bool expected = given.expected && given.expected->rejects();
+  const auto give = [&](std::string_view method) {
+    print(cases::verdict_line(given.id, method, rejection));
+    if (!expected) return;
+    for (const cases::Difference& difference : cases::differences(*given.expected, cases::stated(rejection))) {
+      complain(fmt::format("{}: method {}: {}", name(line), method, to_string(difference)));
+      worsen(ExpectationNotMet);
+    }
+  };
+  for (const auto* method : order_.methods) give(method->name());
+  for (const methods::Engine& engine : order_.engines) give(engine.name);
+  if (expected) return;
+  complain(fmt::format("touchstone: {}{}: rejected: {}: {}", line.place, given.id ? ": " + name(line) : "",
+                       to_string(rejection.code), reason));
+  worsen(InputRejected);
+}
+
+void VerdictReporter::report_own_methods(const cases::Line& line) {
+  const cases::Case& given = *line.read;
+  if (std::holds_alternative<Rejection>(given.content)) {
+    report_rejection(line);
+    return;
+  }
+  const auto& shapes = std::get<cases::Shapes>(given.content);
+  const auto motion = shapes.motion();
+  for (const auto* method : order_.methods) {
+    std::optional<cases::PartialAnswer> answered = cases::PartialAnswer{};
+    std::string fault;
+    try {
+      const auto prepared = method->prepare(shapes.polygon);
+      answered = motion ? prepared->ask_moving(*motion) : prepared->ask(shapes.ball, cases::QueryKind::Answer);
+    } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
+      fault = fmt::format("ended with: {}", error.what());
+      complain(fmt::format("{}: method {}: {}", name(line), method->name(), fault));
+      worsen(ExpectationNotMet);
+    }
+    if (!answered) {
+      print(cases::unanswered_line(*given.id, method->name()));
+      if (given.expected) {
+        fault = "cannot answer about moving balls";
+        if (order_.prints_differences) complain(fmt::format("{}: method {}: {}", name(line), method->name(), fault));
+        worsen(ExpectationNotMet);
+        if (order_.judged) order_.judged({line, method->name(), {}, compared_keys(*given.expected), {}, fault});
+      }
+      continue;
+    }
+    const cases::StatedAnswer answer = cases::stated(*answered);
+    print(cases::verdict_line(*given.id, method->name(), answer,
+                              order_.explain ? std::optional(shapes.ball.radius) : std::nullopt));
+    compare(line, method->name(), answer, fault);
+  }
+}
+
+void VerdictReporter::blame_engine(const cases::Line& line, const methods::Engine& engine, const std::string& reason) {
+  complain(fmt::format("{}: method {}: {}", name(line), engine.name, reason));
+  worsen(ExpectationNotMet);
+}
+
+void VerdictReporter::report_answer(const cases::Line& line, const methods::Engine& engine,
+                                    const cases::StatedAnswer& answer, const std::string& fault) {
+  print(cases::verdict_line(*line.read->id, engine.name, answer));
+  compare(line, engine.name, answer, fault);
+}
+
+void VerdictReporter::print(const std::string& verdict) {
+  if (!order_.prints_verdicts) return;
+  const methods::DeferSignals whole;
+  const bool written = std::fwrite(verdict.data(), 1, verdict.size(), order_.verdicts) == verdict.size();
+  if (!written || std::fflush(order_.verdicts) != 0)
+    throw std::system_error(errno, std::generic_category(), "the verdicts cannot be written");
+}
+
+/// Returns the keys of an expectation that the order compares.
+std::vector<std::string> VerdictReporter::compared_keys(const cases::StatedAnswer& expected) const {
+  std::vector<std::string> keys;
+  for (const auto& [name, text] : expected.texts) {
+    const auto key = cases::find_key(name);
+    if (order_.keys.empty() || (key && std::ranges::find(order_.keys, *key) != order_.keys.end())) keys.push_back(name);
+  }
+  return keys;
+}
+
+/// Compares an answer with the expectation of the case.
+void VerdictReporter::compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer,
+                              const std::string& fault) {
+  if (!line.read->expected) return;
+  Judged judged{line, method, answer, compared_keys(*line.read->expected), {}, fault};
+  for (cases::Difference& difference : cases::differences(*line.read->expected, answer)) {
+    if (std::ranges::find(judged.compared, difference.key) == judged.compared.end()) continue;
+    if (order_.prints_differences)
+      complain(fmt::format("{}: method {}: {}", name(line), method, to_string(difference)));
+    worsen(ExpectationNotMet);
+    judged.differences.push_back(std::move(difference));
+  }
+  if (order_.judged) order_.judged(judged);
+}
+
+/// One engine, and what the reporter is told about it.
+class JudgedEngine {
+ public:
+  JudgedEngine(const methods::Engine& engine, std::chrono::milliseconds time_limit, VerdictReporter& reporter)
+      : engine_(engine), process_(engine.command, time_limit), reporter_(reporter) {}
+
+  void ask(const cases::Line& line) {
+    const std::string& id = *line.read->id;
+    const auto [answer, reason, ended_before] = process_.ask(id, line.text);
+    if (!ended_before.empty()) {
+      reporter_.complain(fmt::format("engine {}: {} before case {}", engine_.name, ended_before, io::legible(id)));
+      reporter_.worsen(ExpectationNotMet);
+    }
+    if (!answer) reporter_.blame_engine(line, engine_, reason);
+    reporter_.report_answer(line, engine_, answer.value_or(cases::StatedAnswer()), reason);
+  }
+
+  /// `last`: the last case that it got.
+  void complain_of_surplus(const cases::Line& last) {
+    if (process_.has_surplus()) reporter_.blame_engine(last, engine_, "printed more than a line");
+  }
+
+  void end() {
+    const std::string ending = process_.end();
+    if (ending.empty()) return;
+    reporter_.complain(fmt::format("engine {}: {}", engine_.name, ending));
+    reporter_.worsen(ExpectationNotMet);
+  }
+
+ private:
+  const methods::Engine& engine_;
+  methods::SupervisedEngine process_;
+  VerdictReporter& reporter_;
+};
+
+}  // namespace
+
 Status judge(const Order& order) {
-  if (!order.engines.empty()) return order.time_limit ? judge_in_lockstep(order) : judge_stream(order);
   VerdictReporter reporter(order);
-  read_lines(order, [&](cases::Line&& line) {
+  std::deque<JudgedEngine> engines;
+  for (const methods::Engine& engine : order.engines) engines.emplace_back(engine, order.time_limit, reporter);
+  std::optional<cases::Line> last;  // the last case that the engines got
+  const auto complain_of_surplus = [&] {
+    if (!last) return;
+    for (JudgedEngine& engine : engines) engine.complain_of_surplus(*last);
+  };
+  cases::read_lines(order.files, [&](cases::Line&& line) {
+    const auto* shapes = line.read ? std::get_if<cases::Shapes>(&line.read->content) : nullptr;
+    if (order.at_rest && shapes != nullptr && shapes->to) return true;
+    complain_of_surplus();
     if (line.read)
       reporter.report_own_methods(line);
     else
       reporter.report_unread(line);
-    reporter.finish(line);
+    if (shapes != nullptr)
+      for (JudgedEngine& engine : engines) engine.ask(line);
+    if (order.progress) order.progress(line.end);
+    if (shapes != nullptr) last = std::move(line);
     return true;
   });
+  complain_of_surplus();
+  for (JudgedEngine& engine : engines) engine.end();
   return reporter.status();
 }
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/input_lines.h"
 #include "experiments/cases/method.h"
 #include "experiments/methods/process/engine.h"
 
@@ -32,10 +32,8 @@ struct Order {
   std::vector<std::string> files;             ///< JSON Lines; empty: standard input
   std::vector<const cases::Method*> methods;  ///< answer each case, in this order
   std::vector<methods::Engine> engines;       ///< commands that read cases and print verdicts; answer last
-  /// The limit for each verdict of an engine. A single engine without a limit may read all cases before it answers.
-  /// Several engines need one.
-  std::optional<std::chrono::milliseconds> time_limit{};
-  std::vector<cases::Key> keys{};  ///< only these are compared; empty: all
+  std::chrono::milliseconds time_limit = methods::kTimeLimit;  ///< for each verdict of an engine
+  std::vector<cases::Key> keys{};                              ///< only these are compared; empty: all
   bool explain = false;
   bool at_rest = false;  ///< leave out the cases of moving balls
   bool prints_verdicts = true, prints_differences = true;
@@ -46,26 +44,20 @@ struct Order {
   std::FILE* complaints = stderr;
 };
 
-/// Calls `take` with every line of the order's files, as cases::read_lines does, except those that the order leaves
-/// out.
-void read_lines(const Order& order, const std::function<bool(cases::Line&&)>& take);
-
 /// Exit status of the judge: the worst one that occurred.
 enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 
 /// Judges every case and prints one line for each case and method, in input order, as soon as it is known.
 ///
 /// A rejected case gets its verdict, and the judge continues. Lines that are not JSON and files that cannot be read are
-/// reported as complaints; blank lines are skipped. Memory does not grow with the number of lines, except while an
-/// engine holds its replies back or answers about other cases: the cases then wait in memory. The judge does not check
-/// whether ids are unique. It assigns the replies of an engine by their ids, in the order of the cases: a reply to a
-/// later case means that the cases before it got none. A case without a verdict is a complaint, and its line has no
-/// answer.
+/// reported as complaints; blank lines are skipped. Memory does not grow with the number of lines. The judge does not
+/// check whether ids are unique.
 ///
-/// With a time limit, each engine gets one case after the other. If it is late, ends, or prints anything except one
-/// line that is a verdict on the case, the judge reports this with the case, ends the engine and the processes that it
-/// has started, and restarts it for the next case. Throws std::system_error if the verdicts cannot be written, and
-/// methods::EngineNotStarted if the command of an engine cannot be started. Commands must be UTF-8.
+/// Each engine gets one case after the other. If it is late, ends, or prints anything except one line that is a verdict
+/// on the case, the judge reports this with the case, ends the engine and the processes that it has started, and
+/// restarts it for the next case. A case without a verdict is a complaint, and its line has no answer. Throws
+/// std::system_error if the verdicts cannot be written, and methods::EngineNotStarted if the command of an engine cannot
+/// be started. Commands must be UTF-8.
 [[nodiscard]] Status judge(const Order& order);
 
 }  // namespace touchstone::judge

@@ -12,12 +12,8 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/judge/judge.h"
-#include "experiments/judge/junit.h"
 #include "experiments/judge/report.h"
-#include "experiments/judge/summary.h"
-#include "experiments/judge/tally.h"
 #include "experiments/methods/process/engine_signals.h"
-#include "experiments/methods/process/external_method.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/colour.h"
@@ -34,13 +30,13 @@ struct JudgeOptions {
   methods::Selection methods{{}};
   std::vector<std::string> files, keys;
   std::string junit, report;
-  double time_limit = 0;
+  double time_limit = std::chrono::duration<double>(methods::kTimeLimit).count();
   bool explain = false, at_rest = false, summary = false, json = false, quiet = false, force = false;
 };
 
 std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
   std::vector<std::string> known;
-  for (const cases::Key key : cases::kKeys) known.emplace_back(to_string(key));
+  for (const cases::Key& key : cases::kKeys) known.emplace_back(key.name);
   std::vector<cases::Key> keys;
   for (const std::string& name : names) {
     const auto key = cases::find_key(name);
@@ -67,10 +63,7 @@ judge::Order order_of(const JudgeOptions& options) {
     order.engines.push_back(std::move(engine));
   }
   if (options.methods.empty()) order.methods = methods::find_methods({"exact"});
-  if (options.time_limit > 0)
-    order.time_limit = std::chrono::milliseconds(std::lround(1000 * options.time_limit));
-  else if (order.engines.size() > 1)
-    order.time_limit = methods::kExternalTimeLimit;
+  order.time_limit = std::chrono::milliseconds(std::lround(1000 * options.time_limit));
   return order;
 }
 
@@ -127,8 +120,8 @@ run::Command judge_command() {
                            "Methods, separated by commas: names, or all (default: exact, or none with --engine)");
   command
       .real("--time-limit", options->time_limit,
-            "Seconds for each verdict of an engine, from 0.001 to 86400; it is then sent one case after the other, and "
-            "restarted if it ends, is late or prints anything but its verdict. Several engines have 60 s by default",
+            "Seconds for each verdict of an engine, from 0.001 to 86400; it gets one case after the other, and is "
+            "restarted if it ends, is late or prints anything but its verdict",
             1e-3, 86'400)
       .needs("--engine");
   command.names("--keys", options->keys, "Compare only these keys of answers, separated by commas, such as contact");

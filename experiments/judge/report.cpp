@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <tuple>
+#include <vector>
 
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/judge/show/page.h"
@@ -14,30 +17,88 @@
 #include "experiments/run/statistics/percent.h"
 #include "experiments/run/table.h"
 #include "experiments/run/xml_text.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
 namespace {
 
 using run::xml_text;
+using Named = std::pair<std::string, Count>;
 
-std::string percent(double share) { return statistics::percent_to_places(share, 2) + " %"; }
+double share(const Count& count) { return run::rate(count.wrong, count.given()).share; }
 
-std::string row(const std::string& name, const Count& count) {
+std::string percent(double share) { return statistics::percent_to_places(share, 2); }
+
+std::string row(const std::string& what, const Count& count, bool coloured) {
+  const run::Rate rate = run::rate(count.wrong, count.given());
+  std::string wrong = fmt::format("{:>8}", count.wrong);
+  if (coloured) wrong = fmt::format("\033[{}m{}\033[0m", count.wrong > 0 ? "31" : "32", wrong);
+  std::string text =
+      fmt::format("  {:<28}{} {:>8} {:>9}   {:<18}", what, wrong, count.given(),
+                  count.given() == 0 ? "" : percent(rate.share) + " %",
+                  count.given() == 0 ? "" : fmt::format("{} to {} %", percent(rate.lower), percent(rate.upper)));
+  text += count.not_given > 0 ? fmt::format("{:>8}", count.not_given) : "";
+  text.resize(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+std::string rows(const char* title, const std::vector<Named>& counts, bool coloured) {
+  std::string text = fmt::format("{}\n", title);
+  for (const auto& [name, count] : counts) text += row(io::legible(name, 28), count, coloured);
+  return text;
+}
+
+/// Returns the tags with the highest shares of wrong cases, and of equals those with the most cases.
+std::vector<Named> worst_tags(const Counts& tags, std::size_t most) {
+  std::vector<Named> sorted(tags.begin(), tags.end());
+  std::ranges::stable_sort(sorted, [](const Named& a, const Named& b) {
+    const double first = share(a.second), second = share(b.second);
+    return first != second ? first > second : a.second.cases > b.second.cases;
+  });
+  std::erase_if(sorted, [](const Named& tag) { return tag.second.wrong == 0; });
+  if (sorted.size() > most) sorted.resize(most);
+  return sorted;
+}
+
+std::string text_of(const MethodTally& tally, bool coloured, std::size_t most_tags) {
+  std::string text = fmt::format("{}\n  {:<28}{:>8} {:>8} {:>9}   {:<18}{:>8}\n", io::legible(tally.method), "",
+                                 "wrong", "of", "rate", "95 % limits", "no answer");
+  text += row("all cases", tally.all, coloured);
+  text += rows("by key", {tally.by_key.begin(), tally.by_key.end()}, coloured);
+  text += rows("by family (file)", {tally.by_file.begin(), tally.by_file.end()}, coloured);
+  const auto tags = worst_tags(tally.by_tag, most_tags);
+  if (!tags.empty()) text += rows("by tag, the highest rates", tags, coloured);
+  return text;
+}
+
+nlohmann::ordered_json json_of(const Count& count) {
+  const run::Rate rate = run::rate(count.wrong, count.given());
+  return {{"cases", count.cases}, {"wrong", count.wrong}, {"not_given", count.not_given},
+          {"rate", rate.share},   {"lower", rate.lower},  {"upper", rate.upper}};
+}
+
+nlohmann::ordered_json json_of(const Counts& counts) {
+  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  for (const auto& [name, count] : counts) object[name] = json_of(count);
+  return object;
+}
+
+std::string html_row(const std::string& name, const Count& count) {
   const run::Rate rate = run::rate(count.wrong, count.given());
   return fmt::format(
       "<tr><td>{}</td><td class=\"number{}\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td>"
       "<td class=\"number\">{}</td></tr>\n",
       xml_text(name), count.wrong > 0 ? " wrong" : "", count.wrong, count.given(),
-      count.given() == 0 ? "" : percent(rate.share),
-      count.given() == 0 ? "" : percent(rate.lower) + " to " + percent(rate.upper), count.not_given);
+      count.given() == 0 ? "" : percent(rate.share) + " %",
+      count.given() == 0 ? "" : percent(rate.lower) + " % to " + percent(rate.upper) + " %", count.not_given);
 }
 
-std::string table(const std::string& title, const Counts& counts) {
+std::string html_table(const std::string& title, const Counts& counts) {
   if (counts.empty()) return {};
   std::string text = fmt::format(
       "<table><tr><th>{}</th><th>wrong</th><th>of</th><th>rate</th><th>95 % limits</th><th>no answer</th></tr>\n",
       title);
-  for (const auto& [name, count] : counts) text += row(name, count);
+  for (const auto& [name, count] : counts) text += html_row(name, count);
   return text + "</table>\n";
 }
 
@@ -46,6 +107,92 @@ std::uint64_t size(std::int64_t doubles) {
 }
 
 }  // namespace
+
+std::string family_of_file(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+void Tally::add(const Judged& judged) {
+  if (judged.compared.empty()) return;
+  auto method = std::ranges::find(methods_, judged.method, &MethodTally::method);
+  if (method == methods_.end()) {
+    methods_.push_back({.method = std::string(judged.method), .all = {}, .by_key = {}, .by_file = {}, .by_tag = {}});
+    method = methods_.end() - 1;
+  }
+  const bool no_answer = judged.differences.empty() && !judged.fault.empty();
+  bool any_wrong = false, any_missing = no_answer;
+  std::map<std::string, Count> keys;
+  for (const std::string& key : judged.compared) keys[key] = {.cases = 1, .wrong = 0, .not_given = no_answer ? 1U : 0U};
+  for (const cases::Difference& difference : judged.differences) {
+    (difference.found ? keys[difference.key].wrong : keys[difference.key].not_given) = 1;
+    (difference.found ? any_wrong : any_missing) = true;
+  }
+  const auto count = [](Count& sum, bool wrong, bool not_given) {
+    ++sum.cases;
+    sum.wrong += wrong ? 1 : 0;
+    sum.not_given += not_given && !wrong ? 1 : 0;
+  };
+  for (const auto& [key, outcome] : keys) count(method->by_key[key], outcome.wrong > 0, outcome.not_given > 0);
+  count(method->all, any_wrong, any_missing);
+  count(method->by_file[family_of_file(judged.line.file)], any_wrong, any_missing);
+  const auto& tags = judged.line.read->tags;
+  for (const std::string& tag : std::set(tags.begin(), tags.end())) count(method->by_tag[tag], any_wrong, any_missing);
+}
+
+std::string summary_text(const Tally& tally, bool coloured, std::size_t most_tags) {
+  std::string text;
+  for (const MethodTally& method : tally.methods())
+    text += (text.empty() ? "" : "\n") + text_of(method, coloured, most_tags);
+  return text.empty() ? "no case has an expectation\n" : text;
+}
+
+std::string summary_json(const Tally& tally) {
+  nlohmann::ordered_json methods = nlohmann::ordered_json::array();
+  for (const MethodTally& method : tally.methods())
+    methods.push_back({{"method", method.method},
+                       {"all", json_of(method.all)},
+                       {"keys", json_of(method.by_key)},
+                       {"families", json_of(method.by_file)},
+                       {"tags", json_of(method.by_tag)}});
+  return nlohmann::ordered_json{{"methods", methods}}.dump() + "\n";
+}
+
+void JunitReport::add(const Judged& judged) {
+  const std::string family = family_of_file(judged.line.file);
+  Suite& suite = suites_[{std::string(judged.method), family}];
+  ++suite.tests;
+  suite.cases +=
+      fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_text(family), xml_text(*judged.line.read->id));
+  std::string sentences;
+  for (const cases::Difference& difference : judged.differences)
+    sentences.append(sentences.empty() ? "" : "\n").append(to_string(difference));
+  if (!judged.fault.empty()) {
+    ++suite.errors;
+    suite.cases +=
+        fmt::format("><error message=\"{}\">{}</error></testcase>\n", xml_text(judged.fault), xml_text(sentences));
+  } else if (!judged.differences.empty()) {
+    ++suite.failures;
+    suite.cases += fmt::format("><failure message=\"{} of {} keys differ\">{}</failure></testcase>\n",
+                               judged.differences.size(), judged.compared.size(), xml_text(sentences));
+  } else {
+    suite.cases += "/>\n";
+  }
+}
+
+std::string JunitReport::text() const {
+  Suite all;
+  std::string suites;
+  for (const auto& [names, suite] : suites_) {
+    all.tests += suite.tests;
+    all.failures += suite.failures;
+    all.errors += suite.errors;
+    suites += fmt::format(
+        "  <testsuite name=\"{}: {}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n{}  </testsuite>\n",
+        xml_text(names.first), xml_text(names.second), suite.tests, suite.failures, suite.errors, suite.cases);
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"touchstone judge\" tests=\"{}\" failures=\"{}\" "
+      "errors=\"{}\">\n{}</testsuites>\n",
+      all.tests, all.failures, all.errors, suites);
+}
 
 void Report::add(const Judged& judged) {
   const auto is_wrong = [](const cases::Difference& difference) { return difference.found.has_value(); };
@@ -72,10 +219,11 @@ std::string Report::text(const Tally& tally) const {
     const run::Rate rate = run::rate(method.all.wrong, method.all.given());
     body += fmt::format("<h1>{}</h1>\n<p>Wrong on {} of {}: {} ({} to {}, 95 % confidence). No answer on {}.</p>\n",
                         xml_text(method.method), method.all.wrong, run::counted(method.all.given(), "case"),
-                        percent(rate.share), percent(rate.lower), percent(rate.upper), method.all.not_given);
-    body += table("key", method.by_key) + table("family (file)", method.by_file);
+                        percent(rate.share) + " %", percent(rate.lower) + " %", percent(rate.upper) + " %",
+                        method.all.not_given);
+    body += html_table("key", method.by_key) + html_table("family (file)", method.by_file);
     if (!method.by_tag.empty())
-      body += "<details><summary>By tag</summary>\n" + table("tag", method.by_tag) + "</details>\n";
+      body += "<details><summary>By tag</summary>\n" + html_table("tag", method.by_tag) + "</details>\n";
     const auto worst = worst_.find(method.method);
     if (worst == worst_.end()) continue;
     body +=

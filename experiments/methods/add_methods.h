@@ -6,23 +6,23 @@
 
 #include "experiments/cases/method.h"
 
-// Each file of this folder adds its methods.
+// Each file of this folder adds its methods; add_engines those of engines/ that this build has.
 namespace touchstone::methods {
 
 using cases::Method;
 using cases::PartialAnswer;
 using cases::PreparedMethod;
 using cases::QueryKind;
+using MethodList = std::vector<std::unique_ptr<Method>>;
 
-void add_cgal_kernels(std::vector<std::unique_ptr<Method>>& list);
-void add_convex(std::vector<std::unique_ptr<Method>>& list);
-void add_exact(std::vector<std::unique_ptr<Method>>& list);
-void add_fast(std::vector<std::unique_ptr<Method>>& list);
-void add_fast_double_double(std::vector<std::unique_ptr<Method>>& list);
-void add_fast_mpfr(std::vector<std::unique_ptr<Method>>& list);
-void add_filtered(std::vector<std::unique_ptr<Method>>& list);
-void add_interval(std::vector<std::unique_ptr<Method>>& list);
-void add_rational(std::vector<std::unique_ptr<Method>>& list);
-void add_thesis(std::vector<std::unique_ptr<Method>>& list);
+void add_cgal_kernels(MethodList& list);
+void add_convex(MethodList& list);
+void add_engines(MethodList& list);
+void add_exact(MethodList& list);
+void add_fast(MethodList& list);
+void add_fast_wide(MethodList& list);
+void add_filtered(MethodList& list);
+void add_plain(MethodList& list);
+void add_thesis(MethodList& list);
 
 }  // namespace touchstone::methods

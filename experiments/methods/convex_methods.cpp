@@ -46,7 +46,7 @@ class Convex final : public Method {
 
 }  // namespace
 
-void add_convex(std::vector<std::unique_ptr<Method>>& list) {
+void add_convex(MethodList& list) {
   list.push_back(std::make_unique<Convex>("hull", "fast on the polygon's convex hull, which fills notches and holes",
                                           [](const Polygon& polygon) { return std::vector{convex_hull(polygon)}; }));
   list.push_back(std::make_unique<Convex>("convex-parts", "fast on convex parts of the polygon, joined from triangles",

@@ -48,6 +48,6 @@ class Exact final : public Method {
 
 }  // namespace
 
-void add_exact(std::vector<std::unique_ptr<Method>>& list) { list.push_back(std::make_unique<Exact>()); }
+void add_exact(MethodList& list) { list.push_back(std::make_unique<Exact>()); }
 
 }  // namespace touchstone::methods

@@ -4,7 +4,7 @@
 
 namespace touchstone::methods {
 
-void add_fast(std::vector<std::unique_ptr<Method>>& list) {
+void add_fast(MethodList& list) {
   list.push_back(
       std::make_unique<Fast<double>>("fast", "double", "the three tests in plain doubles, carefully written"));
   list.push_back(std::make_unique<Fast<float>>("fast-float", "float", "the code of fast over 32-bit floats"));

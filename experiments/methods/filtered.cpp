@@ -49,6 +49,6 @@ class Filtered final : public Method {
 
 }  // namespace
 
-void add_filtered(std::vector<std::unique_ptr<Method>>& list) { list.push_back(std::make_unique<Filtered>()); }
+void add_filtered(MethodList& list) { list.push_back(std::make_unique<Filtered>()); }
 
 }  // namespace touchstone::methods

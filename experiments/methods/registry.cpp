@@ -7,8 +7,6 @@
 #include <stdexcept>
 
 #include "experiments/methods/add_methods.h"
-#include "experiments/methods/engines/engines.h"
-#include "experiments/methods/process/external_method.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
@@ -19,10 +17,8 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
     add_exact(list);
     add_filtered(list);
     add_fast(list);
-    add_fast_double_double(list);
-    add_fast_mpfr(list);
-    add_interval(list);
-    add_rational(list);
+    add_fast_wide(list);
+    add_plain(list);
     add_cgal_kernels(list);
     add_thesis(list);
     add_convex(list);

@@ -56,7 +56,7 @@ std::unique_ptr<Method> variant(std::string_view name, const thesis::Options& op
 
 }  // namespace
 
-void add_thesis(std::vector<std::unique_ptr<Method>>& list) {
+void add_thesis(MethodList& list) {
   using namespace thesis;
   list.push_back(
       variant<double>("thesis", {}, "the thesis's own tests (2008) in doubles: angle sum >= 0.99 x 2 pi, strict"));

@@ -162,17 +162,16 @@ def check_names(checks):
 def check_cases(checks):
     for what, content in CASES.items():
         checks.write("cases.jsonl", content)
-        for arguments in (("judge",), ("judge", "--engine", "cat"), ("judge", "--engine", "cat", "--time-limit", "20"),
-                          ("judge", "--engine", "exit 1"), ("corpus", "check"), ("corpus", "shrink", "--method", "fast")):
+        for arguments in (("judge",), ("judge", "--engine", "cat"), ("judge", "--engine", "exit 1"),
+                          ("corpus", "check"), ("corpus", "shrink", "--method", "fast")):
             told = "JSON" not in what and not ("shrink" in arguments and what.startswith(("value", "key that is")))
             checks.run((what, arguments), *arguments, "cases.jsonl", status=(1, 2), json_lines="check" not in arguments,
                        echoes=(b"END",) if told else ())
     for what, content in REPLIES.items():
         checks.write("cases.jsonl", case(expected={"contact": False}))
         checks.write("reply", content)
-        for options in (), ("--time-limit", "20"):
-            checks.run((what, options), "judge", "--engine", "cat reply; cat >/dev/null", *options, "cases.jsonl",
-                       status=(1,), echoes=(b"END",), json_lines=True)
+        checks.run(what, "judge", "--engine", "cat reply; cat >/dev/null", "cases.jsonl", status=(1,), echoes=(b"END",),
+                   json_lines=True)
     checks.run("engine", "judge", "--engine", b"exit 1 # " + NAME, "cases.jsonl", status=(1,), echoes=(SHOWN,),
                json_lines=True)
 

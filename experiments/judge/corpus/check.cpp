@@ -62,8 +62,9 @@ void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
                                                    filtered::answer(ball, prepared).off_plane, "");
     for (const cases::Difference& difference : cases::differences(*read.expected, filtered))
       faults.push_back(to_string(difference) + ", by filtered");
-    for (const cases::Key key : cases::kMovingKeys)
-      if (const auto name = std::string(to_string(key)); !read.expected->texts.contains(name))
+    for (const cases::Key& key : cases::kKeys)
+      if (const std::string name(key.name);
+          (has(filtered, key) || is_null(filtered, key)) && !read.expected->texts.contains(name))
         faults.push_back(name + ": is missing");
     return;
   }

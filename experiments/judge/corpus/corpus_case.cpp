@@ -24,9 +24,7 @@ PartialAnswer exact_answer(const cases::Shapes& shapes) {
   return PartialAnswer::of(answer, "");
 }
 
-bool is_decisive(Key key) {
-  return key != Key::Point && key != Key::Distance && key != Key::Time && key != Key::OffPlane;
-}
+bool is_decisive(const Key& key) { return !key.holds_doubles(); }
 
 WrongAnswer wrong_answer(const cases::Method& method, const cases::Shapes& shapes, const PartialAnswer& truth) {
   WrongAnswer wrong;
@@ -39,7 +37,7 @@ WrongAnswer wrong_answer(const cases::Method& method, const cases::Shapes& shape
   } catch (const methods::EngineNotStarted&) {
     throw;
   } catch (const std::exception&) {  // thrown by a third-party engine
-    for (const Key key : cases::kKeys)
+    for (const Key& key : cases::kKeys)
       if (has(truth, key)) wrong.keys.push_back(key);
   }
   return wrong;

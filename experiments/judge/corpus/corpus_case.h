@@ -26,7 +26,7 @@ struct CorpusCase {
 
 /// Returns whether the value of the key is yes or no, a choice or a count. Inexact methods nearly always miss the last
 /// bit of `point`, `distance` and `time`.
-[[nodiscard]] bool is_decisive(cases::Key key);
+[[nodiscard]] bool is_decisive(const cases::Key& key);
 
 /// The keys that a method gets wrong, in the order of the contract, and its answer.
 struct WrongAnswer {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/input_lines.h"
+#include "experiments/cases/case.h"
 #include "experiments/judge/corpus/check.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/make.h"
@@ -92,7 +92,7 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
       labels.tags.emplace_back("shrunk");
       std::string from = labels.origin.empty() ? id : labels.origin;
       std::vector<std::string> keys;
-      for (const cases::Key wrong : failure.keys()) keys.emplace_back(to_string(wrong));
+      for (const cases::Key& wrong : failure.keys()) keys.emplace_back(wrong.name);
       labels.origin =
           fmt::format("touchstone corpus shrink --{} {}{}: {}; from: {}", method.through_pipe() ? "engine" : "method",
                       method.name(), key ? " --key " + *key : "", run::joined(keys), from);

@@ -18,6 +18,8 @@ namespace touchstone::corpus {
 namespace {
 
 using cases::Key;
+using cases::key_of;
+using cases::PartialAnswer;
 
 /// Numbers of the formulas, whose results are never rounded.
 struct UnroundedRationals {
@@ -41,12 +43,6 @@ Rounded that_round_to(double x) {
   const mpq_class here(x), below = x == 0 ? mpq_class(-std::nextafter(0.0, 1.0)) : mpq_class(std::nextafter(x, 0.0)),
                            above = x == kMost ? beyond : mpq_class(std::nextafter(x, kMost));
   return {(below + here) / 2, (here + above) / 2, (std::bit_cast<std::uint64_t>(x) & 1) == 0};
-}
-
-std::string text(const cases::Verdict& value) {
-  std::string line = cases::to_line(value);
-  line.pop_back();
-  return line;
 }
 
 struct Point2 {
@@ -128,7 +124,7 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
   const RationalPolygon prepared(polygon);
   const RationalPolygon::Query query(ball, prepared);
   const auto nearest = query.nearest();
-  cases::PartialAnswer decisive;
+  PartialAnswer decisive;
   decisive.plane = query.plane_side();
   decisive.plane_tangent = query.plane_tangent();
   decisive.foot = query.foot();
@@ -139,8 +135,8 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
 
   std::vector<std::string> differences;
   const auto& [stands, texts] = answer;
-  const auto compare = [&differences, &texts = texts](Key key, bool is_right, const std::string& given) {
-    const std::string name(to_string(key));
+  const auto compare = [&differences, &texts = texts](const Key& key, bool is_right, const std::string& given) {
+    const std::string name(key.name);
     const auto text = texts.find(name);
     if (text == texts.end())
       differences.push_back(name + ": is missing");
@@ -148,16 +144,18 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
       differences.push_back(
           fmt::format("{}: the file says {}, rational arithmetic gives {}", name, text->second, given));
   };
-  const cases::Verdict found = cases::object_of(decisive);
-  for (const Key key : cases::kStaticKeys)
-    if (has(decisive, key)) compare(key, same_value(key, stands, decisive), text(found[std::string(to_string(key))]));
+  const cases::StatedAnswer found = cases::stated(decisive);
+  for (const Key& key : cases::kKeys)
+    if (has(decisive, key)) compare(key, same_value(key, stands, decisive), found.texts.at(std::string(key.name)));
 
   const auto about = [](const mpq_class& x) {
     return fmt::format("{}{}", std::isfinite(x.get_d()) && x == x.get_d() ? "" : "about ", x.get_d());
   };
   const mpq_class off_plane = rational(prepared.off_plane()), squared = rational(nearest->distance_squared);
-  compare(Key::OffPlane, stands.off_plane && is_nearest_double(*stands.off_plane, off_plane), about(off_plane));
-  compare(Key::Distance, stands.distance && *stands.distance >= 0 && is_nearest_root(*stands.distance, squared),
+  compare(key_of(&PartialAnswer::off_plane), stands.off_plane && is_nearest_double(*stands.off_plane, off_plane),
+          about(off_plane));
+  compare(key_of(&PartialAnswer::distance),
+          stands.distance && *stands.distance >= 0 && is_nearest_root(*stands.distance, squared),
           fmt::format("sqrt({})", about(squared)));
   const auto closest = query.closest_point(nearest->feature);
   const std::array point{rational(closest.x()), rational(closest.y()), rational(closest.z())};
@@ -166,7 +164,7 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
     const double x = (*stands.point)[static_cast<Eigen::Index>(k)];  // an infinite one was stated without its sign
     is_nearest_point = is_nearest_double(std::isinf(x) ? std::copysign(x, sgn(point[k])) : x, point[k]);
   }
-  compare(Key::Point, is_nearest_point,
+  compare(key_of(&PartialAnswer::point), is_nearest_point,
           fmt::format("about [{},{},{}]", point[0].get_d(), point[1].get_d(), point[2].get_d()));
   return differences;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/stated_answer.h"
+#include "experiments/cases/key.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"

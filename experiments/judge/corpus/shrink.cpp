@@ -22,6 +22,7 @@ namespace touchstone::corpus {
 namespace {
 
 using cases::Key;
+using cases::key_of;
 using cases::PartialAnswer;
 using cases::Shapes;
 using Eigen::Vector3d;
@@ -81,26 +82,18 @@ double threshold_of(const Shapes& shapes) {
                                    [&polygon](const Motion& asked) { return filtered::contact(asked, polygon); });
 }
 
+std::string word(bool value) { return value ? "yes" : "no"; }
+std::string word(const Feature& value) { return std::string(to_string(value.kind)); }
+template <class Value>
+std::string word(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) return std::string(to_string(value));
+  return {};
+}
+
 /// Returns the part of an answer that is a word, yes or no: the kind of a feature; an empty text for edges
 /// and numbers, and for a key that the answer lacks.
-std::string words_of(const PartialAnswer& answer, Key key) {
-  switch (key) {
-    case Key::Plane: return answer.plane ? std::string(to_string(*answer.plane)) : "";
-    case Key::PlaneTangent: return answer.plane_tangent ? (*answer.plane_tangent ? "yes" : "no") : "";
-    case Key::Foot: return answer.foot ? std::string(to_string(*answer.foot)) : "";
-    case Key::Relation: return answer.relation ? std::string(to_string(*answer.relation)) : "";
-    case Key::Contact: return answer.contact ? (*answer.contact ? "yes" : "no") : "";
-    case Key::Nearest: return answer.nearest ? std::string(to_string(answer.nearest->kind)) : "";
-    case Key::First: return answer.first ? std::string(to_string(*answer.first)) : "";
-    case Key::Momentary: return answer.momentary ? (*answer.momentary ? "yes" : "no") : "";
-    case Key::Feature: return answer.feature ? std::string(to_string(answer.feature->kind)) : "";
-    case Key::EdgesHit:
-    case Key::Point:
-    case Key::Distance:
-    case Key::Time:
-    case Key::OffPlane: break;
-  }
-  return "";
+std::string words_of(const PartialAnswer& answer, const Key& key) {
+  return key.visit([&](auto member) { return answer.*member ? word(*(answer.*member)) : ""; });
 }
 
 /// A case while it is being reduced.
@@ -321,12 +314,12 @@ SameFailure::SameFailure(const cases::Method& method, const Shapes& shapes, cons
   const PartialAnswer truth = exact_answer(shapes);
   const auto [wrong, given] = wrong_answer(method, shapes, truth);
   if (wrong.empty()) throw std::invalid_argument(std::string(method.name()) + " is not wrong about it");
-  if (key && std::ranges::find(wrong, *key, [](Key each) { return to_string(each); }) == wrong.end())
+  if (key && std::ranges::find(wrong, std::string_view(*key), &Key::name) == wrong.end())
     throw std::invalid_argument(std::string(method.name()) + " is not wrong about its " + *key);
   nothing_decisive_ = !key && !any_decisive(wrong);
-  true_first_ = words_of(truth, Key::First);
-  for (const Key each : wrong) {
-    if (key ? to_string(each) != *key : !is_decisive(each) && !nothing_decisive_) continue;
+  true_first_ = words_of(truth, key_of(&PartialAnswer::first));
+  for (const Key& each : wrong) {
+    if (key ? each.name != *key : !is_decisive(each) && !nothing_decisive_) continue;
     keys_.push_back(each);
     true_words_.push_back(words_of(truth, each));
     given_words_.push_back(words_of(given, each));
@@ -338,7 +331,7 @@ bool SameFailure::holds(const Shapes& shapes) const {
   const PartialAnswer truth = exact_answer(shapes);
   const auto [wrong, given] = wrong_answer(method_, shapes, truth);
   if (nothing_decisive_ && any_decisive(wrong)) return false;
-  if (words_of(truth, Key::First) != true_first_) return false;
+  if (words_of(truth, key_of(&PartialAnswer::first)) != true_first_) return false;
   for (std::size_t i = 0; i < keys_.size(); ++i)
     if (std::ranges::find(wrong, keys_[i]) == wrong.end() || words_of(given, keys_[i]) != given_words_[i] ||
         words_of(truth, keys_[i]) != true_words_[i])

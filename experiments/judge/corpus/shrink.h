@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cases/case.h"
 #include "experiments/cases/key.h"
 #include "experiments/cases/method.h"
-#include "experiments/cases/shapes.h"
 
 namespace touchstone::corpus {
 

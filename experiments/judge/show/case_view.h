@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cases/case.h"
+#include "experiments/cases/key.h"
 #include "experiments/cases/method.h"
-#include "experiments/cases/shapes.h"
-#include "experiments/cases/stated_answer.h"
 #include "experiments/judge/show/radii.h"
 
 namespace touchstone::show {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "experiments/cases/shapes.h"
+#include "experiments/cases/case.h"
 
 namespace touchstone::show {
 

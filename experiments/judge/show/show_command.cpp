@@ -9,7 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "experiments/cases/input_lines.h"
+#include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/judge/show/page.h"
 #include "experiments/judge/show/picture.h"
@@ -51,7 +51,7 @@ Printed read_verdicts(const std::string& file) {
       if (!verdict.is_object() || !verdict.contains("id") || !verdict.contains("method"))
         bad("is not a verdict of the judge");
       if (!verdict["id"].is_string() || !verdict["method"].is_string()) continue;  // a case without an id
-      show::Verdict one{verdict["method"].get<std::string>(), cases::answer_in(verdict), {}, {}};
+      show::Verdict one{verdict["method"].get<std::string>(), cases::stated_in(verdict), {}, {}};
       if (verdict.contains("unanswered")) one.fault = "cannot answer about moving balls";
       printed.emplace(verdict["id"].get<std::string>(), std::move(one));
     } catch (const run::NotJson& error) {

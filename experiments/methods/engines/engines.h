@@ -1,28 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "experiments/methods/add_methods.h"
-#include "experiments/methods/engines/library.h"
+#include "experiments/methods/engines/mesh.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 
-// Third-party engines: one file each, built if its library was found. As methods they decide contact as their users
-// would ask: engines for triangles get those of a triangulation, whose vertices are not lifted.
+// Third-party engines: the file NAME.cpp of this folder defines add_NAME(MethodList&), which add_engines calls if the
+// list of CMakeLists.txt, or cmake/find_engines.cmake for an engine with a library, names it. As methods they decide
+// contact as their users would ask: engines for triangles get those of a triangulation, whose vertices are not lifted.
 namespace touchstone::methods {
 
-using MethodList = std::vector<std::unique_ptr<Method>>;
+/// A mesh as built by a library. Queries do not change it; several threads may query it at once.
+class BuiltScene {
+ public:
+  BuiltScene() = default;
+  BuiltScene(const BuiltScene&) = delete;
+  BuiltScene& operator=(const BuiltScene&) = delete;
+  virtual ~BuiltScene() = default;
 
-void add_boost_geometry(MethodList& list);
-void add_bullet(MethodList& list);
-void add_cgal_triangles(MethodList& list);
-void add_embree(MethodList& list);
-void add_fcl(MethodList& list);
-void add_libccd(MethodList& list);
-void add_ode(MethodList& list);
+  /// Returns whether the ball touches any triangle.
+  [[nodiscard]] virtual bool any(const Ball& ball) const = 0;
 
-/// Adds the engines of this build.
-void add_engines(MethodList& list);
+  // The library need not support the following queries, which then throw std::logic_error.
+
+  /// Returns the indices of the triangles that the ball touches, in any order.
+  virtual void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const;
+  /// Returns the triangle that is nearest to the centre, or one of several.
+  [[nodiscard]] virtual std::uint32_t nearest(const Eigen::Vector3d& center) const;
+  /// Returns the time at which the moving ball first touches any triangle; nothing if it never does.
+  [[nodiscard]] virtual std::optional<double> first_contact(const Motion& motion) const;
+  /// Returns the memory that it holds, in bytes, if the library knows that better than `malloc`.
+  [[nodiscard]] virtual std::optional<std::size_t> bytes() const { return std::nullopt; }
+};
+
+/// A library that answers queries about meshes.
+struct Library {
+  std::string name;
+  /// Builds a scene. The mesh must outlive it.
+  std::function<std::unique_ptr<BuiltScene>(const Mesh&)> build;
+  bool exact = false;  ///< whether its answers are the truth, which brute force checks
+  bool knows_nearest = true;
+  bool knows_motions = false;
+};
 
 /// @{
 /// Those that know every query about a mesh, with the same answers.

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/methods/add_methods.h"
-#include "experiments/methods/engines/library.h"
+#include "experiments/methods/engines/engines.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"

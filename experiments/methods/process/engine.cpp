@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/process/engine.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/cases/key.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/methods/process/supervised_engine.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
 namespace {
@@ -36,6 +48,108 @@ std::size_t name_sign(const std::string& text) {
   return is_option ? std::string::npos : sign;
 }
 
+constexpr std::size_t kMostOfCase = 2000;  // bytes of a case in a message
+
+/// The processes of a program: as many as were queried at the same time.
+class Processes {
+ public:
+  Processes(std::string name, std::string command, std::chrono::milliseconds time_limit)
+      : name_(std::move(name)), command_(std::move(command)), time_limit_(time_limit) {}
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// `shapes`: the keys `ball`, `motion` and `polygon` of the case.
+  [[nodiscard]] cases::PartialAnswer ask(const std::string& shapes) {
+    const std::string id = std::to_string(++asked_);
+    const std::string line = fmt::format(R"({{"id":"{}",{}}})", id, shapes);
+    auto engine = take();
+    auto result = engine->ask(id, line);
+    if (result.reason.empty()) result.reason = fault(result);
+    if (result.reason.empty() && engine->has_surplus()) result.reason = "printed more than a line";
+    give_back(std::move(engine));
+    if (!result.reason.empty())
+      throw std::runtime_error(
+          fmt::format("{}: {}; the case: {}", name_, result.reason, io::legible(line, kMostOfCase)));
+    cases::PartialAnswer answer = std::move(result.answer->values);
+    answer.stage = name_;
+    return answer;
+  }
+
+ private:
+  /// Returns the fault of a verdict, or an empty text.
+  [[nodiscard]] static std::string fault(const SupervisedEngine::Result& result) {
+    if (!result.ended_before.empty()) return result.ended_before + " before the case";
+    const auto& [values, texts] = *result.answer;
+    for (const auto& [name, text] : texts) {
+      const auto key = cases::find_key(name);
+      const bool given = key && (has(values, *key) || (is_null(values, *key) && text == "null"));
+      if (name == "error" || (key && !given)) return fmt::format("{}: {}", name, io::legible(text));
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::unique_ptr<SupervisedEngine> take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<SupervisedEngine>(command_, time_limit_);
+    auto engine = std::move(idle_.back());
+    idle_.pop_back();
+    return engine;
+  }
+
+  void give_back(std::unique_ptr<SupervisedEngine> engine) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(engine));
+  }
+
+  std::string name_, command_;
+  std::chrono::milliseconds time_limit_;
+  std::atomic<std::uint64_t> asked_ = 0;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<SupervisedEngine>> idle_;
+};
+
+/// Returns a member of a case as JSON.
+std::string text_of(const cases::Verdict& member) {
+  std::string line = cases::to_line(member);
+  line.pop_back();
+  return line;
+}
+
+class Prepared : public cases::PreparedMethod {
+ public:
+  Prepared(Processes& processes, const Polygon& polygon)
+      : processes_(processes), polygon_(text_of(cases::object_of(polygon))) {}
+
+  [[nodiscard]] cases::PartialAnswer ask(const Ball& ball, cases::QueryKind) const override {
+    return processes_.ask(fmt::format(R"("ball":{},"polygon":{})", text_of(cases::object_of(ball)), polygon_));
+  }
+  [[nodiscard]] std::optional<cases::PartialAnswer> ask_moving(const Motion& motion) const override {
+    return processes_.ask(fmt::format(R"("ball":{},"motion":{},"polygon":{})", text_of(cases::object_of(motion.ball)),
+                                      text_of(cases::object_of(motion)), polygon_));
+  }
+
+ private:
+  Processes& processes_;
+  std::string polygon_;
+};
+
+class External : public cases::Method {
+ public:
+  External(std::string name, std::string summary, std::string command, std::chrono::milliseconds time_limit)
+      : summary_(std::move(summary)), processes_(std::move(name), std::move(command), time_limit) {}
+
+  [[nodiscard]] std::string_view name() const override { return processes_.name(); }
+  [[nodiscard]] std::string_view summary() const override { return summary_; }
+  [[nodiscard]] bool through_pipe() const override { return true; }
+  [[nodiscard]] std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<Prepared>(processes_, polygon);
+  }
+
+ private:
+  std::string summary_;
+  mutable Processes processes_;
+};
+
 }  // namespace
 
 Engine engine_of(const std::string& text) {
@@ -53,6 +167,11 @@ void require_started(const std::string& command, const std::string& ending) {
   };
   if (ending == "exit status 126") refuse("the command is not a program that may be run");
   if (ending == "exit status 127") refuse("the command was not found");
+}
+
+std::unique_ptr<cases::Method> external_method(std::string name, std::string summary, std::string command,
+                                               std::chrono::milliseconds time_limit) {
+  return std::make_unique<External>(std::move(name), std::move(summary), std::move(command), time_limit);
 }
 
 }  // namespace touchstone::methods

@@ -14,8 +14,6 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/methods/process/wait_for_events.h"
-
 namespace touchstone::methods {
 namespace {
 
@@ -127,12 +125,9 @@ std::optional<std::string> EngineProcess::receive_by(Deadline deadline, bool& la
   }
 }
 
-bool EngineProcess::drop_unread() {
-  while (has_news(0) && read_some()) {
-  }
-  const bool any = received_ < unread_.size();
-  received_ = unread_.size();
-  return any;
+bool EngineProcess::has_unread() {
+  if (received_ == unread_.size() && has_news(0)) read_some();
+  return received_ < unread_.size();
 }
 
 /// Waits no longer than `milliseconds` (-1: forever) for output, or for the end of the program, even if other processes
@@ -142,12 +137,6 @@ bool EngineProcess::has_news(int milliseconds) const {
   pollfd news[]{{.fd = output_, .events = POLLIN, .revents = 0},
                 {.fd = supervisor_->ended(), .events = POLLIN, .revents = 0}};
   return wait_for_events(news, milliseconds);
-}
-
-bool EngineProcess::read_ahead(std::size_t most) {
-  while (unread_.size() - received_ < most && has_news(0) && read_some()) {
-  }
-  return output_ >= 0 && unread_.size() - received_ >= most;
 }
 
 // Closing a socket with unread input resets the connection.

@@ -10,7 +10,7 @@
 namespace touchstone::methods {
 
 /// An external program that reads cases on its standard input and prints verdicts on its standard output, one per line
-/// and in the same order. One thread may send lines while another receives.
+/// and in the same order.
 class EngineProcess {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
@@ -40,11 +40,8 @@ class EngineProcess {
   [[nodiscard]] std::optional<std::string> receive_by(Deadline deadline, bool& late);
   /// Returns whether the program has printed a line longer than kLongestLine.
   [[nodiscard]] bool too_long() const { return too_long_; }
-  /// Discards the output printed so far that was not received. Returns whether there was a line.
-  [[nodiscard]] bool drop_unread();
-  /// Buffers the output printed so far, without waiting. Returns whether the buffer holds at least `most` bytes that
-  /// were not received.
-  [[nodiscard]] bool read_ahead(std::size_t most);
+  /// Returns whether the program has printed anything that was not received, without waiting.
+  [[nodiscard]] bool has_unread();
   /// Stops reading. The signal SIGPIPE ends a program that continues to print.
   void stop_reading();
   /// Kills the program and the processes that it has started.

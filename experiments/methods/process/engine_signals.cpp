@@ -40,11 +40,4 @@ DeferSignals::~DeferSignals() {
   if (is_interrupted) leave();
 }
 
-void leave_signals_to_other_threads() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : run::kEndSignals) sigaddset(&signals, signal);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-}
-
 }  // namespace touchstone::methods

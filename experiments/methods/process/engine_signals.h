@@ -26,7 +26,4 @@ class DeferSignals {
   ~DeferSignals();
 };
 
-/// Blocks these signals in this thread and leaves them to the other threads, one of which writes.
-void leave_signals_to_other_threads();
-
 }  // namespace touchstone::methods

@@ -5,13 +5,39 @@
 
 #include <utility>
 
+#include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine.h"
-#include "experiments/methods/process/reply.h"
+#include "experiments/run/json/strict_json.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
 namespace {
 
 constexpr const char* kWell = "ended";
+
+/// A line that an engine printed, read by the rules for cases.
+struct Reply {
+  std::optional<std::string> id;              ///< of its case; nothing if the key is missing or duplicate
+  std::optional<cases::StatedAnswer> answer;  ///< nothing if the line is not a verdict
+  std::string echo;                           ///< the beginning of the line, printable, preceded by its fault if known
+};
+
+Reply read_reply(const std::string& line) {
+  Reply reply{.id = {}, .answer = {}, .echo = io::legible(line)};
+  try {
+    const run::StrictJson read = run::read_strict_json(line);
+    if (!read.value.is_object()) return reply;
+    const auto id = read.value.find("id");
+    if (id != read.value.end() && id->is_string() && !read.ambiguous.contains("id")) reply.id = id->get<std::string>();
+    if (read.duplicate_key)
+      reply.echo = "duplicate key \"" + io::legible(*read.duplicate_key) + "\" in one object: " + reply.echo;
+    else if (reply.id && !read.too_deep)
+      reply.answer = cases::stated_in(read.value);
+  } catch (const run::NotJson&) {
+    // The reply echoes the line.
+  }
+  return reply;
+}
 
 }  // namespace
 
@@ -26,7 +52,7 @@ SupervisedEngine::Result SupervisedEngine::ask(const std::string& id, const std:
   if (reply.id == id && reply.answer) {
     result.answer = std::move(reply.answer);
   } else {
-    result.reason = not_a_verdict(reply);
+    result.reason = "not a verdict on this case: " + reply.echo;
     stop();  // an engine that is out of step would remain so for every later case
   }
   return result;
@@ -68,7 +94,7 @@ std::optional<std::string> SupervisedEngine::reply_to(const std::string& line, s
 }
 
 bool SupervisedEngine::has_surplus() {
-  const bool surplus = engine_ && engine_->drop_unread();
+  const bool surplus = engine_ && engine_->has_unread();
   if (surplus) stop();
   return surplus;
 }

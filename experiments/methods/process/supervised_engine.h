@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "experiments/cases/stated_answer.h"
+#include "experiments/cases/key.h"
 #include "experiments/methods/process/engine_process.h"
 
 namespace touchstone::methods {

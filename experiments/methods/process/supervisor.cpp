@@ -2,20 +2,17 @@
 #include "experiments/methods/process/supervisor.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <climits>
 #include <csignal>
 #include <system_error>
-
-#include "experiments/methods/process/wait_for_events.h"
 
 namespace touchstone::methods {
 namespace {
@@ -208,6 +205,17 @@ std::string Supervisor::wait() {
   if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
   if (WEXITSTATUS(status) != 0) return "exit status " + std::to_string(WEXITSTATUS(status));
   return {};
+}
+
+bool wait_for_events(std::span<pollfd> events, int milliseconds) {
+  const auto deadline = Clock::now() + std::chrono::milliseconds(milliseconds);
+  for (int left = milliseconds;;) {
+    const int found = poll(events.data(), events.size(), left);
+    if (found >= 0 || errno != EINTR) return found > 0;
+    if (milliseconds < 0) continue;
+    const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+    left = std::max(0, static_cast<int>(rest.count()));
+  }
 }
 
 }  // namespace touchstone::methods

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <poll.h>
 #include <sys/types.h>
 
 #include <chrono>
+#include <span>
 #include <string>
 
 namespace touchstone::methods {
@@ -44,5 +46,9 @@ class Supervisor {
   bool killed_ = false;
   int control_ = -1;  ///< shut down by this process; reports how the shell ended
 };
+
+/// Waits for one of the events, at most `milliseconds` (-1: forever), as poll does; a signal does not end the wait.
+/// Returns whether an event occurred.
+[[nodiscard]] bool wait_for_events(std::span<pollfd> events, int milliseconds);
 
 }  // namespace touchstone::methods

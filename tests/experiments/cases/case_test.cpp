@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 namespace {
 
 constexpr auto kTriangle = R"("polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]]})";
@@ -15,20 +15,20 @@ std::string with_polygon(const std::string& polygon) {
 }
 
 std::string code(const std::string& line) {
-  const cases::Case read = cases::read_case(line);
+  const Case read = read_case(line);
   const auto* rejection = std::get_if<Rejection>(&read.content);
   return rejection ? std::string(to_string(rejection->code)) : "accepted";
 }
 
-std::string message(const std::string& line) { return std::get<Rejection>(cases::read_case(line).content).message; }
+std::string message(const std::string& line) { return std::get<Rejection>(read_case(line).content).message; }
 
 TEST(ReadCase, TakesTheExampleOfTheContract) {
-  const cases::Case read = cases::read_case(
+  const Case read = read_case(
       R"({"id":"tilted-L-17","ball":{"center":[0.5,0.25,1],"radius":1},"polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]],)"
       R"("holes":[]},"expected":{"relation":"touching"},"tags":["tangent","lattice"]})");
   EXPECT_EQ(read.id, "tilted-L-17");
   EXPECT_EQ(read.expected->values.relation, Relation::Touching);
-  const auto& shapes = std::get<cases::Shapes>(read.content);
+  const auto& shapes = std::get<Shapes>(read.content);
   EXPECT_EQ(shapes.ball.center, Eigen::Vector3d(0.5, 0.25, 1));
   EXPECT_EQ(shapes.polygon.vertex_count(), 3u);
 }
@@ -37,10 +37,9 @@ TEST(ReadCase, ReadsTheEndOfAMotion) {
   const auto with_motion = [](const std::string& motion, const std::string& ball = kBall) {
     return object(R"("id":"a",)" + ball + R"(,"motion":)" + motion + "," + kTriangle);
   };
-  const cases::Case read = cases::read_case(with_motion(R"({"to":[0.5,0.25,-1]})"));
-  EXPECT_EQ(std::get<cases::Shapes>(read.content).to, Eigen::Vector3d(0.5, 0.25, -1));
-  EXPECT_FALSE(
-      std::get<cases::Shapes>(cases::read_case(with_polygon(R"({"outer":[[0,0,0],[1,0,0],[1,1,0]]})")).content).to);
+  const Case read = read_case(with_motion(R"({"to":[0.5,0.25,-1]})"));
+  EXPECT_EQ(std::get<Shapes>(read.content).to, Eigen::Vector3d(0.5, 0.25, -1));
+  EXPECT_FALSE(std::get<Shapes>(read_case(with_polygon(R"({"outer":[[0,0,0],[1,0,0],[1,1,0]]})")).content).to);
   for (const char* motion : {"null", "[1,2,3]", "{}", R"({"to":null})", R"({"to":[1,2]})", R"({"to":[1,2,"3"]})",
                              R"({"to":[1,2,3,4]})", R"({"to":[1,2,3],"to":[1,2,3]})"})
     EXPECT_EQ(code(with_motion(motion)), "malformed-case") << motion;
@@ -56,23 +55,23 @@ TEST(ReadCase, ReadsTheEndOfAMotion) {
 }
 
 TEST(ReadCase, ReadsNumbersAsTheNearestDoubles) {
-  const cases::Case read = cases::read_case(
+  const Case read = read_case(
       object(R"("id":"a","ball":{"center":[0.1,9007199254740993,1e-400],"radius":-0},)" + std::string(kTriangle)));
-  const auto& ball = std::get<cases::Shapes>(read.content).ball;
+  const auto& ball = std::get<Shapes>(read.content).ball;
   EXPECT_EQ(ball.center, Eigen::Vector3d(0.1, 9007199254740992.0, 0));
   EXPECT_EQ(ball.radius, 0);
 }
 
 TEST(ReadCase, SaysWhereALineIsNotJson) {
   for (const char* line : {"nonsense", "{\"id\":\"a\"", R"({"id":NaN})", R"({"id":Infinity})", "{'id':1}", "{} {}"})
-    EXPECT_THROW((void)cases::read_case(line), run::NotJson) << line;
+    EXPECT_THROW((void)read_case(line), run::NotJson) << line;
 }
 
 // The text around numbers beyond the doubles must still be JSON.
 TEST(ReadCase, HoldsNumbersBeyondTheFiniteDoublesToTheGrammar) {
   for (const char* line : {R"({"a":1e400,1e400:1})", "[1e400-5]", "[01e999]", "[-01e999]", "[--1e400]", "[+1e400]",
                            "[.1e400]", "[1.e400]", "[1e400e1]", "[1e400.5]", "[1e4001e400]", "[1e400 1e400]", "1e400x"})
-    EXPECT_THROW((void)cases::read_case(line), run::NotJson) << line;
+    EXPECT_THROW((void)read_case(line), run::NotJson) << line;
   for (const char* line : {"[1e400]", "[-1.5E+400,1]", R"(["\\",1e400,"\"1e400-5"])"})
     EXPECT_EQ(code(line), "malformed-case") << line;
   EXPECT_EQ(code(object(R"("id":"a","more":[1,-1e400],)" + std::string(kBall) + "," + kTriangle)), "accepted");
@@ -80,24 +79,24 @@ TEST(ReadCase, HoldsNumbersBeyondTheFiniteDoublesToTheGrammar) {
 
 TEST(ReadCase, TakesANulByteForNoEndOfTheLine) {
   const std::string good = object(R"("id":"a",)" + std::string(kBall) + "," + kTriangle);
-  EXPECT_THROW((void)cases::read_case(good + std::string("\0garbage", 8)), run::NotJson);
-  EXPECT_THROW((void)cases::read_case(good + std::string("\0", 1)), run::NotJson);
+  EXPECT_THROW((void)read_case(good + std::string("\0garbage", 8)), run::NotJson);
+  EXPECT_THROW((void)read_case(good + std::string("\0", 1)), run::NotJson);
 }
 
 TEST(ReadCase, TakesNoByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF", good = object(R"("id":"a",)" + std::string(kBall) + "," + kTriangle);
   for (const std::string& line :
        {mark + good, mark, " " + mark + good, good + mark, good.substr(0, 1) + mark + good.substr(1)})
-    EXPECT_THROW((void)cases::read_case(line), run::NotJson) << line;
-  EXPECT_EQ(cases::read_case(object("\"id\":\"" + mark + "\"")).id, mark) << "within a text it is a letter";
+    EXPECT_THROW((void)read_case(line), run::NotJson) << line;
+  EXPECT_EQ(read_case(object("\"id\":\"" + mark + "\"")).id, mark) << "within a text it is a letter";
 }
 
 TEST(ReadCase, LetsIdsAndTagsBeAnyString) {
   const std::string odd = R"("id":"\u0000beyond the finite doubles","tags":["\u0000beyond the finite doubles"],)";
   const std::string shape = std::string(kBall) + "," + kTriangle;
   EXPECT_EQ(code(object(odd + shape)), "accepted");
-  const cases::Case beside_an_overflow = cases::read_case(object(odd + R"("more":1e400,)" + shape));
-  EXPECT_TRUE(std::holds_alternative<cases::Shapes>(beside_an_overflow.content));
+  const Case beside_an_overflow = read_case(object(odd + R"("more":1e400,)" + shape));
+  EXPECT_TRUE(std::holds_alternative<Shapes>(beside_an_overflow.content));
   EXPECT_EQ(beside_an_overflow.id, std::string("\0beyond the finite doubles", 26));
 }
 
@@ -108,13 +107,13 @@ TEST(ReadCase, RejectsWhatIsNestedTooDeep) {
   EXPECT_EQ(code(more(nested(run::kMostLevels - 1))), "accepted");
   EXPECT_EQ(code(more(nested(run::kMostLevels))), "malformed-case");
   EXPECT_EQ(code(more(nested(1'000'000))), "malformed-case");
-  EXPECT_EQ(cases::read_case(more(nested(1'000'000))).id, "a");
+  EXPECT_EQ(read_case(more(nested(1'000'000))).id, "a");
   EXPECT_EQ(code(object(R"("id":"a","expected":{"point":)" + nested(10'000) + "}," + shape)), "malformed-case");
   EXPECT_EQ(code(nested(1'000'000)), "malformed-case");
   std::string objects;
   for (int i = 0; i < 100'000; ++i) objects += R"({"x":)";
   EXPECT_EQ(code(more(objects + "1e400" + std::string(100'000, '}'))), "malformed-case");
-  EXPECT_THROW((void)cases::read_case(std::string(1'000'000, '[')), run::NotJson);
+  EXPECT_THROW((void)read_case(std::string(1'000'000, '[')), run::NotJson);
   EXPECT_EQ(code(object(R"("id":"[[[[)" + std::string(100, '[') + "\"," + shape)), "accepted");
 }
 
@@ -189,20 +188,19 @@ TEST(ReadCase, NamesTheLoopAndTheVertex) {
 }
 
 TEST(ReadCase, KeepsIdAndExpectationOfARejectedCase) {
-  const cases::Case read = cases::read_case(R"({"id":"a","expected":{"error":"malformed-case"}})");
+  const Case read = read_case(R"({"id":"a","expected":{"error":"malformed-case"}})");
   EXPECT_EQ(read.id, "a");
   EXPECT_EQ(read.expected->texts.at("error"), "\"malformed-case\"");
-  EXPECT_FALSE(cases::read_case("{}").id.has_value());
+  EXPECT_FALSE(read_case("{}").id.has_value());
 }
 
 TEST(ReadCase, TakesNothingFromAMalformedExpectation) {
   for (const char* expected : {R"({"error":false})", R"({"error":"zero-normal","foot":"inside"})",
                                R"({"error":true,"error":true})", R"({"error":true},"expected":{"error":true})"})
-    EXPECT_FALSE(cases::read_case(object(R"("id":"a","expected":)" + std::string(expected))).expected.has_value())
-        << expected;
-  const cases::Case sound = cases::read_case(R"({"id":"a","id":"b","expected":{"error":"malformed-case"}})");
+    EXPECT_FALSE(read_case(object(R"("id":"a","expected":)" + std::string(expected))).expected.has_value()) << expected;
+  const Case sound = read_case(R"({"id":"a","id":"b","expected":{"error":"malformed-case"}})");
   EXPECT_TRUE(sound.expected.has_value()) << "the duplicate key lies elsewhere";
 }
 
 }  // namespace
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

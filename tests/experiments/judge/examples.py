@@ -24,13 +24,8 @@ CASES = [
 def judged(program, engine, folder):
     cases = folder / "cases.jsonl"
     cases.write_text("".join(json.dumps(case) + "\n" for case in CASES))
-    results = []
-    for limit in [[], ["--time-limit", "20"]]:
-        done = subprocess.run([program, "judge", "--engine", engine, *limit, cases], capture_output=True, text=True)
-        results.append((done.returncode, done.stdout, done.stderr))
-    if results[0] != results[1]:
-        sys.exit(f"with and without a time limit: {results}")
-    return results[0]
+    done = subprocess.run([program, "judge", "--engine", engine, cases], capture_output=True, text=True)
+    return done.returncode, done.stdout, done.stderr
 
 
 def main(program, source, compiler):

@@ -51,12 +51,12 @@ def all_have_ended(reader):
     return False
 
 
-def check_signal(program, which, status, engine, options):
-    judge, reader = start(program, engine + "echo > {pipe}; exec sleep 1000", *options)
+def check_signal(program, which, status, engine):
+    judge, reader = start(program, engine + "echo > {pipe}; exec sleep 1000")
     os.read(reader, 1)  # the engine runs
     verdict = judge.stdout.readline()  # and the judge waits for it
     judge.send_signal(which)
-    what = f"{which.name}, options {options}, engine {engine!r}"
+    what = f"{which.name}, engine {engine!r}"
     if not verdict.startswith(b'{"id":"a","method":"fast"') or not verdict.endswith(b"}\n"):
         sys.exit(f"{what}: {verdict}")
     if judge.wait(SECONDS) != status:
@@ -74,29 +74,29 @@ def check_ignored_signal(program, which):
         sys.exit(f"{which.name}, which is ignored: exit status {judge.returncode}: {verdicts}")
 
 
-def check_engine_that_ends(program, before, options):
-    judge, reader = start(program, before + VERDICT, *options)
+def check_engine_that_ends(program, before):
+    judge, reader = start(program, before + VERDICT)
     verdicts, _ = judge.communicate(timeout=SECONDS)
-    what = f"engine {before + VERDICT!r}, options {options}"
+    what = f"engine {before + VERDICT!r}"
     if judge.returncode != 0 or verdicts.count(b"\n") != 2:
         sys.exit(f"{what}: exit status {judge.returncode}: {verdicts}")
     if not all_have_ended(reader):
         sys.exit(f"{what}: what it started goes on")
 
 
-def check_foreign_holder(program, options):
+def check_foreign_holder(program):
     """This process holds the engine's output open, too, and nobody kills it for that."""
     with tempfile.TemporaryDirectory() as folder:
         go = os.path.join(folder, "go")
         os.mkfifo(go)
-        judge, reader = start(program, f"echo $$ > {{pipe}}; read go <{go}; " + VERDICT, *options)
+        judge, reader = start(program, f"echo $$ > {{pipe}}; read go <{go}; " + VERDICT)
         held = os.open(f"/proc/{int(os.read(reader, 20))}/fd/1", os.O_WRONLY)
         with open(go, "w") as file:
             file.write("go\n")
         verdicts, _ = judge.communicate(timeout=SECONDS)
         os.close(held)
     if judge.returncode != 0 or verdicts.count(b"\n") != 2:
-        sys.exit(f"output held open, options {options}: exit status {judge.returncode}: {verdicts}")
+        sys.exit(f"output held open: exit status {judge.returncode}: {verdicts}")
 
 
 def check_stopped_supervisor(program):
@@ -107,7 +107,7 @@ def check_stopped_supervisor(program):
 
 
 def check_unreadable_input(program, redirection):
-    for options in "", "--engine cat", "--engine cat --time-limit 9":
+    for options in "", "--engine cat":
         command = f"judge {options} {redirection}"
         done = subprocess.run(["sh", "-c", f"exec {program} {command}"], capture_output=True, text=True,
                               timeout=SECONDS)
@@ -122,14 +122,13 @@ def main(program):
         check_stopped_supervisor(program)
     for which in END_SIGNALS:
         check_ignored_signal(program, which)
-    for options in [], ["--time-limit", "1000"]:
-        for helper in HELPERS:
-            for which in END_SIGNALS:
-                check_signal(program, which, 130, helper, options)
-            check_signal(program, signal.SIGKILL, -signal.SIGKILL, helper, options)
-            check_engine_that_ends(program, helper, options)
-        check_engine_that_ends(program, LEAVES_MANY, options)
-        check_foreign_holder(program, options)
+    for helper in HELPERS:
+        for which in END_SIGNALS:
+            check_signal(program, which, 130, helper)
+        check_signal(program, signal.SIGKILL, -signal.SIGKILL, helper)
+        check_engine_that_ends(program, helper)
+    check_engine_that_ends(program, LEAVES_MANY)
+    check_foreign_holder(program)
 
 
 if __name__ == "__main__":

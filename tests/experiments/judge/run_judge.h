@@ -69,7 +69,7 @@ inline Order engine(const std::string& command) {
   return order;
 }
 
-inline Order within(const std::string& command, int milliseconds = 20'000) {
+inline Order within(const std::string& command, int milliseconds) {
   Order order = engine(command);
   order.time_limit = std::chrono::milliseconds(milliseconds);
   return order;

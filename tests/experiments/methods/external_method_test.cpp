@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/process/external_method.h"
-
 #include <gtest/gtest.h>
 #include <sys/time.h>
 
@@ -30,7 +28,7 @@ std::string program(const std::string& statements) {
          statements + "\n print(json.dumps(v))\"";
 }
 
-std::unique_ptr<Method> external(const std::string& statements, std::chrono::milliseconds limit = kExternalTimeLimit) {
+std::unique_ptr<Method> external(const std::string& statements, std::chrono::milliseconds limit = kTimeLimit) {
   return external_method("it", "a test", program(statements), limit);
 }
 
@@ -50,7 +48,7 @@ TEST(ExternalMethod, GivesTheKeysOfTheVerdict) {
   expected.edges_hit = {1, 5};
   expected.distance = 0.1;
   expected.nearest = {Feature::Kind::Edge, 5};
-  for (const cases::Key key : cases::kKeys) EXPECT_TRUE(same_value(key, answer, expected)) << to_string(key);
+  for (const cases::Key& key : cases::kKeys) EXPECT_TRUE(same_value(key, answer, expected)) << key.name;
   EXPECT_FALSE(answer.unsure);
 }
 

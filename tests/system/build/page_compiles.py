@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: python3 page_compiles.py PAGE COMPILER FLAG...
 
-What stands in a page as a file of C++ compiles.
+What stands in a page as a file of C++ compiles. A file engines/NAME.cpp defines the function that CMake calls for NAME.
 """
 
 import re
@@ -11,11 +11,14 @@ import sys
 
 def main(page, compiler, *flags):
     with open(page) as text:
-        blocks = re.findall(r"```cpp\n(.*?)```", text.read(), re.DOTALL)
+        content = text.read()
+    blocks = re.findall(r"```cpp\n(.*?)```", content, re.DOTALL)
+    engines = re.findall(r"engines/(\w+)\.cpp`:\n\n```cpp\n(.*?)```", content, re.DOTALL)
     failed = sum(subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *flags,
                                  "-x", "c++", "-"], input=block, text=True).returncode != 0 for block in blocks)
+    failed += sum(f"\nvoid add_{name}(MethodList& list) {{" not in block for name, block in engines)
     print(f"{len(blocks)} blocks, {failed} fail")
-    return 1 if failed or not blocks else 0
+    return 1 if failed or not blocks or not engines else 0
 
 
 if __name__ == "__main__":

@@ -54,7 +54,7 @@ void expect_smaller_and_failing(const cases::Method& method, const Stored& store
   const auto still = wrong(method, small);
   ASSERT_FALSE(failure.keys().empty()) << stored;
   for (const cases::Key key : failure.keys())
-    EXPECT_EQ(std::ranges::count(still.keys, key), 1) << stored << ": " << to_string(key);
+    EXPECT_EQ(std::ranges::count(still.keys, key), 1) << stored << ": " << key.name;
 }
 
 void expect_shrunk_once(const cases::Method& method, const Stored& stored) {
@@ -129,11 +129,11 @@ TEST(ShrinkOf, WordsStayAsTheyWere) {
   const cases::Method& fast = *methods::find_method("fast");
   for (const Stored* stored : failed_by("fast", 40)) {
     const auto before = wrong(fast, stored->shapes());
-    if (std::ranges::count(before.keys, cases::Key::Relation) == 0) continue;
+    if (std::ranges::count(before.keys, key_of(&cases::PartialAnswer::relation)) == 0) continue;
     const Shapes small = shrunk(fast, stored->shapes());
     EXPECT_EQ(exact::relation(small.ball, small.polygon), stored->answer->relation) << *stored;
     const auto after = wrong(fast, small);
-    EXPECT_EQ(std::ranges::count(after.keys, cases::Key::Relation), 1) << *stored;
+    EXPECT_EQ(std::ranges::count(after.keys, key_of(&cases::PartialAnswer::relation)), 1) << *stored;
     EXPECT_EQ(after.answer.relation, before.answer.relation) << *stored;
   }
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The contract's formulas over numbers that are sure: intervals and rationals.
 #include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
 
 #include "experiments/methods/add_methods.h"
 #include "experiments/methods/plain_formulas.h"
@@ -7,6 +9,19 @@
 
 namespace touchstone::methods {
 namespace {
+
+struct Intervals {
+  using Number = CGAL::Interval_nt_advanced;  // rounds upwards only within a Guard
+  using Guard = Number::Protector;
+  static constexpr std::string_view kName = "interval", kStage = "interval",
+                                    kSummary = "the contract's formulas over intervals of doubles: sure, or don't know";
+  static constexpr bool kSlow = false;
+
+  static std::optional<double> nearest_double(const Number& x) {
+    return x.is_point() ? std::optional(x.inf()) : std::nullopt;
+  }
+  static std::optional<double> nearest_root(const Number& x) { return nearest_double(CGAL::sqrt(x)); }
+};
 
 struct Rationals {
   using Number = CGAL::Gmpq;
@@ -25,6 +40,9 @@ struct Rationals {
 
 }  // namespace
 
-void add_rational(std::vector<std::unique_ptr<Method>>& list) { list.push_back(std::make_unique<Plain<Rationals>>()); }
+void add_plain(MethodList& list) {
+  list.push_back(std::make_unique<Plain<Intervals>>());
+  list.push_back(std::make_unique<Plain<Rationals>>());
+}
 
 }  // namespace touchstone::methods

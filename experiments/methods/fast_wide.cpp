@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The code of `fast` over numbers that are wider than those of the library.
+#include <qd/dd_real.h>
+
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
@@ -20,7 +23,12 @@ static_assert(std::numeric_limits<Mpfr<30>>::digits == 101 && std::numeric_limit
 
 }  // namespace
 
-void add_fast_mpfr(std::vector<std::unique_ptr<Method>>& list) {
+// With QD as configured by Debian, sums that cancel keep the error of their larger term, and quotients are not fully
+// rounded. The range is that of double. QD assumes rounding to nearest; x87 would also need fpu_fix_start, but
+// FLT_EVAL_METHOD is 0.
+void add_fast_wide(MethodList& list) {
+  list.push_back(std::make_unique<Fast<dd_real>>("fast-double-double", "double-double",
+                                                 "the code of fast over double-doubles (QD), 104 bits"));
   list.push_back(
       std::make_unique<Fast<Mpfr<30>>>("fast-mpfr-101", "mpfr", "the code of fast over MPFR numbers of 101 bits"));
   list.push_back(
