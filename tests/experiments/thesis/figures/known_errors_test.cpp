@@ -2,7 +2,7 @@
 // How often the thesis's method errs on non-convex outlines: the digits stated for it, measured again.
 //
 // A stated share is one observation [D]: w / r, of w wrong and r right answers in n random samples, rounded to the
-// digits printed. Ours is another, and may differ by what stated_share.h allows: a confidence of 99.994 % a comparison,
+// digits printed. Ours is another, and may differ by what entry.h allows: a confidence of 99.994 % a comparison,
 // 99.8 % for all 28. The seed is fixed: a comparison that passes passes always.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/studies/stability/false_areas.h"
-#include "experiments/thesis/figures/stated_share.h"
+#include "experiments/thesis/figures/entry.h"
 #include "geometry/contact/fast.h"
 #include "geometry/contact/thesis.h"
 

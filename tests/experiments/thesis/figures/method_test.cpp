@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "experiments/studies/stability/angle_sum.h"
+#include "experiments/thesis/figures/entry.h"
 #include "experiments/thesis/figures/flowchart.h"
 #include "experiments/thesis/figures/known_errors.h"
-#include "experiments/thesis/figures/stated_share.h"
 #include "geometry/contact/thesis.h"
 
 #ifndef TOUCHSTONE_SAMPLES
