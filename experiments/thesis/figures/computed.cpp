@@ -12,10 +12,10 @@
 #include <variant>
 
 #include "experiments/cases/workloads/degrees.h"
-#include "experiments/studies/stability/angle_sum.h"
 #include "experiments/thesis/cell/kinematics/aristo.h"
 #include "experiments/thesis/cell/model/reach.h"
 #include "experiments/thesis/cell/simulation/arm.h"
+#include "experiments/thesis/figures/angle_sum.h"
 
 namespace touchstone::figures {
 namespace {
@@ -60,9 +60,8 @@ void compute_points(const Study& study, Computed& computed) {
   numbers["foot, doubles"] = study.feet.in_doubles;
   numbers["foot, floats"] = study.feet.in_floats;
   numbers["foot, balls"] = study.feet.samples;
-  const stability::GripperPoints points = stability::gripper_points(study.gripper());
-  const stability::AngleSum palm = stability::angle_sum(study.gripper(), points.palm),
-                            gap = stability::angle_sum(study.gripper(), points.gap);
+  const GripperPoints points = gripper_points(study.gripper());
+  const AngleSum palm = angle_sum(study.gripper(), points.palm), gap = angle_sum(study.gripper(), points.gap);
   numbers["palm, sum"] = palm.unsigned_sum;
   numbers["palm, with signs"] = palm.signed_sum;
   numbers["gap, sum"] = gap.unsigned_sum;

@@ -23,7 +23,7 @@ Value ratio(std::uint64_t wrong, std::uint64_t right, std::uint64_t samples) {
 
 /// The points of the gripper's gap in the map of angle sums.
 void compute_gap(const Study& study, Computed& computed) {
-  const stability::GripperPoints points = stability::gripper_points(study.gripper());
+  const GripperPoints points = gripper_points(study.gripper());
   double least = 720;
   std::uint64_t in_gap = 0, called = 0;
   const auto& corners = study.gripper().corners;
@@ -32,7 +32,7 @@ void compute_gap(const Study& study, Computed& computed) {
                         })->first;
   const double gap_right = 2 * points.gap.x() - gap_left, bottom = bounds(study.gripper()).bottom,
                end = 2 * points.gap.y() - bottom;
-  for (const stability::MapPoint& p : study.map.points) {
+  for (const MapPoint& p : study.map.points) {
     if (p.x < gap_left || p.x > gap_right || p.y < bottom || p.y > end || p.inside) continue;
     ++in_gap;
     called += p.called;
@@ -50,7 +50,7 @@ void compute_areas(const Study& study, Computed& computed) {
     const std::string name(study.outlines[i].name);
     auto &area = computed.numbers["area: " + name], &hull = computed.numbers["hull: " + name];
     if (study.areas.empty()) continue;
-    const stability::FalseArea& its = study.areas[i];
+    const FalseArea& its = study.areas[i];
     area = ratio(its.wrong, its.right, its.points);
     if (i > 0) missed += its.missed, inside += its.right + its.missed;
     const ConvexCover cover = convex_cover(*its.outline);

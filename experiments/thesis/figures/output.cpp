@@ -87,7 +87,7 @@ ordered_json drawing(const Study& study) {
   const cell::Cell& cell = study.cell;
   ordered_json moments = ordered_json::object(), outlines = ordered_json::object();
   for (const CaseStudy& its : study.cases) moments.update(drawn_moments(its));
-  for (const stability::Outline& outline : study.outlines) outlines[std::string(outline.name)] = outline.corners;
+  for (const Outline& outline : study.outlines) outlines[std::string(outline.name)] = outline.corners;
   ordered_json joints = ordered_json::array(), links = ordered_json::array();
   for (const cell::Joint& joint : study.cell.robot.joints)
     joints.push_back({{"name", joint.name}, {"lower", joint.lower}, {"upper", joint.upper}, {"home", joint.home}});
