@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: plain_english.py SOURCE [--not-yet]
+"""Usage: plain_english.py SOURCE
        plain_english.py --self-test
 
 Refuses turns of phrase that readers stumble over, in the prose of pages, the comments and string literals of C++, the
 string literals of the report's Python, the paper, and the two commands. Names file and line, and what to write instead.
-Exit status 1 if it finds one. --not-yet searches the files that are still exempt, and only those.
+Exit status 1 if it finds one.
 """
 
 import contextlib
-import fnmatch
 import io
 import pathlib
 import re
@@ -38,11 +37,6 @@ BANNED = [
     (r"(?:^|(?<=[.;:] ))nor\b", "the usual order of words", "Nor were others wrong."),
     (r"(?:^|(?<=[.;:] ))of the (?:last|first|former|latter)\b", "the usual order of words", "Of the last alone bounds are proved."),
     (r"^(?:What|Of) (?#docstring)", "a verb for a function, a noun phrase for a type", "/// What a way came to nothing by."),
-]
-
-NOT_YET = [  # the files that are exempt
-    "experiments/thesis/figures/captions.cpp",  # the thesis's own words
-    "experiments/thesis/figures/*_entries.cpp",  # these write their texts into data files, which stay
 ]
 
 ONLY_IN_DOCSTRINGS = "(?#docstring)"
@@ -129,18 +123,11 @@ def files(root):
     return sorted(found)
 
 
-def is_exempt(name):
-    return any(fnmatch.fnmatchcase(name, pattern) for pattern in NOT_YET)
-
-
-def main(root, *options):
+def main(root):
     root, faults, searched = pathlib.Path(root), [], 0
-    names = {file.relative_to(root).as_posix(): file for file in files(root)}
-    for name, file in names.items():
-        if is_exempt(name) == ("--not-yet" in options):
-            searched += 1
-            faults += [fault for _, fault in faults_of(name, file.read_text())]
-    faults += [f"NOT_YET: no file matches {pattern}" for pattern in NOT_YET if not fnmatch.filter(names, pattern)]
+    for file in files(root):
+        searched += 1
+        faults += [fault for _, fault in faults_of(file.relative_to(root).as_posix(), file.read_text())]
     print("\n".join([*faults, f"{searched} files, {len(faults)} faults"]))
     return 1 if faults or not searched else 0
 

@@ -53,23 +53,6 @@ const run::Table<ContractionRow>& contraction_table() {
   return table;
 }
 
-const run::Table<FalseArea>& areas_table() {
-  const auto limit = [](double statistics::Limits::*side) {
-    return [side](const FalseArea& area) { return area.limits().*side; };
-  };
-  static const run::Table<FalseArea> table(
-      "areas.csv", "an outline: the points that the thesis's sum of angles calls inside",
-      {{"outline", "the outline", [](const FalseArea& area) { return area.outline->name; }},
-       {"points", "random points", &FalseArea::points},
-       {"rightly_inside", "inside, and said to be", &FalseArea::right},
-       {"wrongly_inside", "outside, but said to be inside", &FalseArea::wrong},
-       {"missed", "inside, but said to be outside", &FalseArea::missed},
-       {"share", "the outside area that is called inside, relative to the outline's", &FalseArea::share, "{:.6g}"},
-       {"lower", "its lower limit", limit(&statistics::Limits::lower), "{:.6g}"},
-       {"upper", "its upper limit", limit(&statistics::Limits::upper), "{:.6g}"}});
-  return table;
-}
-
 }  // namespace
 
 void write_known(const std::filesystem::path& folder, const Known& known) {
@@ -86,17 +69,10 @@ void write_known(const std::filesystem::path& folder, const Known& known) {
   for (const ContractionCount& c : known.contractions)
     contractions.push_back({c, run::rate(c.plain_wrong, c.trials), run::rate(c.fused_wrong, c.trials)});
   contraction_table().write(folder, contractions);
-  areas_table().write(folder, known.areas);
-}
-
-std::string areas_text(const std::vector<FalseArea>& areas) {
-  if (areas.empty()) return {};
-  return "\nThe thesis's sum of angles: the outside area that it calls inside, relative to the outline's own\n" +
-         areas_table().aligned(areas);
 }
 
 std::vector<run::TableDescription> known_tables() {
-  return {onset_table().description(), contraction_table().description(), areas_table().description()};
+  return {onset_table().description(), contraction_table().description()};
 }
 
 }  // namespace touchstone::stability

@@ -7,7 +7,6 @@
 
 #include "experiments/run/table.h"
 #include "experiments/studies/stability/contraction.h"
-#include "experiments/studies/stability/false_areas.h"
 #include "experiments/studies/stability/onset.h"
 #include "experiments/studies/stability/summary.h"
 
@@ -17,7 +16,6 @@ namespace touchstone::stability {
 struct Known {
   Onset onset;
   std::vector<ContractionCount> contractions;
-  std::vector<stability::FalseArea> areas;
 };
 
 // Results only: byte for byte the same for the same settings, whatever the threads and processes. Each throws
@@ -38,8 +36,6 @@ void write_known(const std::filesystem::path& folder, const Known& known);
 [[nodiscard]] std::vector<run::TableDescription> known_tables();
 /// @}
 
-/// Returns the table of false areas for the terminal, with the columns of areas.csv; empty without areas.
-[[nodiscard]] std::string areas_text(const std::vector<FalseArea>& areas);
 /// Returns the tables for the terminal, with their legend.
 [[nodiscard]] std::string table(const Settings& settings, const Summary& summary, const Known& known);
 

@@ -62,13 +62,9 @@ int run_stability(run::StudyRun& run, const Options& options) {
                                    find_onset(settings.methods, triangles, settings.seed, settings.threads, control,
                                               onset);
                                  }),
-              .contractions = {},
-              .areas = {}};
+              .contractions = {}};
   if (!run.first()) return 0;
   known.contractions = count_contractions(run.stopped() ? 0 : 50 * settings.samples, settings.seed);
-  if (!run.stopped())
-    for (const auto& outline : outlines())
-      known.areas.push_back(measure_false_area(outline, 500 * settings.samples, settings.seed));
   write_failures(run.folder(), settings, summary);
   write_errors(run.folder(), settings, summary);
   write_bounds(run.folder(), settings, summary);

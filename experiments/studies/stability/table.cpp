@@ -294,7 +294,7 @@ std::string table(const Settings& settings, const Summary& summary, const Known&
   text += "\nThe largest relative error of the distance (inf: not finite)\n" + largest_errors(settings, summary) +
           "\n" + totals(settings, summary);
   return text + bounds_table(summary) + onset_table(known.onset) + contraction_table(known.contractions) +
-         areas_text(known.areas) + legend(settings);
+         legend(settings);
 }
 
 }  // namespace touchstone::stability

@@ -5,9 +5,9 @@
 
 namespace touchstone::figures {
 
-ConvexCover convex_cover(const stability::Outline& outline) {
+ConvexCover convex_cover(const Outline& outline) {
   const Polygon polygon = outline.polygon(), hull = methods::convex_hull(polygon);
-  stability::Outline around{outline.name, {}};
+  Outline around{outline.name, {}};
   for (std::size_t i = 0; i < hull.vertex_count(); ++i)
     around.corners.emplace_back(hull.vertex(i).x(), hull.vertex(i).y());
   return {around.area() / outline.area() - 1, methods::convex_parts(polygon).size()};

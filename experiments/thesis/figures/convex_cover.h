@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "experiments/studies/stability/outlines.h"
+#include "experiments/thesis/figures/outlines.h"
 
 namespace touchstone::figures {
 
@@ -12,6 +12,6 @@ struct ConvexCover {
   double hull;        ///< the area in the hull outside the outline, relative to the outline's
   std::size_t parts;  ///< convex parts, which together are the outline
 };
-[[nodiscard]] ConvexCover convex_cover(const stability::Outline& outline);
+[[nodiscard]] ConvexCover convex_cover(const Outline& outline);
 
 }  // namespace touchstone::figures

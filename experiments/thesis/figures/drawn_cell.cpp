@@ -45,9 +45,9 @@ const Polygon& front_face(const std::vector<cell::ModelPart>& parts) {
 
 }  // namespace
 
-stability::Outline gripper_outline(const std::vector<cell::ModelPart>& parts) {
+Outline gripper_outline(const std::vector<cell::ModelPart>& parts) {
   const Polygon& face = front_face(parts);
-  stability::Outline outline{"gripper", {}};
+  Outline outline{"gripper", {}};
   for (std::size_t i = 0; i < face.vertex_count(); ++i)
     outline.corners.emplace_back(face.vertex(i).x(), face.vertex(i).z());
   return outline;

@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "experiments/studies/stability/outlines.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/figures/case_study.h"
+#include "experiments/thesis/figures/outlines.h"
 
 /// The cell in the form that pictures need.
 namespace touchstone::figures {
 
 /// Returns the largest face of the gripper with most corners, its jaws side by side, as a counter-clockwise loop in its
 /// own plane: x along the cell's, y up.
-[[nodiscard]] stability::Outline gripper_outline(const std::vector<cell::ModelPart>& parts);
+[[nodiscard]] Outline gripper_outline(const std::vector<cell::ModelPart>& parts);
 /// Returns the same face with the flange at a pose.
 [[nodiscard]] Polygon gripper_face(const std::vector<cell::ModelPart>& parts, const Pose& flange);
 

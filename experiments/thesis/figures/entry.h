@@ -2,14 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "experiments/run/statistics/clopper_pearson.h"
 #include "experiments/thesis/cell/model/cell.h"
-#include "experiments/thesis/figures/captions.h"
+#include "experiments/thesis/figures/computed.h"
 
 namespace touchstone::figures {
 
@@ -24,29 +24,21 @@ enum class Basis {
 };
 /// `fitted`, `input`, `own check`, `other source`.
 [[nodiscard]] std::string_view to_string(Basis basis);
+/// Returns the source of a number that is stated with this basis.
+[[nodiscard]] Label label_of(Basis basis);
 
 /// A number that an entry reproduces.
 struct Number {
   std::string what, unit;
-  double ours;
-  bool chosen = false;                         ///< whether our number depends on chosen values
-  std::optional<statistics::Limits> limits{};  ///< 95 %, if ours is a share of random samples
-  std::uint64_t samples = 0;                   ///< the number of these samples
-  std::optional<double> stated{};              ///< as stated in the thesis or elsewhere, or as derived
-  double tolerance = 0;                        ///< the largest difference that counts as agreement
-  std::optional<Label> label{};                ///< the source of the stated number
-  std::optional<Basis> basis{};                ///< set with the stated number
+  Value ours;
+  bool chosen = false;             ///< whether our number depends on chosen values
+  std::optional<double> stated{};  ///< as stated in the thesis or elsewhere, or as derived
+  double tolerance = 0;            ///< the largest difference that counts as agreement
+  std::optional<Basis> basis{};    ///< set with the stated number
 
   /// Returns whether ours agrees with the stated number; nothing if none is stated.
   [[nodiscard]] std::optional<bool> agrees() const;
 };
-
-/// Returns a number without a stated counterpart.
-[[nodiscard]] Number found(std::string what, std::string unit, double ours, bool chosen);
-/// Returns a share in percent of random samples, with its limits.
-[[nodiscard]] Number share(std::string what, std::uint64_t count, std::uint64_t samples, bool chosen);
-/// Returns the number with a stated counterpart, whose basis is by its label Input, OtherSource or OwnCheck.
-[[nodiscard]] Number beside(Number ours, Label label, double stated, double tolerance = 0);
 
 enum class Status {
   Reproduced,     ///< from the thesis's text, public sources and arithmetic alone
@@ -55,9 +47,11 @@ enum class Status {
   NotComputable,  ///< has no number, or no public one
 };
 
-/// The result for a figure or table.
+/// The result for a figure or table, as the thesis's own lists name it, or for one of ours on the errors of its method.
 struct Entry {
-  const Caption* caption;
+  std::string id;       ///< `4.3`, `table 6.1`, `E.2`
+  std::string caption;  ///< as cited; for our own figures, their subject
+  int page;             ///< of the thesis; 0 for our own
   Status status;
   std::string text;             ///< what was done, or why nothing can be done
   std::vector<Number> numbers;  ///< also for photographs, if captions name some
@@ -71,5 +65,38 @@ struct Entry {
   /// Returns the name of its files, without extension: `4-3`, `table-6-1`, `E-2`.
   [[nodiscard]] std::string file_stem() const;
 };
+
+/// A stated share w / r of w wrong and r right positive answers, from `samples` random samples, rounded to `unit`.
+struct StatedShare {
+  double share, unit;
+  std::uint64_t samples;
+};
+
+/// Returns by how much our share, w' / r' of n' samples, may differ from a stated one, of n samples, if both estimate
+/// the same p:
+///
+///     4 sqrt(v + v') + u / 2,   v = (p / r) (1 + p)   (delta method, w and r being two counts of one multinomial),
+///
+/// where u is the unit, r = r' n / n', and p is estimated from both sides together, so that a small sample of ours with
+/// few wrong answers by chance does not narrow the result. Four standard deviations are a confidence of 99.994 % for
+/// large counts. A count of 0 wrong answers on either side is taken as 1. Requires right > 0.
+[[nodiscard]] double tolerance(std::uint64_t wrong, std::uint64_t right, std::uint64_t samples,
+                               const StatedShare& stated);
+
+/// Returns the entries of figures.json with what was computed: figures 2.1 to 6.31 and tables 5.1 to 6.2 in the
+/// thesis's order, each chapter's tables after its figures, then ours. [arshad2008, lists of figures and of tables]
+///
+/// Each entry of the file has an id, a caption, a page unless it is ours, a status, a text, what its picture shows, if
+/// there is one, and numbers. `{name}` in a text or in what a number is stands for a computed text or number. A number
+/// has the name of what is computed; what it is; a unit; whether it rests on chosen values; and, if one is stated, the
+/// stated number with its basis and a tolerance: each a number, or the name of one. For a ratio that was stated of
+/// random samples, `stated samples` and what it is `rounded to` give the tolerance. Numbers that were
+/// not measured are left out.
+///
+/// Throws cell::BadCell, which names the file, the entry and the key, if the file is malformed, or if nothing computes
+/// what it names.
+[[nodiscard]] std::vector<Entry> read_entries(const std::filesystem::path& file, const Computed& computed);
+/// The same for a study and the file that comes with the program.
+[[nodiscard]] std::vector<Entry> entries_of(const Study& study);
 
 }  // namespace touchstone::figures

@@ -32,9 +32,9 @@ End turned(End end) {
   return end;
 }
 
-bool in_box(const Ball& ball, const stability::Box& box) {
+bool in_box(const Ball& ball, const Box& box) {
   const auto& c = ball.center;
-  const stability::Box reach = box.enlarged(ball.radius, ball.radius);
+  const Box reach = box.enlarged(ball.radius, ball.radius);
   return c.x() >= reach.left && c.x() <= reach.right && c.y() >= reach.bottom && c.y() <= reach.top &&
          std::abs(c.z()) <= ball.radius;
 }
@@ -89,15 +89,15 @@ std::uint64_t Ends::misses() const {
   return sum(*this, [](End method, End exact) { return !is_hit(method) && is_hit(exact); });
 }
 
-Flowchart measure_flowchart(const stability::Outline& outline, double radius, std::uint64_t balls, std::uint64_t seed,
+Flowchart measure_flowchart(const Outline& outline, double radius, std::uint64_t balls, std::uint64_t seed,
                             std::uint64_t stream) {
   Flowchart flowchart{&outline, radius};
   const Polygon polygon = outline.polygon();
-  const stability::Box bounds = stability::bounds(outline);
-  const double r = radius * std::max(bounds.width(), bounds.height());
-  const stability::Box box = bounds.enlarged(3 * r, 3 * r);
+  const Box inner = bounds(outline);
+  const double r = radius * std::max(inner.width(), inner.height());
+  const Box box = inner.enlarged(3 * r, 3 * r);
   const auto truth = prepare("filtered", polygon);
-  const Ball far{{bounds.left, bounds.bottom, 2 * r}, r};
+  const Ball far{{inner.left, inner.bottom, 2 * r}, r};
   std::array<std::unique_ptr<PreparedMethod>, kMethods.size()> prepared;
   std::array<bool, kMethods.size()> swapped{};
   for (std::size_t m = 0; m < kMethods.size(); ++m) {
@@ -112,7 +112,7 @@ Flowchart measure_flowchart(const stability::Outline& outline, double radius, st
     for (std::size_t m = 0; m < kMethods.size(); ++m) {
       const End end = end_of(*prepared[m], ball);
       flowchart.methods[m].add(end, swapped[m] ? turned(exact) : exact);
-      if (m == 0 && is_hit(end) && !is_hit(exact) && !in_box(ball, bounds)) ++flowchart.culled;
+      if (m == 0 && is_hit(end) && !is_hit(exact) && !in_box(ball, inner)) ++flowchart.culled;
     }
   }
   return flowchart;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/studies/stability/outlines.h"
+#include "experiments/thesis/figures/outlines.h"
 
 namespace touchstone::figures {
 
@@ -47,7 +47,7 @@ inline constexpr std::array kRadii{0.002, 0.01, 0.05, 0.1};
 
 /// The results for one outline and radius.
 struct Flowchart {
-  const stability::Outline* outline;
+  const Outline* outline;
   double radius;  ///< as a share of the outline's largest extent
   std::array<Ends, kMethods.size()> methods{};
   std::uint64_t culled = 0;  ///< false hits of `thesis` whose ball misses the box around the outline
@@ -59,7 +59,7 @@ struct Flowchart {
 /// Front is the side that the method calls so: one far ball determines it for each method, and the exact sides are
 /// named accordingly. The truth is `filtered`. A function of its arguments; streams keep the random numbers of
 /// workloads apart. Cost: about 10 us per ball.
-[[nodiscard]] Flowchart measure_flowchart(const stability::Outline& outline, double radius, std::uint64_t balls,
+[[nodiscard]] Flowchart measure_flowchart(const Outline& outline, double radius, std::uint64_t balls,
                                           std::uint64_t seed, std::uint64_t stream);
 
 }  // namespace touchstone::figures

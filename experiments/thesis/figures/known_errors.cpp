@@ -26,25 +26,25 @@ struct Edge {
   [[nodiscard]] Eigen::Vector3d outward() const { return Eigen::Vector3d(along().y(), -along().x(), 0).normalized(); }
 };
 
-Edge edge_of(const stability::Outline& outline, std::size_t i) {
+Edge edge_of(const Outline& outline, std::size_t i) {
   const auto& [x0, y0] = outline.corners[i];
   const auto& [x1, y1] = outline.corners[(i + 1) % outline.corners.size()];
   return {{x0, y0, 0}, {x1, y1, 0}};
 }
 
-Edge random_edge(const stability::Outline& outline, Random& random) {
+Edge random_edge(const Outline& outline, Random& random) {
   return edge_of(outline,
                  static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(outline.corners.size()) - 1)));
 }
 
 /// Draws a ball of a flowchart's workload.
-Ball random_ball(const stability::Box& bounds, double radius, Random& random) {
+Ball random_ball(const Box& bounds, double radius, Random& random) {
   Ball ball{bounds.enlarged(3 * radius, 3 * radius).point(random), radius};
   ball.center.z() = 1.5 * radius * (2 * random.unit() - 1);
   return ball;
 }
 
-double extent(const stability::Box& box) { return std::max(box.width(), box.height()); }
+double extent(const Box& box) { return std::max(box.width(), box.height()); }
 
 /// u.v / |u||v| at a point of an edge, as the method computes it.
 template <class Scalar>
@@ -56,7 +56,7 @@ bool is_not_number(const Edge& edge, const Eigen::Vector3d& point) {
 
 }  // namespace
 
-std::vector<FactorReach> measure_factor_reach(const stability::Outline& outline) {
+std::vector<FactorReach> measure_factor_reach(const Outline& outline) {
   std::vector<FactorReach> all;
   const Polygon polygon = outline.polygon();
   for (const double factor : {0.99, 0.9999, 1.0}) {
@@ -84,14 +84,14 @@ double derived_factor_reach(double length, double factor) {
   return length * workloads::cosine(90 * factor) / (2 * workloads::sine(90 * factor));
 }
 
-NotNumbers measure_not_numbers(const stability::Outline& outline, std::uint64_t samples, std::uint64_t seed) {
+NotNumbers measure_not_numbers(const Outline& outline, std::uint64_t samples, std::uint64_t seed) {
   NotNumbers result;
-  const double scale = 1000 / extent(stability::bounds(outline));
+  const double scale = 1000 / extent(bounds(outline));
   for (std::uint64_t i = 0; i < samples; ++i) {
     Random random(seed, i, kNotNumbers);
     // A turn by rational numbers: no function of the C library.
     const double t = 2 * random.unit() - 1, c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-    stability::Outline turned{outline.name, {}};
+    Outline turned{outline.name, {}};
     const auto rounded = [](double x) { return static_cast<double>(static_cast<float>(x)); };
     for (const auto& [x, y] : outline.corners)
       turned.corners.emplace_back(rounded(scale * (c * x - s * y)), rounded(scale * (s * x + c * y)));
@@ -110,12 +110,12 @@ NotNumbers measure_not_numbers(const stability::Outline& outline, std::uint64_t 
   return result;
 }
 
-Touching measure_touching(const stability::Outline& outline, Touched what, std::uint64_t samples, std::uint64_t seed) {
+Touching measure_touching(const Outline& outline, Touched what, std::uint64_t samples, std::uint64_t seed) {
   const Polygon polygon = outline.polygon();
   const filtered::PreparedPolygon truth(polygon);
   const thesis::PreparedPolygon<> strict(polygon), closed(polygon, {.comparison = thesis::Comparison::Closed}),
       signed_angles(polygon, {.angles = thesis::Angles::Signed});
-  const stability::Box box = stability::bounds(outline);
+  const Box box = bounds(outline);
   Touching result;
   for (std::uint64_t i = 0; i < samples; ++i) {
     Random random(seed, i, kTouching + static_cast<std::uint64_t>(what));
@@ -145,15 +145,15 @@ Touching measure_touching(const stability::Outline& outline, Touched what, std::
   return result;
 }
 
-Collinear measure_collinear(const stability::Outline& outline, std::uint64_t samples, std::uint64_t seed) {
-  stability::Outline begun = outline;
+Collinear measure_collinear(const Outline& outline, std::uint64_t samples, std::uint64_t seed) {
+  Outline begun = outline;
   const Edge first = edge_of(outline, 0);
   const Eigen::Vector3d middle = (first.start + first.end) / 2;
   begun.corners.insert(begun.corners.begin() + 1, {middle.x(), middle.y()});
   const Polygon polygon = begun.polygon();
   const filtered::PreparedPolygon truth(polygon);
   const thesis::PreparedPolygon<> method(polygon), newell(polygon, {.normal = thesis::Normal::Newell});
-  const stability::Box box = stability::bounds(outline);
+  const Box box = bounds(outline);
   Collinear result;
   for (std::uint64_t i = 0; i < samples; ++i) {
     Random random(seed, i, kCollinear);
@@ -166,7 +166,7 @@ Collinear measure_collinear(const stability::Outline& outline, std::uint64_t sam
   return result;
 }
 
-FarAway measure_far_away(const stability::Outline& outline, double offset, std::uint64_t samples, std::uint64_t seed) {
+FarAway measure_far_away(const Outline& outline, double offset, std::uint64_t samples, std::uint64_t seed) {
   Eigen::Matrix3d tilt;  // a rotation except for rounding: in the plane of axes, s would lose nothing
   tilt << 2, -2, 1, 1, 2, 2, -2, -1, 2;
   tilt /= 3;
@@ -181,7 +181,7 @@ FarAway measure_far_away(const stability::Outline& outline, double offset, std::
   const thesis::PreparedPolygon<double> in_doubles(polygon, options);
   const thesis::PreparedPolygon<float> in_floats(polygon, options);
   const fast::PreparedPolygon<> fast(polygon);
-  const stability::Box box = stability::bounds(outline);
+  const Box box = bounds(outline);
   FarAway result{offset};
   for (std::uint64_t i = 0; i < samples; ++i) {
     Random random(seed, i, kFarAway);
@@ -225,13 +225,12 @@ FootErrors measure_foot_errors(const Polygon& polygon, double radius, std::uint6
   return errors;
 }
 
-EdgePlaces measure_edge_places(const stability::Outline& outline, double radius, std::uint64_t balls,
-                               std::uint64_t seed) {
+EdgePlaces measure_edge_places(const Outline& outline, double radius, std::uint64_t balls, std::uint64_t seed) {
   const Polygon polygon = outline.polygon();
   const filtered::PreparedPolygon truth(polygon);
   const thesis::PreparedPolygon<double> in_doubles(polygon);
   const thesis::PreparedPolygon<float> in_floats(polygon);
-  const stability::Box box = stability::bounds(outline);
+  const Box box = bounds(outline);
   EdgePlaces places;
   for (std::uint64_t i = 0; i < balls; ++i) {
     Random random(seed, i, kEdges);

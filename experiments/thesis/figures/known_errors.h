@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/studies/stability/outlines.h"
+#include "experiments/thesis/figures/outlines.h"
 
 /// The known errors of the thesis's method except for its angle sum, each measured on one outline. All functions depend
 /// on their arguments only; the truth is `filtered`. Cost: some microseconds per sample.
@@ -20,7 +20,7 @@ struct FactorReach {
   double reach;  ///< to 1e-12 of the length
 };
 /// Measures it for every edge and the factors 0.99, 0.9999 and 1.
-[[nodiscard]] std::vector<FactorReach> measure_factor_reach(const stability::Outline& outline);
+[[nodiscard]] std::vector<FactorReach> measure_factor_reach(const Outline& outline);
 /// Returns length / (2 tan(90 degrees x factor)): the distance for a convex outline, at a single visible edge.
 [[nodiscard]] double derived_factor_reach(double length, double factor);
 
@@ -31,8 +31,7 @@ struct NotNumbers {
   std::uint64_t called_outside = 0;  ///< the number of those in floats that the method in floats calls outside
   std::uint64_t misses = 0;          ///< the number of those at which it misses the contact of a ball of radius 1
 };
-[[nodiscard]] NotNumbers measure_not_numbers(const stability::Outline& outline, std::uint64_t samples,
-                                             std::uint64_t seed);
+[[nodiscard]] NotNumbers measure_not_numbers(const Outline& outline, std::uint64_t samples, std::uint64_t seed);
 
 /// The results for balls that touch in exactly one point.
 struct Touching {
@@ -43,7 +42,7 @@ struct Touching {
 };
 enum class Touched { Face, Edge, Vertex };
 /// Requires an outline whose corners are whole numbers below 2^20, its edges 8 or longer and along the axes.
-[[nodiscard]] Touching measure_touching(const stability::Outline& outline, Touched what, std::uint64_t samples,
+[[nodiscard]] Touching measure_touching(const Outline& outline, Touched what, std::uint64_t samples,
                                         std::uint64_t seed);
 
 /// The results for the outline started with an additional vertex in the middle of its first edge, which changes only N.
@@ -52,7 +51,7 @@ struct Collinear {
   std::uint64_t missed = 0;         ///< by the original method
   std::uint64_t missed_newell = 0;  ///< with the Newell normal
 };
-[[nodiscard]] Collinear measure_collinear(const stability::Outline& outline, std::uint64_t samples, std::uint64_t seed);
+[[nodiscard]] Collinear measure_collinear(const Outline& outline, std::uint64_t samples, std::uint64_t seed);
 
 /// The results for the outline and balls around it, tilted and moved by `offset` along every axis, all rounded to
 /// doubles; the truth is for the rounded input.
@@ -63,7 +62,7 @@ struct FarAway {
   /// in floats, and of `fast`.
   std::array<std::uint64_t, 3> wrong{};
 };
-[[nodiscard]] FarAway measure_far_away(const stability::Outline& outline, double offset, std::uint64_t samples,
+[[nodiscard]] FarAway measure_far_away(const Outline& outline, double offset, std::uint64_t samples,
                                        std::uint64_t seed);
 
 /// The errors of feet Q = C - s N of balls near a polygon anywhere in space, compared with the correctly rounded ones,
@@ -82,7 +81,7 @@ struct EdgePlaces {
   std::uint64_t before = 0, beside = 0, beyond = 0;  ///< t clamped to the start; within; clamped to the end
   std::array<std::uint64_t, 2> wrong{};  ///< edge tests of `thesis` and `thesis-float` that differ from the exact ones
 };
-[[nodiscard]] EdgePlaces measure_edge_places(const stability::Outline& outline, double radius, std::uint64_t balls,
+[[nodiscard]] EdgePlaces measure_edge_places(const Outline& outline, double radius, std::uint64_t balls,
                                              std::uint64_t seed);
 
 }  // namespace touchstone::figures

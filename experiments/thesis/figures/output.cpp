@@ -28,12 +28,10 @@ const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 const run::Table<Entry>& entries_csv() {
   static const run::Table<Entry> table(
       "entries.csv", "a figure or table",
-      {{"id", "its number", [](const Entry& entry) { return entry.caption->id; }},
-       {"caption", "its caption", [](const Entry& entry) { return entry.caption->text; }},
+      {{"id", "its number", &Entry::id},
+       {"caption", "its caption", &Entry::caption},
        {"page", "of the thesis",
-        [](const Entry& entry) {
-          return entry.caption->page == 0 ? std::nullopt : std::optional(entry.caption->page);
-        }},
+        [](const Entry& entry) { return entry.page == 0 ? std::nullopt : std::optional(entry.page); }},
        {"status", "whether it was reproduced", &Entry::status_words},
        {"text", "what was done, or why nothing can be done", &Entry::text},
        {"picture", "the file of our picture",
@@ -50,7 +48,7 @@ struct NumberRow {
 const run::Table<NumberRow>& numbers_csv() {
   const auto limit = [](double statistics::Limits::*side) {
     return [side](const NumberRow& row) {
-      return row.number->limits ? std::optional((*row.number->limits).*side) : std::nullopt;
+      return row.number->ours.limits ? std::optional((*row.number->ours.limits).*side) : std::nullopt;
     };
   };
   static const run::Table<NumberRow> table(
@@ -58,11 +56,13 @@ const run::Table<NumberRow>& numbers_csv() {
       {{"id", "the figure or table", &NumberRow::id},
        {"what", "the number", path(&NumberRow::number, &Number::what)},
        {"unit", "its unit", path(&NumberRow::number, &Number::unit)},
-       {"ours", "our value", path(&NumberRow::number, &Number::ours)},
+       {"ours", "our value", [](const NumberRow& row) { return row.number->ours.value; }},
        {"lower", "the lower limit of a share", limit(&statistics::Limits::lower)},
        {"upper", "the upper limit of a share", limit(&statistics::Limits::upper)},
        {"samples", "the samples of a share",
-        [](const NumberRow& row) { return row.number->limits ? std::optional(row.number->samples) : std::nullopt; }},
+        [](const NumberRow& row) {
+          return row.number->ours.limits ? std::optional(row.number->ours.samples) : std::nullopt;
+        }},
        {"stated", "the stated value", path(&NumberRow::number, &Number::stated)},
        {"tolerance", "the largest difference that counts as agreement",
         [](const NumberRow& row) { return row.number->stated ? std::optional(row.number->tolerance) : std::nullopt; }},
@@ -70,7 +70,7 @@ const run::Table<NumberRow>& numbers_csv() {
         [](const NumberRow& row) { return row.number->basis ? to_string(*row.number->basis) : std::string_view(); }},
        {"label", "the source of the stated value",
         [](const NumberRow& row) {
-          return row.number->stated ? std::string(1, static_cast<char>(*row.number->label)) : std::string();
+          return row.number->basis ? std::string(1, static_cast<char>(label_of(*row.number->basis))) : std::string();
         }},
        {"agrees", "whether the two agree",
         [](const NumberRow& row) { return row.number->stated ? yes_or_no(*row.number->agrees()) : ""; }},
@@ -87,7 +87,7 @@ ordered_json drawing(const Study& study) {
   const cell::Cell& cell = study.cell;
   ordered_json moments = ordered_json::object(), outlines = ordered_json::object();
   for (const CaseStudy& its : study.cases) moments.update(drawn_moments(its));
-  for (const stability::Outline& outline : study.outlines) outlines[std::string(outline.name)] = outline.corners;
+  for (const Outline& outline : study.outlines) outlines[std::string(outline.name)] = outline.corners;
   ordered_json joints = ordered_json::array(), links = ordered_json::array();
   for (const cell::Joint& joint : study.cell.robot.joints)
     joints.push_back({{"name", joint.name}, {"lower", joint.lower}, {"upper", joint.upper}, {"home", joint.home}});
@@ -134,7 +134,7 @@ void write_entries(const std::filesystem::path& folder, const std::vector<Entry>
   entries_csv().write(folder, entries);
   std::vector<NumberRow> numbers;
   for (const Entry& entry : entries)
-    for (const Number& number : entry.numbers) numbers.push_back({entry.caption->id, &number});
+    for (const Number& number : entry.numbers) numbers.push_back({entry.id, &number});
   numbers_csv().write(folder, numbers);
 }
 
@@ -171,13 +171,13 @@ std::string table(const std::vector<Entry>& entries) {
       ++same->second;
     for (const Number& n : entry.numbers) {
       if (!n.stated) continue;
-      Counts& its = entry.caption->page == 0 ? of_errors : counts[*n.basis];
+      Counts& its = entry.page == 0 ? of_errors : counts[*n.basis];
       ++its.stated;
       its.agreeing += *n.agrees();
       if (n.basis == Basis::Fitted) captions.insert({n.what.substr(0, n.what.find(' ')), *n.stated});
       if (!*n.agrees())
-        differing += fmt::format("  {}: {}: {:.6g} {}, stated {:g} [{}]\n", entry.caption->id, n.what, n.ours, n.unit,
-                                 *n.stated, static_cast<char>(*n.label));
+        differing += fmt::format("  {}: {}: {:.6g} {}, stated {:g} [{}]\n", entry.id, n.what, n.ours.value, n.unit,
+                                 *n.stated, static_cast<char>(label_of(*n.basis)));
     }
   }
   std::ranges::sort(statuses, std::greater<>{}, &std::pair<std::string_view, std::size_t>::second);

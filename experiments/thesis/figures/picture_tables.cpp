@@ -39,8 +39,7 @@ const run::Table<BranchRow>& branches_csv() {
   return table;
 }
 
-const run::Table<stability::MapPoint>& map_csv() {
-  using stability::MapPoint;
+const run::Table<MapPoint>& map_csv() {
   constexpr const char* kFormat = "{:.4f}";
   static const run::Table<MapPoint> table(
       "map.csv", "a point of the plane around the gripper",
@@ -70,8 +69,7 @@ const run::Table<ViewRow>& views_csv() {
   return table;
 }
 
-const run::Table<stability::FalseArea>& areas_csv() {
-  using stability::FalseArea;
+const run::Table<FalseArea>& areas_csv() {
   const auto limit = [](double statistics::Limits::*side) {
     return [side](const FalseArea& area) { return area.limits().*side; };
   };
@@ -229,9 +227,9 @@ std::vector<BranchRow> branch_rows(const Study& study) {
 
 std::vector<ViewRow> view_rows(const Study& study) {
   std::vector<ViewRow> rows;
-  const stability::GripperPoints points = stability::gripper_points(study.gripper());
+  const GripperPoints points = gripper_points(study.gripper());
   for (const auto& [name, at] : {std::pair("palm", points.palm), std::pair("gap", points.gap)}) {
-    const stability::AngleSum sum = stability::angle_sum(study.gripper(), at);
+    const AngleSum sum = angle_sum(study.gripper(), at);
     for (std::size_t i = 0; i < sum.angles.size(); ++i) rows.push_back({name, at, i, sum.angles[i]});
   }
   return rows;

@@ -89,7 +89,7 @@ Predictions predict(const Study& study) {
 std::vector<Task> tasks_of(Study& study) {
   const Settings& settings = study.settings;
   const std::uint64_t samples = settings.samples, seed = settings.seed;
-  const stability::Outline& gripper = study.gripper();
+  const Outline& gripper = study.gripper();
   std::vector<Task> tasks;
 
   study.flowcharts.resize(study.outlines.size() * kRadii.size(), {nullptr, 0});
@@ -100,9 +100,8 @@ std::vector<Task> tasks_of(Study& study) {
         const std::size_t number = i * kRadii.size() + k;
         study.flowcharts[number] = measure_flowchart(study.outlines[i], kRadii[k], samples, seed, kFlowcharts + number);
       });
-    tasks.emplace_back([&study, samples, seed, i] {
-      study.areas[i] = stability::measure_false_area(study.outlines[i], 10 * samples, seed);
-    });
+    tasks.emplace_back(
+        [&study, samples, seed, i] { study.areas[i] = measure_false_area(study.outlines[i], 10 * samples, seed); });
   }
 
   const auto along = static_cast<std::size_t>(2 * kinematics::kHomeReach / settings.home_step) + 1;
@@ -171,9 +170,9 @@ std::vector<Task> tasks_of(Study& study) {
                                      study.cell.gripper.sphere.radius, samples, seed);
     study.edges = measure_edge_places(gripper, kFlowchartRadius, samples, seed);
   });
-  tasks.emplace_back([&study, &gripper] { study.map = stability::map_angle_sums(gripper, kMapPoints); });
+  tasks.emplace_back([&study, &gripper] { study.map = map_angle_sums(gripper, kMapPoints); });
   tasks.emplace_back([&study, &gripper, samples, seed] {
-    study.square_reach = measure_factor_reach(stability::find_outline("square"));
+    study.square_reach = measure_factor_reach(find_outline("square"));
     study.gripper_reach = measure_factor_reach(gripper);
     study.not_numbers = measure_not_numbers(gripper, samples, seed);
     for (std::size_t what = 0; what < study.touching.size(); ++what)
@@ -209,7 +208,7 @@ Study begin_study(const Settings& settings, const std::vector<std::string>& chan
   study.covered = std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(study.parts, kOverhang));
   study.link_files = link_files(study.parts);
   study.outlines.push_back(gripper_outline(study.parts));
-  for (const stability::Outline& outline : stability::outlines()) study.outlines.push_back(outline);
+  for (const Outline& outline : outlines()) study.outlines.push_back(outline);
   study.plan = floor_plan(study.parts);
   for (std::size_t i = 0; i < cells.size(); ++i) study.cases[i] = study_case(cells[i], study.parts, study.covered, i);
   return study;

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "experiments/run/blocks.h"
-#include "experiments/studies/stability/angle_sum.h"
-#include "experiments/studies/stability/false_areas.h"
 #include "experiments/thesis/cell/first_contact/missed_study.h"
 #include "experiments/thesis/cell/kinematics/layout_study.h"
 #include "experiments/thesis/cell/model/link_model.h"
 #include "experiments/thesis/cell/model/model.h"
+#include "experiments/thesis/figures/angle_sum.h"
 #include "experiments/thesis/figures/case_study.h"
+#include "experiments/thesis/figures/false_areas.h"
 #include "experiments/thesis/figures/flowchart.h"
 #include "experiments/thesis/figures/known_errors.h"
 #include "experiments/thesis/figures/reconfiguration.h"
@@ -57,8 +57,8 @@ struct Study {
   cell::Cell cell;  ///< in case 1
   std::vector<cell::ModelPart> parts;
   std::shared_ptr<const std::vector<cell::Covered>> covered;
-  std::vector<LinkFile> link_files;          ///< for every link, and for the machine's bottom part
-  std::vector<stability::Outline> outlines;  ///< the gripper's first, then those of outlines.h
+  std::vector<LinkFile> link_files;  ///< for every link, and for the machine's bottom part
+  std::vector<Outline> outlines;     ///< the gripper's first, then those of outlines.h
 
   // Chapter 4
   std::vector<Flowchart> flowcharts;  ///< outline by outline, radius by radius
@@ -79,8 +79,8 @@ struct Study {
   std::array<std::vector<cell::Tried>, 2> heights_of_sphere;
 
   // Known errors
-  stability::AngleMap map;                  ///< around the gripper
-  std::vector<stability::FalseArea> areas;  ///< in the order of `outlines`
+  AngleMap map;                  ///< around the gripper
+  std::vector<FalseArea> areas;  ///< in the order of `outlines`
   std::vector<FactorReach> square_reach, gripper_reach;
   NotNumbers not_numbers;
   std::array<Touching, 3> touching;  ///< in the order of Touched
@@ -88,7 +88,7 @@ struct Study {
   std::vector<FarAway> far_away;
   kinematics::MissedStudy missed;
 
-  [[nodiscard]] const stability::Outline& gripper() const { return outlines.front(); }
+  [[nodiscard]] const Outline& gripper() const { return outlines.front(); }
   /// Returns the flowchart of an outline, by its index in `outlines`, and a radius, by its index in kRadii.
   [[nodiscard]] const Flowchart& flowchart(std::size_t outline, std::size_t radius) const {
     return flowcharts[outline * kRadii.size() + radius];

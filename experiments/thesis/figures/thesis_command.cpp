@@ -16,7 +16,7 @@
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
 #include "experiments/run/study.h"
-#include "experiments/thesis/figures/entries.h"
+#include "experiments/thesis/figures/entry.h"
 #include "experiments/thesis/figures/output.h"
 
 namespace touchstone::commands {

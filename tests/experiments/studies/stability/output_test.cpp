@@ -128,7 +128,7 @@ TEST(StabilityFirstFailure, TellsHowMuchNoneSeenBeforeMeans) {
 // Two axes are modes; each has scenes of its own, and a table of its own.
 TEST(StabilityTable, KeepsScenesOfDifferentModesApart) {
   const auto setting = settings({"fast"}, {Axis::Rounding, Axis::Flush}, 2);
-  const std::string text = table(setting, whole(setting), {onset_of({}, 0, 1), {}, {}});
+  const std::string text = table(setting, whole(setting), {onset_of({}, 0, 1), {}});
   const auto rounding = text.find("Rounding directions"), down = text.find("down "),
              flush = text.find("Subnormals flushed"), daz = text.find("DAZ ");
   EXPECT_LT(rounding, down);

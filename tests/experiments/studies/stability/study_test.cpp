@@ -240,9 +240,7 @@ TEST(StabilityBounds, AreTheirConstantTimesTheCondition) {
 void write_all(const fs::path& folder, const Settings& setting) {
   fs::create_directories(folder);
   const Summary summary = whole(setting);
-  const Known known{onset_of({"fast", "thesis"}, 20, setting.threads),
-                    count_contractions(20, setting.seed),
-                    {measure_false_area(stability::find_outline("L"), 100, setting.seed)}};
+  const Known known{onset_of({"fast", "thesis"}, 20, setting.threads), count_contractions(20, setting.seed)};
   write_failures(folder, setting, summary);
   write_errors(folder, setting, summary);
   write_bounds(folder, setting, summary);
@@ -261,7 +259,7 @@ TEST(StabilityStudy, TheNumberOfThreadsChangesNothing) {
     EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "2" / file.path().filename())) << file.path();
     ++files;
   }
-  EXPECT_EQ(files, 10);
+  EXPECT_EQ(files, 9);
 }
 
 // Stopped after two samples of each axis: the same as a run of two.
@@ -320,7 +318,7 @@ TEST(StabilityCommand, WritesResultsAndASidecar) {
   EXPECT_EQ(record["seed"], 5);
   EXPECT_EQ(record["samples_done"], 1);
   for (const char* file : {"failures.csv", "first-failure.csv", "errors.csv", "tightness.csv", "conditions.csv",
-                           "worst.jsonl", "onset.csv", "contraction.csv", "areas.csv"})
+                           "worst.jsonl", "onset.csv", "contraction.csv"})
     EXPECT_GT(fs::file_size(folder / file), 50U) << file;
 }
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every figure and table has one entry, and every number that a caption states is found again.
-#include "experiments/thesis/figures/entries.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "experiments/run/data.h"
+#include "experiments/run/write_file.h"
+#include "experiments/thesis/cell/model/cell_entry.h"
+#include "experiments/thesis/figures/entry.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/figures/begun_study.h"
 
@@ -20,43 +24,108 @@ namespace {
 using namespace figures;
 
 const Entry& entry_of(const std::vector<Entry>& entries, std::string_view id) {
-  return *std::ranges::find_if(entries, [&](const Entry& entry) { return entry.caption->id == id; });
+  return *std::ranges::find_if(entries, [&](const Entry& entry) { return entry.id == id; });
 }
+
+std::string text_of_figures() { return run_tests::text_of(run::data("experiments/thesis/figures/figures.json")); }
 
 /// Whether a number from the thesis's text stands there, so called, and agrees.
 bool holds(const Entry& entry, const std::string& what, double stated) {
   return std::ranges::any_of(entry.numbers, [&](const Number& n) {
-    return n.what.find(what) != std::string::npos && n.label == Label::Text && n.stated == stated && n.agrees() == true;
+    return n.what.find(what) != std::string::npos && n.basis && label_of(*n.basis) == Label::Text &&
+           n.stated == stated && n.agrees() == true;
   });
 }
 
-TEST(Captions, AreThoseOfTheListsOfFiguresAndTables) {
+TEST(Entries, AreOneForEveryCaptionOfTheListsOfFiguresAndTables) {
   std::vector<std::string> expected{"2.1"};
   for (const auto& [chapter, last] : std::map<int, int>{{3, 2}, {4, 12}, {5, 26}, {6, 31}})
     for (int i = 1; i <= last; ++i) expected.push_back(std::to_string(chapter) + "." + std::to_string(i));
   for (const char* table : {"table 5.1", "table 5.2", "table 6.1", "table 6.2"}) expected.emplace_back(table);
   std::vector<std::string> ids;
   int page = 0;
-  for (const Caption& caption : captions()) {
-    if (caption.id.starts_with("E.")) continue;
-    ids.emplace_back(caption.id);
-    if (caption.id.starts_with("table")) continue;
-    EXPECT_GE(caption.page, page) << caption.id;
-    page = caption.page;
+  for (const Entry& entry : entries_of(begun())) {
+    EXPECT_EQ(entry.page == 0, entry.id.starts_with("E.")) << entry.id;
+    if (entry.page == 0) continue;
+    ids.push_back(entry.id);
+    if (entry.id.starts_with("table")) continue;
+    EXPECT_GE(entry.page, page) << entry.id;
+    page = entry.page;
   }
   std::ranges::sort(expected);
   std::ranges::sort(ids);
   EXPECT_EQ(ids, expected);
 }
 
-TEST(Entries, AreOneForEveryCaption) {
-  const std::vector<Entry> entries = entries_of(begun());
-  ASSERT_EQ(entries.size(), captions().size());
+// What figures.json names is computed, and all that is computed is named there: as a value, or in a hole of a text.
+TEST(Figures, NameWhatIsComputedAndNothingElse) {
+  std::set<std::string> named;
+  const std::regex hole(R"(\{([^}]*)\})");
+  const auto take = [&](const nlohmann::json& value) {
+    if (!value.is_string()) return;
+    const auto text = value.get<std::string>();
+    for (std::sregex_iterator m(text.begin(), text.end(), hole), end; m != end; ++m) named.insert((*m)[1]);
+  };
+  for (const auto& entry : nlohmann::json::parse(text_of_figures())) {
+    take(entry.at("text"));
+    for (const auto& number : entry.at("numbers")) {
+      take(number.at("what"));
+      for (const char* key : {"name", "stated", "tolerance"})
+        if (number.contains(key) && number.at(key).is_string()) named.insert(number.at(key).get<std::string>());
+    }
+  }
+  std::set<std::string> known;
+  const Computed all = computed(begun());
+  for (const auto& [name, value] : all.numbers) known.insert(name);
+  for (const auto& [name, text] : all.texts) EXPECT_TRUE(known.insert(name).second) << name << " is two things";
+  EXPECT_EQ(named, known);
+}
+
+/// Returns what is said of a file of figures; nothing of one that is read.
+std::string complaint_of(const std::string& text) {
+  const run_tests::Scratch scratch;
+  const auto file = scratch.path / "figures.json";
+  run::write_file(file, text);
+  try {
+    (void)read_entries(file, computed(begun()));
+  } catch (const cell::BadCell& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find(file.string() + ": "), 0U) << message;
+    return message.substr(file.string().size() + 2);
+  }
+  return "";
+}
+
+TEST(Figures, RefuseAMalformedFileByEntryAndKey) {
+  const std::string head = R"([{"id": "4.1", "caption": "c", "page": 1, "status": "reproduced", "text": "t)",
+                    number = R"(", "numbers": [{"name": "upper arm", "what": "w", "chosen": true)", end = "}]}]";
+  EXPECT_EQ(complaint_of(head + number + end), "");
+  EXPECT_EQ(complaint_of(head + " {upper arm} {above}" + number + R"(, "stated": "forearm", "basis": "input")" + end),
+            "");
+  EXPECT_EQ(complaint_of("[{}]"), "[0]: the key \"id\" is missing");
+  EXPECT_EQ(complaint_of(R"([{"id": "4.1"}])"), "entry 4.1: the key \"caption\" is missing");
+  EXPECT_EQ(complaint_of(head + "{no}" + number + end), R"(entry 4.1.text: nothing computes "no")");
+  EXPECT_EQ(complaint_of(head + "{no" + number + end), "entry 4.1.text: has { without }");
+  EXPECT_EQ(complaint_of(head + number + R"(, "stated": "no", "basis": "input")" + end),
+            R"(entry 4.1.numbers[0].stated: nothing computes "no")");
+  EXPECT_EQ(complaint_of(head + number + R"(, "stated": 1)" + end),
+            "entry 4.1.numbers[0]: needs `stated` and `basis` together");
+  EXPECT_EQ(complaint_of(head + number + R"(, "stated": 1, "basis": "guess")" + end),
+            "entry 4.1.numbers[0].basis: must be one of: fitted, input, own check, other source");
+  EXPECT_EQ(complaint_of(head + number + R"(, "sample": 1)" + end),
+            "entry 4.1.numbers[0].sample: is an unknown key; there are name, what, unit, chosen, stated, basis, "
+            "tolerance, stated samples, rounded to");
+  const std::string one = (head + number + end).substr(1, (head + number + end).size() - 2);
+  EXPECT_EQ(complaint_of("[" + one + "," + one + "]"), "[1]: is the second entry for 4.1");
+  EXPECT_EQ(complaint_of("[").find("is not JSON: column 2: "), 0U);
+  EXPECT_EQ(complaint_of(R"([{"id": "4.1", "id": "4.1"}])"), "the whole: duplicate key \"id\"");
+}
+
+TEST(Entries, HaveFilesOfTheirOwnAndSayWhatWasDone) {
   std::set<std::string> stems;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    EXPECT_EQ(entries[i].caption, &captions()[i]);
-    EXPECT_FALSE(entries[i].text.empty()) << captions()[i].id;
-    EXPECT_TRUE(stems.insert(entries[i].file_stem()).second);
+  for (const Entry& entry : entries_of(begun())) {
+    EXPECT_FALSE(entry.text.empty()) << entry.id;
+    EXPECT_TRUE(stems.insert(entry.file_stem()).second) << entry.id;
   }
 }
 
@@ -65,12 +134,12 @@ TEST(Entries, ClaimNothingWithoutShowingIt) {
   for (const Entry& entry : entries_of(begun())) {
     const bool nothing = entry.numbers.empty() && entry.shows.empty();
     const bool claimed = entry.status == Status::Reproduced || entry.status == Status::WithChosen;
-    EXPECT_FALSE(claimed && nothing) << entry.caption->id;
+    EXPECT_FALSE(claimed && nothing) << entry.id;
     if (entry.status == Status::Photograph) {
-      EXPECT_TRUE(entry.shows.empty()) << entry.caption->id;
+      EXPECT_TRUE(entry.shows.empty()) << entry.id;
     }
     const bool chosen = std::ranges::any_of(entry.numbers, &Number::chosen);
-    EXPECT_FALSE(entry.status == Status::Reproduced && chosen) << entry.caption->id << " rests on chosen values";
+    EXPECT_FALSE(entry.status == Status::Reproduced && chosen) << entry.id << " rests on chosen values";
   }
 }
 
@@ -80,19 +149,19 @@ TEST(Entries, HaveEveryAngleThatACaptionStates) {
       turn(R"((\d+) Degrees (Clockwise|Counter-?[Cc]lockwise))");
   std::size_t angles = 0, moves = 0;
   for (const Entry& entry : entries) {
-    const std::string text(entry.caption->text);
-    if (entry.caption->id.starts_with("E.")) continue;
+    const std::string& text = entry.caption;
+    if (entry.id.starts_with("E.")) continue;
     for (std::sregex_iterator m(text.begin(), text.end(), angle), end; m != end; ++m, ++angles)
-      EXPECT_TRUE(holds(entry, "", std::stod((*m)[1]))) << entry.caption->id << ": " << text;
+      EXPECT_TRUE(holds(entry, "", std::stod((*m)[1]))) << entry.id << ": " << text;
     for (std::sregex_iterator m(text.begin(), text.end(), move), end; m != end; ++m, ++moves) {
       const std::string what =
           ((*m)[1] == "Elbow" ? "elbow " : "shoulder ") + std::string((*m)[2] == "Down" ? "down" : "up");
-      EXPECT_TRUE(holds(entry, what, std::stod((*m)[3]))) << entry.caption->id << ": " << text;
+      EXPECT_TRUE(holds(entry, what, std::stod((*m)[3]))) << entry.id << ": " << text;
     }
     for (std::sregex_iterator m(text.begin(), text.end(), turn), end; m != end; ++m, ++moves)
       EXPECT_TRUE(
           holds(entry, (*m)[2] == "Clockwise" ? "base clockwise" : "base counter-clockwise", std::stod((*m)[1])))
-          << entry.caption->id << ": " << text;
+          << entry.id << ": " << text;
   }
   EXPECT_EQ(angles, 31U);
   EXPECT_EQ(moves, 21U);
@@ -134,22 +203,17 @@ TEST(Entries, DifferWhereACaseFails) {
     EXPECT_EQ(entry_of(entries, id).status_words(), "differs") << id;
 }
 
-TEST(EntryList, RefusesWhatTheListsDoNotHave) {
-  EntryList list;
-  list.add("4.1", Status::NotComputable, "why", {});
-  EXPECT_THROW(list.add("4.1", Status::NotComputable, "why", {}), std::logic_error);
-  EXPECT_THROW(list.add("7.1", Status::NotComputable, "why", {}), std::logic_error);
-  EXPECT_THROW(static_cast<void>(std::move(list).all()), std::logic_error);
-}
-
 TEST(Number, AgreesWithinItsToleranceAlone) {
-  EXPECT_FALSE(found("x", "", 3, false).agrees().has_value());
-  EXPECT_EQ(beside(found("x", "", 3, false), Label::Text, 3).agrees(), true);
-  EXPECT_EQ(beside(found("x", "", 3, false), Label::Text, 4).agrees(), false);
-  EXPECT_EQ(beside(found("x", "", 3, false), Label::Text, 4, 1).agrees(), true);
-  EXPECT_EQ(beside(found("x", "", std::nan(""), false), Label::Text, 4, 1).agrees(), false);
-  const Number half = share("x", 5, 10, false);
-  EXPECT_EQ(half.ours, 50);
+  const auto agrees = [](double ours, std::optional<double> stated, double tolerance) {
+    return Number{.what = "x", .unit = "", .ours = ours, .stated = stated, .tolerance = tolerance}.agrees();
+  };
+  EXPECT_FALSE(agrees(3, std::nullopt, 0).has_value());
+  EXPECT_EQ(agrees(3, 3, 0), true);
+  EXPECT_EQ(agrees(3, 4, 0), false);
+  EXPECT_EQ(agrees(3, 4, 1), true);
+  EXPECT_EQ(agrees(std::nan(""), 4, 1), false);
+  const Value half = share(5, 10);
+  EXPECT_EQ(half.value, 50);
   EXPECT_LT(half.limits->lower, 20);
   EXPECT_GT(half.limits->upper, 80);
 }
@@ -159,8 +223,7 @@ TEST(Report, HasAPictureForEveryEntryThatShowsOne) {
   const std::string script =
       run_tests::text_of(std::string(TOUCHSTONE_SOURCE_DIR) + "/experiments/report/pictures/thesis.py");
   for (const Entry& entry : entries_of(begun()))
-    EXPECT_EQ(script.find("\"" + entry.file_stem() + "\":") != std::string::npos, !entry.shows.empty())
-        << entry.caption->id;
+    EXPECT_EQ(script.find("\"" + entry.file_stem() + "\":") != std::string::npos, !entry.shows.empty()) << entry.id;
 }
 
 }  // namespace

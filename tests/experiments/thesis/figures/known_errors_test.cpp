@@ -2,7 +2,7 @@
 // How often the thesis's method errs on non-convex outlines: the digits stated for it, measured again.
 //
 // A stated share is one observation [D]: w / r, of w wrong and r right answers in n random samples, rounded to the
-// digits printed. Ours is another, and may differ by what stated_share.h allows: a confidence of 99.994 % a comparison,
+// digits printed. Ours is another, and may differ by what entry.h allows: a confidence of 99.994 % a comparison,
 // 99.8 % for all 28. The seed is fixed: a comparison that passes passes always.
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@
 #include <tuple>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/studies/stability/false_areas.h"
-#include "experiments/thesis/figures/stated_share.h"
+#include "experiments/thesis/figures/entry.h"
+#include "experiments/thesis/figures/false_areas.h"
 #include "geometry/contact/fast.h"
 #include "geometry/contact/thesis.h"
 
@@ -26,8 +26,10 @@
 #define TOUCHSTONE_SAMPLES 100  // percent of the stated sample sizes
 #endif
 
-namespace touchstone {
+namespace touchstone::figures_tests {
 namespace {
+
+using namespace figures;
 
 constexpr std::uint64_t kSeed = 2008;
 constexpr std::uint64_t kStatedPoints = 1'000'000;
@@ -90,15 +92,15 @@ class WronglyInside : public testing::TestWithParam<AreaCase> {};
 // Uniform points in the bounding box enlarged on each side by half its extent.
 TEST_P(WronglyInside, SharesOfAreaAreAsStated) {
   const auto& [name, percent, unit] = GetParam();
-  const auto& outline = stability::find_outline(name);
-  const auto area = stability::measure_false_area(outline, scaled(kStatedPoints), kSeed);
+  const auto& outline = find_outline(name);
+  const auto area = measure_false_area(outline, scaled(kStatedPoints), kSeed);
   expect_share(name, {area.points, area.right, area.wrong, area.missed}, {percent, unit, kStatedPoints});
   EXPECT_EQ(area.missed, 0U) << "false outside";
   EXPECT_LE(area.limits().lower, area.share());
   EXPECT_GE(area.limits().upper, area.share());
 
   // The truth by another way: the points inside against the area, a binomial count.
-  const auto outer = stability::bounds(outline);
+  const auto outer = bounds(outline);
   const auto box = outer.enlarged(outer.width() / 2, outer.height() / 2);
   const auto samples = static_cast<double>(area.points);
   const double expected = outline.area() / box.area();
@@ -108,27 +110,26 @@ TEST_P(WronglyInside, SharesOfAreaAreAsStated) {
 
 // Two outlines of the same shape: what chance does to one says nothing of the other.
 TEST(WronglyInsideOutlines, HaveRandomPointsOfTheirOwn) {
-  auto square = stability::find_outline("square"), other = square;
+  auto square = find_outline("square"), other = square;
   other.name = "another square";
-  const auto first = stability::measure_false_area(square, 2000, kSeed),
-             second = stability::measure_false_area(other, 2000, kSeed);
+  const auto first = measure_false_area(square, 2000, kSeed), second = measure_false_area(other, 2000, kSeed);
   EXPECT_NE(std::tie(first.right, first.wrong), std::tie(second.right, second.wrong));
-  const auto names = stability::outlines();
+  const auto names = outlines();
   std::set<std::uint64_t> inside;  // of one shape under all names
   for (const auto& outline : names) {
     other.name = outline.name;
-    inside.insert(stability::measure_false_area(other, 20000, kSeed).right);
+    inside.insert(measure_false_area(other, 20000, kSeed).right);
   }
   EXPECT_GT(inside.size(), names.size() / 2) << "a few may agree by chance";
 }
 
 // Inside a simple polygon the unsigned angles add up to 2 pi or more, except for rounding.
 TEST_P(WronglyInside, NothingIsMissedWithAFactorOfOne) {
-  const auto& outline = stability::find_outline(GetParam().name);
+  const auto& outline = find_outline(GetParam().name);
   const Polygon polygon = outline.polygon();
   const fast::PreparedPolygon<> truth(polygon);
   const thesis::PreparedPolygon<> whole_turn(polygon, {.match_factor = 1 - 1e-12, .arc = thesis::Arc::Tangent});
-  const auto box = stability::bounds(outline);
+  const auto box = bounds(outline);
   for (std::uint64_t i = 0; i < scaled(kStatedPoints) / 4; ++i) {
     workloads::Random random(kSeed, i);
     const Ball ball{box.point(random), 1};
@@ -162,11 +163,11 @@ class FalseHits : public testing::TestWithParam<HitCase> {};
 // Feet uniform in the bounding box enlarged by 3 r, heights uniform in +-1.5 r.
 TEST_P(FalseHits, SharesOfTrueHitsAreAsStated) {
   const auto& [name, percent, unit] = GetParam();
-  const auto& outline = stability::find_outline(name);
+  const auto& outline = find_outline(name);
   const Polygon polygon = outline.polygon();
   const fast::PreparedPolygon<> truth(polygon);
   const thesis::PreparedPolygon<> method(polygon);
-  const auto outer = stability::bounds(outline);
+  const auto outer = bounds(outline);
 
   for (std::size_t k = 0; k < kRadii.size(); ++k) {
     const double radius = kRadii[k] * std::max(outer.width(), outer.height());
@@ -191,4 +192,4 @@ INSTANTIATE_TEST_SUITE_P(Thesis, FalseHits,
                          name_of);
 
 }  // namespace
-}  // namespace touchstone
+}  // namespace touchstone::figures_tests

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "experiments/studies/stability/angle_sum.h"
+#include "experiments/thesis/figures/angle_sum.h"
+#include "experiments/thesis/figures/entry.h"
 #include "experiments/thesis/figures/flowchart.h"
 #include "experiments/thesis/figures/known_errors.h"
-#include "experiments/thesis/figures/stated_share.h"
 #include "geometry/contact/thesis.h"
 
 #ifndef TOUCHSTONE_SAMPLES
@@ -23,8 +23,8 @@ using namespace figures;
 constexpr std::uint64_t kSeed = 7, kSamples = 20 * TOUCHSTONE_SAMPLES;
 
 /// That of the cell's gripper: its mouth at the bottom.
-const stability::Outline kGripper{
-    "gripper", {{-45, -75}, {-25, -75}, {-25, -30}, {25, -30}, {25, -75}, {45, -75}, {45, 0}, {-45, 0}}};
+const Outline kGripper{"gripper",
+                       {{-45, -75}, {-25, -75}, {-25, -30}, {25, -30}, {25, -75}, {45, -75}, {45, 0}, {-45, 0}}};
 
 std::size_t number_of(std::string_view method) {
   return static_cast<std::size_t>(std::ranges::find(kMethods, method) - kMethods.begin());
@@ -64,7 +64,7 @@ TEST(Flowchart, HasFalseHitsInTheGapAndNoneWithSignedAngles) {
 
 // The thesis's normal is turned round against the contract's; with Newell's it is not. Neither counts as an error.
 TEST(Flowchart, NamesTheFrontAsTheMethodDoes) {
-  const Flowchart flowchart = measure_flowchart(stability::find_outline("square"), 0.1, kSamples, kSeed, 1);
+  const Flowchart flowchart = measure_flowchart(find_outline("square"), 0.1, kSamples, kSeed, 1);
   for (const char* method : {"thesis", "thesis-newell", "thesis-float"}) {
     const Ends& ends = flowchart.methods[number_of(method)];
     EXPECT_EQ(ends.at(End::InFront), ends.exactly_at(End::InFront)) << method;
@@ -76,14 +76,13 @@ TEST(Flowchart, NamesTheFrontAsTheMethodDoes) {
 }
 
 TEST(AngleSum, IsWhatTheMethodAddsUp) {
-  for (const stability::Outline& outline : stability::outlines()) {
+  for (const Outline& outline : outlines()) {
     const thesis::PreparedPolygon<> method(outline.polygon());
-    const stability::Box outer = stability::bounds(outline),
-                         box = outer.enlarged(outer.width() / 2, outer.height() / 2);
+    const figures::Box outer = bounds(outline), box = outer.enlarged(outer.width() / 2, outer.height() / 2);
     for (std::uint64_t i = 0; i < kSamples / 4; ++i) {
       workloads::Random random(kSeed, i);
       const Eigen::Vector3d at = box.point(random);
-      const stability::AngleSum sum = stability::angle_sum(outline, at);
+      const AngleSum sum = angle_sum(outline, at);
       if (std::abs(sum.unsigned_sum - 0.99 * 360) < 1e-6) continue;
       EXPECT_EQ(sum.unsigned_sum >= 0.99 * 360, thesis::foot(Ball{at, 1}, method) == PointLocation::Inside)
           << outline.name << ' ' << at.transpose();
@@ -93,16 +92,16 @@ TEST(AngleSum, IsWhatTheMethodAddsUp) {
 }
 
 TEST(GripperPoints, LieInThePalmAndInTheGap) {
-  const stability::GripperPoints points = stability::gripper_points(kGripper);
+  const GripperPoints points = gripper_points(kGripper);
   EXPECT_EQ(points.palm, Eigen::Vector3d(0, -15, 0));
   EXPECT_EQ(points.gap, Eigen::Vector3d(0, -52.5, 0));
-  EXPECT_NEAR(stability::angle_sum(kGripper, points.palm).signed_sum, 360, 1e-9);
-  EXPECT_NEAR(stability::angle_sum(kGripper, points.gap).signed_sum, 0, 1e-9);
-  EXPECT_GT(stability::angle_sum(kGripper, points.gap).unsigned_sum, 0.99 * 360);
+  EXPECT_NEAR(angle_sum(kGripper, points.palm).signed_sum, 360, 1e-9);
+  EXPECT_NEAR(angle_sum(kGripper, points.gap).signed_sum, 0, 1e-9);
+  EXPECT_GT(angle_sum(kGripper, points.gap).unsigned_sum, 0.99 * 360);
 }
 
 TEST(FactorReach, IsTheDerivedOneOnAConvexOutlineAndMoreOnAGripper) {
-  for (const FactorReach& reach : measure_factor_reach(stability::find_outline("square")))
+  for (const FactorReach& reach : measure_factor_reach(find_outline("square")))
     EXPECT_NEAR(reach.reach, derived_factor_reach(1, reach.factor), 1e-7) << reach.factor;
   EXPECT_NEAR(derived_factor_reach(1, 0.99), 0.00785, 0.000005);
   const auto on_gripper = measure_factor_reach(kGripper);

@@ -17,7 +17,7 @@
 #include "experiments/thesis/cell/kinematics/solve_layout.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/figures/drawn_cell.h"
-#include "experiments/thesis/figures/entries.h"
+#include "experiments/thesis/figures/entry.h"
 #include "experiments/thesis/figures/output.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
@@ -67,8 +67,8 @@ TEST(ThesisStudy, WritesTheSameBytesForAnyNumberOfThreads) {
   // With so few samples, too, every stated number is found again, except for a reach that other sources' lengths do
   // not give.
   for (const Entry& entry : entries_of(small())) {
-    if (entry.caption->id != "table 5.1") {
-      EXPECT_TRUE(entry.agrees()) << entry.caption->id;
+    if (entry.id != "table 5.1") {
+      EXPECT_TRUE(entry.agrees()) << entry.id;
     }
   }
   EXPECT_NE(table(entries_of(small())).find("otherwise:\n  table 5.1: reach of the flange"), std::string::npos);
@@ -222,10 +222,10 @@ TEST(Reconfiguration, FindsTheEndsOfWhatCompletesAndWhatDoesNotBetween) {
 }
 
 double number_of(const std::vector<Entry>& entries, std::string_view id, std::string_view what) {
-  const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& each) { return each.caption->id == id; });
+  const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& each) { return each.id == id; });
   const auto number = std::ranges::find_if(entry.numbers, [&](const Number& n) { return n.what.starts_with(what); });
   EXPECT_NE(number, entry.numbers.end()) << id << ": " << what;
-  return number == entry.numbers.end() ? NAN : number->ours;
+  return number == entry.numbers.end() ? NAN : number->ours.value;
 }
 
 // Figures 5.18, 5.19, 5.22, 6.30 and 6.31 against the scans, each other, and the case studies, which complete.
@@ -264,9 +264,9 @@ TEST(Reconfiguration, FiguresNameAReasonForWhatDoesNotComplete) {
   const Study& study = small();
   std::size_t reasons = 0;
   for (const Entry& entry : entries_of(study)) {
-    EXPECT_EQ(entry.text.find(": ."), std::string::npos) << entry.caption->id << ": " << entry.text;
-    const bool radius = entry.caption->id == "5.18" || entry.caption->id == "5.19";
-    if (!radius && entry.caption->id != "6.30" && entry.caption->id != "6.31") continue;
+    EXPECT_EQ(entry.text.find(": ."), std::string::npos) << entry.id << ": " << entry.text;
+    const bool radius = entry.id == "5.18" || entry.id == "5.19";
+    if (!radius && entry.id != "6.30" && entry.id != "6.31") continue;
     const std::regex said(radius ? R"(It does not complete at ([0-9.]+) mm: )"
                                  : R"(Case (\d) does not complete at ([0-9.]+) mm: )");
     for (std::sregex_iterator m(entry.text.begin(), entry.text.end(), said), end; m != end; ++m, ++reasons) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/stability/outlines.h"
+#include "experiments/thesis/figures/outlines.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-namespace touchstone::stability {
+namespace touchstone::figures {
 
 Polygon Outline::polygon() const {
   Loop loop;
@@ -65,4 +65,4 @@ Box bounds(const Outline& outline) {
   return {left->first, right->first, bottom->second, top->second};
 }
 
-}  // namespace touchstone::stability
+}  // namespace touchstone::figures

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/stability/false_areas.h"
+#include "experiments/thesis/figures/false_areas.h"
 
 #include <cstdint>
 #include <string_view>
@@ -7,7 +7,7 @@
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 
-namespace touchstone::stability {
+namespace touchstone::figures {
 namespace {
 
 /// One of its own for each name, beyond the small numbers that the other measurements use.
@@ -46,4 +46,4 @@ FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::
   return area;
 }
 
-}  // namespace touchstone::stability
+}  // namespace touchstone::figures

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "experiments/run/statistics/clopper_pearson.h"
-#include "experiments/studies/stability/outlines.h"
+#include "experiments/thesis/figures/outlines.h"
 
-namespace touchstone::stability {
+namespace touchstone::figures {
 
 /// Counts of points around an outline, by whether the thesis's angle sum, with its factor of 0.99, calls them inside.
 struct FalseArea {
@@ -31,4 +31,4 @@ struct FalseArea {
 /// independent. The truth is `filtered`. Cost: about 1 us per point.
 [[nodiscard]] FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::uint64_t seed);
 
-}  // namespace touchstone::stability
+}  // namespace touchstone::figures

@@ -8,7 +8,7 @@
 #include "experiments/cases/workloads/random.h"
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::stability {
+namespace touchstone::figures {
 
 /// A loop in the plane z = 0 on which the thesis's method is known to be wrong. Extents are about 1 to 5.
 struct Outline {
@@ -38,4 +38,4 @@ struct Box {
 
 [[nodiscard]] Box bounds(const Outline& outline);
 
-}  // namespace touchstone::stability
+}  // namespace touchstone::figures

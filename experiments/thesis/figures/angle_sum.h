@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "experiments/studies/stability/outlines.h"
+#include "experiments/thesis/figures/outlines.h"
 
-namespace touchstone::stability {
+namespace touchstone::figures {
 
 /// The angles, in degrees, at which the edges are seen from a point. Step (3) of the thesis's method sums their
 /// magnitudes.
@@ -39,4 +39,4 @@ struct AngleMap {
 };
 [[nodiscard]] AngleMap map_angle_sums(const Outline& outline, std::size_t along);
 
-}  // namespace touchstone::stability
+}  // namespace touchstone::figures

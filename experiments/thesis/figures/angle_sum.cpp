@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/stability/angle_sum.h"
+#include "experiments/thesis/figures/angle_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 
-namespace touchstone::stability {
+namespace touchstone::figures {
 
 AngleSum angle_sum(const Outline& outline, const Eigen::Vector3d& point) {
   AngleSum sum;
@@ -64,4 +64,4 @@ AngleMap map_angle_sums(const Outline& outline, std::size_t along) {
   return map;
 }
 
-}  // namespace touchstone::stability
+}  // namespace touchstone::figures
