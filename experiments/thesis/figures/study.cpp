@@ -9,7 +9,6 @@
 
 #include "experiments/run/data.h"
 #include "experiments/run/write_file.h"
-#include "experiments/thesis/cell/model/convert.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/figures/drawn_cell.h"
 
@@ -50,12 +49,6 @@ std::vector<LinkFile> link_files(const std::vector<cell::ModelPart>& parts) {
     file.text = cell::link_model_text(file.model);
     run::write_file(folder / "model.txt", file.text);
     file.same = cell::read_link_model(folder / "model.txt") == file.model;
-    for (const char* mesh : {"mesh.obj", "mesh.off", "mesh.stl", "mesh.ply"}) {
-      const cell::LinkModel written = cell::prepared(file.model, cell::Preparation::None, folder / mesh);
-      run::write_file(folder / mesh, cell::model_text(written, folder / mesh));
-      ++file.converted;
-      file.converted_same += cell::differences(written, cell::read_model(folder / mesh)).empty();
-    }
   }
   std::filesystem::remove_all(folder);
   return files;
