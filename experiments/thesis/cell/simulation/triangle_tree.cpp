@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::uint32_t kMostInLeaf = 4;
 
-bool meet(const touchstone::Box& a, const touchstone::Box& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
 }  // namespace
 
 TriangleTree::TriangleTree(std::vector<NamedTriangle> triangles) : triangles_(std::move(triangles)) {

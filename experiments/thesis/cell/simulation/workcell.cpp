@@ -47,7 +47,7 @@ Workplace workplace(const Station& station, const Slot& slot, const scene::Faces
   Workplace place;
   place.azimuth = station.azimuth() + workloads::arc_tangent(y, x);
   place.out = std::sqrt(x * x + y * y);
-  place.pose = {frame.rotation, frame.rotation * slot.place + frame.translation};
+  place.pose = {frame.rotation, frame * slot.place};
   place.faces = posed(place.pose, material);
   place.drop = drop;
   place.virtual_faces = posed({place.pose.rotation, place.pose.translation + Eigen::Vector3d(0, 0, drop)}, material);
