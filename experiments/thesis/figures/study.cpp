@@ -22,7 +22,6 @@ using Task = std::function<void()>;
 constexpr int kLargestAngle = 60;
 constexpr int kLowestRadius = 150, kHighestRadius = 720;  // of the area of configuration
 constexpr int kHighestHeight = 700;
-constexpr double kOverhang = 8;      // of the balls that cover the arm, as in `touchstone cell run`
 constexpr int kFurthestOffset = 15;  // a power of ten, mm
 constexpr std::size_t kMapPoints = 180;
 constexpr std::uint64_t kFlowcharts = 128;  // the first of their streams of random numbers
@@ -199,7 +198,7 @@ Study begin_study(const Settings& settings, const std::vector<std::string>& chan
   const std::array<cell::Cell, 2> cells{cell_of("case 1"), cell_of("case 2")};
   study.cell = cells[0];
   study.parts = cell::build_model(study.cell);
-  study.covered = std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(study.parts, kOverhang));
+  study.covered = std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(study.parts));
   study.link_files = link_files(study.parts);
   study.outlines.push_back(gripper_outline(study.parts));
   for (const stability::Outline& outline : stability::outlines()) study.outlines.push_back(outline);

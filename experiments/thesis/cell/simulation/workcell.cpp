@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "experiments/cases/workloads/degrees.h"
@@ -69,19 +68,13 @@ void append(std::vector<NamedTriangle>& all, const scene::Faces& faces, std::uin
 
 std::string_view to_string(StationSlot slot) { return slot == StationSlot::Storage ? "storage" : "machine"; }
 
-std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang) {
+std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts) {
   std::vector<Covered> covered;
   for (const ModelPart& part : parts) {
     if (part.carrier != Carrier::Link && part.carrier != Carrier::Gripper && part.carrier != Carrier::Material)
       continue;
-    try {
-      const scene::Faces faces = scene_faces(part.faces).faces;
-      covered.push_back({part.name, part.carrier, part.link, BallCover(faces, overhang), {}});
-      append(covered.back().triangles, faces, 0);
-    } catch (const std::length_error& error) {
-      throw std::length_error(
-          fmt::format("the part {}: {}; --cover-margin allows larger ones", part.name, error.what()));
-    }
+    covered.push_back({part.name, part.carrier, part.link, {}});
+    append(covered.back().triangles, scene_faces(part.faces).faces, 0);
   }
   return covered;
 }

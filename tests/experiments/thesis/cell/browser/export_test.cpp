@@ -60,7 +60,7 @@ class ExportCommand : public testing::Test {
  protected:
   [[nodiscard]] run_tests::Ran run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "export");
-    for (const char* word : {"--cover-margin", "8", "--methods", "filtered"}) arguments.emplace_back(word);
+    for (const char* word : {"--methods", "filtered"}) arguments.emplace_back(word);
     return run_tests::run_captured(commands::cell_command, std::move(arguments));
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }
