@@ -24,6 +24,10 @@ struct Box {
   [[nodiscard]] Box joined(const Box& other) const { return {low.cwiseMin(other.low), high.cwiseMax(other.high)}; }
 };
 
+/// Returns whether some point is in both boxes.
+[[nodiscard]] inline bool meet(const Box& a, const Box& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
 /// Returns the smallest box that contains the triangle; exact.
 [[nodiscard]] inline Box box(const Triangle& t) {
   return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};

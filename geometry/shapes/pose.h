@@ -22,6 +22,12 @@ struct Pose {
       if (!same_point(a.rotation.col(column), b.rotation.col(column))) return false;
     return same_point(a.translation, b.translation);
   }
+
+  /// Returns R p + t in doubles: where the point p of the model lies, up to rounding. `scene::posed` rounds correctly.
+  /// Call it in the default state of the floating-point unit: it is too short to set that state itself.
+  friend Eigen::Vector3d operator*(const Pose& pose, const Eigen::Vector3d& p) {
+    return pose.rotation * p + pose.translation;
+  }
 };
 
 }  // namespace touchstone

@@ -92,7 +92,7 @@ int run(const AreaOptions& options) {
   const run::OutputFolder held(folder, options.line, {.force = options.force});
   const Cell cell = cell_of(options);
   const auto parts = build_model(cell);
-  const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(parts, options.overhang));
+  const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(parts));
   const Reach reach = reach_of(cell);
   const double step = options.length_step, furthest = reach.radius + reach.outer + step,
                lowest = cell.storage.stand ? step - cell.storage.stand->top : 0;

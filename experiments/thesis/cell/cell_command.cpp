@@ -4,11 +4,11 @@
 namespace touchstone::commands {
 
 run::Command cell_command() {
-  return {"cell",
-          "The virtual manufacturing cell: its model, its layout, its contacts",
-          {cell::new_command(), cell::show_command(), cell::convert_command(), cell::layout_command(),
-           cell::missed_command(), cell::run_command(), cell::area_command(), cell::serve_command(),
-           cell::export_command(), cell::cases_command()}};
+  return {
+      "cell",
+      "The virtual manufacturing cell: its model, its layout, its contacts",
+      {cell::new_command(), cell::show_command(), cell::layout_command(), cell::missed_command(), cell::run_command(),
+       cell::area_command(), cell::serve_command(), cell::export_command(), cell::cases_command()}};
 }
 
 }  // namespace touchstone::commands

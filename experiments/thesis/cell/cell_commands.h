@@ -8,7 +8,6 @@ namespace touchstone::cell {
 
 [[nodiscard]] run::Command new_command();
 [[nodiscard]] run::Command show_command();
-[[nodiscard]] run::Command convert_command();
 [[nodiscard]] run::Command layout_command();
 [[nodiscard]] run::Command missed_command();
 [[nodiscard]] run::Command run_command();

@@ -9,7 +9,6 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/browser/cell_json.h"
-#include "experiments/thesis/cell/browser/gltf.h"
 #include "experiments/thesis/cell/browser/page.h"
 #include "experiments/thesis/cell/browser/recording.h"
 #include "experiments/thesis/cell/cell_commands.h"
@@ -22,22 +21,17 @@ namespace {
 struct ExportOptions {
   RunOptions run;
   std::string file;
-  double rate = 25;
   bool force = false;
 };
 
 int run(const ExportOptions& options) {
   const std::string extension = std::filesystem::path(options.file).extension().string();
-  if (extension != ".html" && extension != ".gltf" && extension != ".glb")
-    throw std::invalid_argument(
-        fmt::format("{}: the extension '{}' must be .html, .gltf or .glb", options.file, extension));
+  if (extension != ".html")
+    throw std::invalid_argument(fmt::format("{}: the extension '{}' must be .html", options.file, extension));
   run::refuse_overwrite(options.file, options.force);
   const browser::Simulator simulator = simulator_of(options.run);
   const browser::Recording recording = simulator.run(simulator.setting());
-  const std::string text = extension == ".html"
-                               ? browser::recorded_page(browser::cell_json(simulator), browser::run_json(recording))
-                           : extension == ".gltf" ? browser::gltf_text(recording, options.rate)
-                                                  : browser::gltf_binary(recording, options.rate);
+  const std::string text = browser::recorded_page(browser::cell_json(simulator), browser::run_json(recording));
   run::write_file(options.file, text, options.force);
   fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.snapshots.size(), text.size(),
              io::all_legible(options.file));
@@ -49,16 +43,14 @@ int run(const ExportOptions& options) {
 }  // namespace
 
 run::Command export_command() {
-  run::Command command("export", "Run the process and write it to a page or a 3D model");
+  run::Command command("export", "Run the process and write it to a page");
   auto options = std::make_shared<ExportOptions>();
   command.text("CELL", options->run.file, "A cell file (JSON): `cell new` writes one, docs/formats.md has its keys")
       .required();
   command
       .text("FILE", options->file,
-            "The file to write: .html for the page of `serve`, which plays the run and needs no other file; .gltf or "
-            ".glb for the cell with the run as an animation")
+            "The file to write (.html): the page of `serve`, which plays the run and needs no other file")
       .required();
-  command.positive("--rate", options->rate, "Stops per second of the animation (.gltf, .glb)");
   command.flag("--force", options->force, "Overwrite an existing file");
   add_run_options(command, options->run);
   command.example("cell export experiments/thesis/cell/cells/aristo.json cell.html");

@@ -51,7 +51,7 @@ class Stopwatch {
 class PieceRun {
  public:
   PieceRun(const Cell& cell, const RunCommandOptions& options, const std::vector<const cases::Method*>& methods)
-      : workcell_(cell, build_model(cell), options.overhang),
+      : workcell_(cell, build_model(cell)),
         before_(watch_.lap()),
         process_(simulate(workcell_, rule_of(options))),
         cycle_(watch_.lap()),

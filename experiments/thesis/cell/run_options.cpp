@@ -24,7 +24,6 @@ void add_cell_options(run::Command& command, RunOptions& options) {
   command.text("--drive", options.drive, "The method whose answer stops the robot, instead of the exact one")
       .takes("METHOD");
   command.text("--meshes", options.meshes, "The folder of mesh files, instead of the cell file's").takes("FOLDER");
-  command.positive("--cover-margin", options.overhang, "Slack of the arm's covering balls");
 }
 
 void add_run_options(run::Command& command, RunOptions& options) {
@@ -65,11 +64,7 @@ browser::Simulator simulator_of(RunOptions options, const browser::Variation& va
   auto plant = std::make_shared<const Plant>(plant_of(options));
   const std::size_t piece = chosen(*plant, options);
   return {cell_of(*plant, piece),
-          {.overhang = options.overhang,
-           .methods = std::move(methods),
-           .rule = rule_of(options),
-           .plant = std::move(plant),
-           .piece = piece}};
+          {.methods = std::move(methods), .rule = rule_of(options), .plant = std::move(plant), .piece = piece}};
 }
 
 }  // namespace touchstone::cell

@@ -18,7 +18,6 @@ struct RunOptions {
   bool sphere_alone = false;
   methods::Selection methods{{"filtered", "fast", "fast-float", "thesis", "thesis-float", "thesis-0.9999", "thesis-1",
                               "thesis-signed", "thesis-newell", "thesis-closed"}};
-  double overhang = 8;
 };
 
 /// Adds the options about the cell and the rule, except the file. `options` must outlive the command.

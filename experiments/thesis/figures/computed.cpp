@@ -112,7 +112,7 @@ std::size_t faces(const Study& study, cell::Carrier carrier) {
 
 void compute_model_files(const Study& study, Computed& computed) {
   auto& numbers = computed.numbers;
-  std::size_t all_polygons = 0, all_same = 0, converted = 0, converted_same = 0;
+  std::size_t all_polygons = 0, all_same = 0;
   for (const LinkFile& file : study.link_files) {
     std::size_t vertices = 0, polygons = 0, holes = 0;
     for (const cell::LinkPart& part : file.model.parts) {
@@ -121,7 +121,6 @@ void compute_model_files(const Study& study, Computed& computed) {
       for (const cell::LinkPolygon& polygon : part.polygons) holes += polygon.holes.size();
     }
     all_polygons += polygons, all_same += file.same;
-    converted += file.converted, converted_same += file.converted_same;
     const std::string& name = file.model.name;
     const bool shown = name == "Axis1" || name == "Gripper1", bottom = name == "machine-bottom";
     if (!bottom) numbers[name + ": polygons"] = polygons;
@@ -137,8 +136,6 @@ void compute_model_files(const Study& study, Computed& computed) {
   numbers["links and gripper"] = study.cell.robot.links.size() + 1;
   numbers["polygons in all files"] = all_polygons;
   numbers["files that are the same"] = all_same;
-  numbers["conversions"] = converted;
-  numbers["conversions without a difference"] = converted_same;
 }
 
 void compute_robot(const Study& study, Computed& computed) {

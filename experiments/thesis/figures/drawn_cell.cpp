@@ -17,8 +17,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-Eigen::Vector3d moved(const Pose& pose, const Eigen::Vector3d& p) { return pose.rotation * p + pose.translation; }
-
 ordered_json point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
 ordered_json numbers(const Pose& pose) {
@@ -56,7 +54,7 @@ Outline gripper_outline(const std::vector<cell::ModelPart>& parts) {
 Polygon gripper_face(const std::vector<cell::ModelPart>& parts, const Pose& flange) {
   const Polygon& face = front_face(parts);
   Loop loop;
-  for (std::size_t i = 0; i < face.vertex_count(); ++i) loop.push_back(moved(flange, face.vertex(i)));
+  for (std::size_t i = 0; i < face.vertex_count(); ++i) loop.push_back(flange * face.vertex(i));
   return Polygon(loop);
 }
 

@@ -9,7 +9,6 @@
 
 #include "experiments/run/data.h"
 #include "experiments/run/write_file.h"
-#include "experiments/thesis/cell/model/convert.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/figures/drawn_cell.h"
 
@@ -23,7 +22,6 @@ using Task = std::function<void()>;
 constexpr int kLargestAngle = 60;
 constexpr int kLowestRadius = 150, kHighestRadius = 720;  // of the area of configuration
 constexpr int kHighestHeight = 700;
-constexpr double kOverhang = 8;      // of the balls that cover the arm, as in `touchstone cell run`
 constexpr int kFurthestOffset = 15;  // a power of ten, mm
 constexpr std::size_t kMapPoints = 180;
 constexpr std::uint64_t kFlowcharts = 128;  // the first of their streams of random numbers
@@ -50,12 +48,6 @@ std::vector<LinkFile> link_files(const std::vector<cell::ModelPart>& parts) {
     file.text = cell::link_model_text(file.model);
     run::write_file(folder / "model.txt", file.text);
     file.same = cell::read_link_model(folder / "model.txt") == file.model;
-    for (const char* mesh : {"mesh.obj", "mesh.off", "mesh.stl", "mesh.ply"}) {
-      const cell::LinkModel written = cell::prepared(file.model, cell::Preparation::None, folder / mesh);
-      run::write_file(folder / mesh, cell::model_text(written, folder / mesh));
-      ++file.converted;
-      file.converted_same += cell::differences(written, cell::read_model(folder / mesh)).empty();
-    }
   }
   std::filesystem::remove_all(folder);
   return files;
@@ -205,7 +197,7 @@ Study begin_study(const Settings& settings, const std::vector<std::string>& chan
   const std::array<cell::Cell, 2> cells{cell_of("case 1"), cell_of("case 2")};
   study.cell = cells[0];
   study.parts = cell::build_model(study.cell);
-  study.covered = std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(study.parts, kOverhang));
+  study.covered = std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(study.parts));
   study.link_files = link_files(study.parts);
   study.outlines.push_back(gripper_outline(study.parts));
   for (const Outline& outline : outlines()) study.outlines.push_back(outline);

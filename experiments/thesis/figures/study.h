@@ -48,8 +48,6 @@ struct LinkFile {
   cell::LinkModel model;
   std::string text;
   bool same = false;  ///< whether reading it again gives the same model
-  std::size_t converted = 0,
-              converted_same = 0;  ///< files converted to meshes and read again, and those of them without a difference
 };
 
 struct Study {

@@ -21,7 +21,7 @@ WITHOUT_DOUBLES = re.compile(
     r"PlaneSide|PointLocation|Relation|Feature|Kind|FirstContactKind|Objects|PreparedPolygon|Options|Parts|Lifted)\b")
 # Functions that take the floating-point unit as it is; the header that declares them says so, in these words.
 ASSUMED = "in the default state of the floating-point unit"
-ASSUMES = re.compile(r"fast::|thesis::|dropped_axis$|box$|Box::(empty|joined)$")
+ASSUMES = re.compile(r"fast::|thesis::|dropped_axis$|box$|Box::(empty|joined)$|meet$|operator\*$")
 
 
 def public_headers(source):

@@ -17,9 +17,6 @@
 // decides. All are conservative: every triangle that the ball touches is a candidate.
 namespace touchstone::bench_scenes {
 
-[[nodiscard]] inline bool meet(const Box& a, const Box& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
 /// Returns a box around the ball, rounded outwards.
 [[nodiscard]] inline Box box_around(const Ball& ball) {
   Box box;

@@ -299,20 +299,4 @@ std::string area_json(const std::vector<Tried>& tried) {
   return places.dump();
 }
 
-std::string covers_json(const std::vector<Covered>& covered) {
-  Json covers = Json::array();
-  double overhang = 0;
-  for (const Covered& part : covered) {
-    if (part.carrier == Carrier::Material) continue;
-    overhang = std::max(overhang, part.cover.overhang());
-    Json balls = Json::array();
-    for (const Ball& ball : part.cover.smallest()) {
-      for (const double coordinate : ball.center) balls.push_back(drawn(coordinate));
-      balls.push_back(drawn(ball.radius));
-    }
-    covers.push_back({{"link", part.link}, {"balls", std::move(balls)}});
-  }
-  return Json{{"overhang", overhang}, {"covers", std::move(covers)}}.dump();
-}
-
 }  // namespace touchstone::cell::browser

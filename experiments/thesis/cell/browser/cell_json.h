@@ -22,7 +22,7 @@ namespace touchstone::cell::browser {
 [[nodiscard]] std::string cell_json(const Simulator& simulator);
 
 /// Returns the part of a run that the page shows:
-///   setting, labels; failure: text, empty if it completed; queries: the number of obstacle queries;
+///   setting, labels; failure: text, empty if it completed; queries: the number of distances that were measured for obstacles;
 ///   stuck: null, or where it ends early: {reason: a sentence, parts: that touch, links, sphere, material};
 ///   times: seconds at each stop, empty if a speed is unknown; separation: {elements, tolerance, least: [{mover,
 ///   element, part, low, high, stop, seconds}], nearest: {mover: {here, low, element}: lists by stop}} as in
@@ -40,8 +40,5 @@ namespace touchstone::cell::browser {
 [[nodiscard]] std::string pose_json(const Posed& posed);
 /// Returns the outcomes at some radii: [{radius, cause: null if it completes, reason}].
 [[nodiscard]] std::string area_json(const std::vector<Tried>& tried);
-/// Returns the balls that cover the arm: overhang; covers: [{link, balls: [x, y, z, radius, ...]}], in the links'
-/// frames.
-[[nodiscard]] std::string covers_json(const std::vector<Covered>& covered);
 
 }  // namespace touchstone::cell::browser

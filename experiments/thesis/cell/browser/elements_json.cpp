@@ -116,7 +116,7 @@ Json zones_json(const Cell& cell) {
     for (const auto& [from, to] : edges.all)
       for (const Eigen::Vector3d& end : {from, to}) {
         outline.push_back(outline.size());
-        const Eigen::Vector3d at = zone.pose.rotation * end + zone.pose.translation;
+        const Eigen::Vector3d at = zone.pose * end;
         for (const double coordinate : at) points.push_back(static_cast<float>(coordinate));
       }
     zones.push_back({{"name", zone.name},

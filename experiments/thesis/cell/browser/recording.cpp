@@ -11,6 +11,7 @@
 #include "experiments/methods/registry.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/simulation/cycle_time.h"
+#include "experiments/thesis/cell/simulation/sweep.h"
 
 namespace touchstone::cell::browser {
 // The material follows the flange while the gripper has it.
@@ -41,7 +42,7 @@ Simulator::Simulator(Cell cell, SimulatorOptions options)
     : cell_(std::move(cell)),
       parts_(build_model(cell_)),
       options_(std::move(options)),
-      arm_(std::make_shared<const std::vector<Covered>>(cover_arm(parts_, options_.overhang))) {}
+      arm_(std::make_shared<const std::vector<Covered>>(cover_arm(parts_))) {}
 
 std::vector<ModelPart> Simulator::parts_for(const Cell& cell) const { return with_stand(parts_, cell.storage); }
 

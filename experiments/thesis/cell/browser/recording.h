@@ -12,6 +12,7 @@
 #include "experiments/thesis/cell/model/cell.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/plant.h"
+#include "experiments/thesis/cell/simulation/hindrance.h"
 #include "experiments/thesis/cell/simulation/method_comparison.h"
 #include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/separation.h"
@@ -49,7 +50,6 @@ struct Recording {
 
 /// The options of runs that do not depend on the setting.
 struct SimulatorOptions {
-  double overhang = 8;                             ///< of the balls that cover the arm, as in BallCover
   std::vector<const cases::Method*> methods = {};  ///< asked about every face, besides the exact answer
   Rule rule = {};
   std::shared_ptr<const Plant> plant = {};  ///< of which the cell is one piece's; none if it is all there is
@@ -91,7 +91,6 @@ class Simulator {
   [[nodiscard]] std::vector<std::string> drives() const;
   /// How many joints turn.
   [[nodiscard]] std::size_t joints() const { return arm_of(cell_).home.size(); }
-  [[nodiscard]] const std::vector<Covered>& covered() const { return *arm_; }
 
  private:
   [[nodiscard]] std::vector<ModelPart> parts_for(const Cell& cell) const;

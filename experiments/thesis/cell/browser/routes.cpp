@@ -42,9 +42,8 @@ struct Route {
   bool posted;
 };
 constexpr std::array<Route, 6> kRoutes{
-    {{"cell", false}, {"covers", false}, {"varied", true}, {"run", true}, {"area", true}, {"pose", true}}};
-constexpr const char* kThere =
-    "there are /, /api/presets, /api/cell, /api/covers, /api/varied, /api/run, /api/area and /api/pose";
+    {{"cell", false}, {"varied", true}, {"run", true}, {"area", true}, {"pose", true}}};
+constexpr const char* kThere = "there are /, /api/presets, /api/cell, /api/varied, /api/run, /api/area and /api/pose";
 
 /// The name behind /api/ and the number behind that; 0 without one, none for anything else.
 std::optional<std::pair<std::string, std::size_t>> parts_of(std::string_view path) {
@@ -130,7 +129,6 @@ HttpReply Routes::answered(const std::string& what, std::size_t preset, const st
     const Simulator& simulator = *shared;
     const Cell& cell = simulator.cell();
     if (what == "cell" || what == "varied") return {200, kJson, cell_json(simulator), ""};
-    if (what == "covers") return {200, kJson, covers_json(simulator.covered()), ""};
     if (what == "run") return {200, kJson, run_json(simulator.run(read_setting(body, cell))), ""};
     if (what == "area") return {200, kJson, area_json(simulator.area(read_setting(body, cell), kRadii)), ""};
     const PoseRequest pose = read_pose(body, cell, simulator.joints());

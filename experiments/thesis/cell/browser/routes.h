@@ -29,7 +29,6 @@ struct Variant {
 ///   GET /             the page
 ///   GET /api/presets  the presets' names
 ///   GET /api/cell     cell_json
-///   GET /api/covers   covers_json
 ///   POST /api/varied  a variation, as read_variation takes it: cell_json of that
 ///   POST /api/run     a setting, as read_setting takes it: run_json
 ///   POST /api/area    a setting: area_json, at its angle

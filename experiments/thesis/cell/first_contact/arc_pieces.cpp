@@ -15,10 +15,6 @@ constexpr double kWidest = 4;          // degrees of a piece
 constexpr double kRounding = 0x1p-40;  // of the largest numbers: some thousand times what rounding can do
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool meet(const Box& a, const Box& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
 /// The point at an angle, by the C library: here it may be off by a little.
 Eigen::Vector3d roughly_at(const Arc& arc, double degrees) {
   const Eigen::Vector3d unit = direction_of(arc.axis), v = arc.start - arc.point;

@@ -12,9 +12,7 @@
 namespace touchstone::kinematics {
 namespace {
 
-Pose after(const Pose& first, const Pose& then) {
-  return {first.rotation * then.rotation, first.rotation * then.translation + first.translation};
-}
+Pose after(const Pose& first, const Pose& then) { return {first.rotation * then.rotation, first * then.translation}; }
 
 /// Rodrigues' formula.
 Eigen::Matrix3d turn_about(const Eigen::Vector3d& axis, double degrees) {
@@ -114,7 +112,7 @@ std::vector<Pose> Chain::frames(const Angles& commanded) const {
 
 Eigen::Vector3d Chain::place(const Angles& commanded, const Eigen::Vector3d& point) const {
   const Pose flange = frames(commanded).back();
-  return flange.rotation * point + flange.translation;
+  return flange * point;
 }
 
 Arc Chain::arc(const Angles& commanded, std::size_t joint, double move, const Eigen::Vector3d& point) const {
@@ -124,7 +122,7 @@ Arc Chain::arc(const Angles& commanded, std::size_t joint, double move, const Ei
   require_reachable(end);
   const std::vector<Pose> all = frames(commanded);
   Arc arc;
-  arc.start = all.back().rotation * point + all.back().translation;
+  arc.start = all.back() * point;
   arc.point = all[joint].translation;
   // What comes behind the joint that makes up for the driver is shifted along with that joint's origin.
   if (const auto by = compensating(joint)) arc.point += arc.start - all[*by].translation;

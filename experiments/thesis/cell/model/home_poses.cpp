@@ -5,9 +5,7 @@
 
 namespace touchstone::cell {
 
-Pose within(const Pose& outer, const Pose& pose) {
-  return {outer.rotation * pose.rotation, outer.rotation * pose.translation + outer.translation};
-}
+Pose within(const Pose& outer, const Pose& pose) { return {outer.rotation * pose.rotation, outer * pose.translation}; }
 
 Pose inverse(const Pose& pose) {
   const Eigen::Matrix3d back = pose.rotation.transpose();

@@ -196,10 +196,4 @@ LinkPart link_part(std::string name, const SolidFaces& solid) {
   return part;
 }
 
-LinkPart link_part(std::string name, const Mesh& mesh) {
-  LinkPart part{std::move(name), mesh.vertices, {}};
-  for (const std::vector<std::uint32_t>& face : mesh.faces) part.polygons.push_back({face, {}});
-  return part;
-}
-
 }  // namespace touchstone::cell

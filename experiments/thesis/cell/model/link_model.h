@@ -57,7 +57,4 @@ struct LinkModel {
 /// Returns the faces of a solid as a part, with equal points as one vertex, in order of first use.
 [[nodiscard]] LinkPart link_part(std::string name, const SolidFaces& solid);
 
-/// Returns a mesh as one part.
-[[nodiscard]] LinkPart link_part(std::string name, const Mesh& mesh);
-
 }  // namespace touchstone::cell

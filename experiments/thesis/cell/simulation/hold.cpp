@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "experiments/thesis/cell/simulation/triangle_gap.h"
+#include "experiments/thesis/cell/simulation/triangle_distance.h"
 
 namespace touchstone::cell {
 namespace {
@@ -14,12 +14,9 @@ constexpr int kShifts = 16;  // of equal length, up to the play: fingers are thi
 
 std::string met_by_gripper(const Workcell& workcell, const Pose& in_flange) {
   for (const NamedTriangle& each : workcell.material()) {
-    const auto posed = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-      return in_flange.rotation * p + in_flange.translation;
-    };
-    const Triangle triangle{posed(each.triangle.a), posed(each.triangle.b), posed(each.triangle.c)};
+    const Triangle triangle{in_flange * each.triangle.a, in_flange * each.triangle.b, in_flange * each.triangle.c};
     for (const NamedTriangle& finger : workcell.gripper())
-      if (!further_apart(triangle, finger.triangle, 0)) return workcell.names()[finger.owner];
+      if (distance(triangle, finger.triangle).lower == 0) return workcell.names()[finger.owner];
   }
   return "";
 }

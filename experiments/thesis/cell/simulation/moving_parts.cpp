@@ -9,14 +9,6 @@
 #include "experiments/thesis/cell/simulation/joint_turn.h"
 
 namespace touchstone::cell {
-namespace {
-
-Ball around(const Pose& pose, const touchstone::Box& box) {
-  const Eigen::Vector3d center = (box.low + box.high) / 2;
-  return posed_generously(pose, {center, (box.high - center).norm() * JointTurn::kGenerous});
-}
-
-}  // namespace
 
 std::string_view to_string(Mover mover) {
   constexpr std::array<std::string_view, kMovers.size()> words{"arm", "held material", "sphere"};
@@ -25,6 +17,15 @@ std::string_view to_string(Mover mover) {
 
 Pose MovingPart::pose(const std::vector<Pose>& links, const MaterialTransfer& state) const {
   return mover == Mover::Held ? within(links[link], *state.in_flange) : links[link];
+}
+
+Ball MovingPart::around(const Pose& pose) const {
+  const touchstone::Box box = triangles.whole();
+  const Eigen::Vector3d center = (box.low + box.high) / 2;
+  const double reach = (box.high - center).norm() * JointTurn::kGenerous;
+  // Products of rotations of an arm are off by some 1e-15 an element, so is each of nine products and sums.
+  const double error = 1e-13 * (center.cwiseAbs().sum() + reach + pose.translation.cwiseAbs().sum());
+  return {pose * center, reach + error};
 }
 
 DistanceBounds MovingPart::distance_from(const TriangleTree& still, const Pose& pose, double cutoff) const {
@@ -42,11 +43,11 @@ std::vector<std::vector<NamedTriangle>> by_owner(const std::vector<NamedTriangle
   return parts;
 }
 
-std::vector<MovingPart> moving_parts(const Workcell& workcell) {
+std::vector<MovingPart> moving_parts(const Workcell& workcell, bool foot) {
   const Arm& arm = workcell.arm();
   std::vector<MovingPart> parts;
   for (const Covered& part : workcell.covered())
-    if (part.carrier == Carrier::Link && arm.links[part.link].frame)
+    if (part.carrier == Carrier::Link && (foot || arm.links[part.link].frame))
       parts.push_back({Mover::Arm, part.name, part.link, TriangleTree(part.triangles), 0});
   const std::size_t flange = arm.links.size() - 1;
   const auto add = [&](Mover mover, const std::vector<NamedTriangle>& triangles) {
@@ -81,7 +82,7 @@ WayBetween way_between(const Arm& arm, const std::vector<MovingPart>& parts, con
       way.moved.push_back(0);
       continue;
     }
-    const Ball whole = around(part.pose(links, state), part.triangles.whole());
+    const Ball whole = part.around(part.pose(links, state));
     way.moved.push_back(turn.moved(turn.motion(part.link), whole.center, whole.radius, std::abs(way.step.degrees)));
   }
   return way;

@@ -23,13 +23,15 @@ struct MovingPart {
   [[nodiscard]] bool is_there(const MaterialTransfer& state) const { return mover != Mover::Held || !state.slot; }
   /// Returns its pose with the arm at these links. Requires that it is there.
   [[nodiscard]] Pose pose(const std::vector<Pose>& links, const MaterialTransfer& state) const;
+  /// Returns a ball around it at a pose.
+  [[nodiscard]] Ball around(const Pose& pose) const;
   /// Returns its distance from triangles that stand, as `distance` of two trees.
   [[nodiscard]] DistanceBounds distance_from(const TriangleTree& still, const Pose& pose, double cutoff) const;
 };
 
-/// Returns the moving parts of the arm, the gripper, the material and the virtual sphere. The foot of the robot does
-/// not move and is left out.
-[[nodiscard]] std::vector<MovingPart> moving_parts(const Workcell& workcell);
+/// Returns the moving parts of the arm, the gripper, the material and the virtual sphere; with `foot` also those of the
+/// robot's foot, which does not move.
+[[nodiscard]] std::vector<MovingPart> moving_parts(const Workcell& workcell, bool foot = false);
 /// Returns triangles by their owners.
 [[nodiscard]] std::vector<std::vector<NamedTriangle>> by_owner(const std::vector<NamedTriangle>& triangles);
 

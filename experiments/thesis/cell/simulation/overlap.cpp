@@ -6,12 +6,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "experiments/thesis/cell/simulation/triangle_gap.h"
+#include "experiments/thesis/cell/simulation/triangle_distance.h"
 
 namespace touchstone::cell {
 namespace {
@@ -75,13 +76,9 @@ std::optional<Hindrance> overlap_of_things(const Workcell& workcell) {
   };
   for (std::size_t i = 0; i < things.size(); ++i)
     for (std::size_t j = i + 1; j < things.size(); ++j) {
-      for (const Piece& part : things[i].parts)
-        for (const NamedTriangle& each : part.triangles) {
-          const NamedTriangle* met = things[j].tree.find(box(each.triangle), [&](const NamedTriangle& other) {
-            return !further_apart(each.triangle, other.triangle, 0);
-          });
-          if (met != nullptr) return hindrance("{} stands in {}", each.owner, met->owner);
-        }
+      constexpr double kNear = std::numeric_limits<double>::min();
+      if (const auto met = distance(things[i].tree, {}, things[j].tree, kNear); met.lower < kNear)
+        return hindrance("{} stands in {}", met.owner, met.other);
       // Surfaces that are apart: one vertex tells for all of a part.
       for (const Piece& part : things[i].parts)
         for (const Piece& other : things[j].parts)

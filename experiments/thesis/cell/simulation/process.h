@@ -13,7 +13,6 @@
 #include "experiments/thesis/cell/first_contact/first_contact.h"
 #include "experiments/thesis/cell/kinematics/chain.h"
 #include "experiments/thesis/cell/kinematics/simulation_terms.h"
-#include "experiments/thesis/cell/simulation/sweep.h"
 #include "experiments/thesis/cell/simulation/workcell.h"
 
 namespace touchstone::cell {
@@ -106,7 +105,7 @@ struct Process {
   /// OutOfReach also if no lift clears the material.
   std::optional<FailureCause> cause;
   std::vector<Trigger> triggers;  ///< by stop
-  std::uint64_t queries = 0;      ///< the number of balls and triangles that were tested for obstacles
+  std::uint64_t queries = 0;      ///< the number of distances that were measured for obstacles
 
   /// Returns the last transfer before a stop: where the material is when the arm arrives there.
   [[nodiscard]] const MaterialTransfer& holding(std::size_t stop) const;

@@ -112,8 +112,7 @@ std::vector<VertexRow> pose_rows(const Workcell& workcell, const Process& proces
     const MaterialTransfer& last = process.holding(i);
     const Pose lies = last.slot ? workcell.at(*last.slot).pose : within(flange, *last.in_flange);
     for (const auto& [vertices, pose] : {std::pair(&gripper, &flange), std::pair(&material, &lies)})
-      for (const VertexRow& vertex : *vertices)
-        rows.push_back({i, vertex.part, pose->rotation * vertex.at + pose->translation});
+      for (const VertexRow& vertex : *vertices) rows.push_back({i, vertex.part, *pose * vertex.at});
   }
   return rows;
 }
@@ -270,17 +269,8 @@ std::string summary(const Workcell& workcell, const Process& process, const Sepa
                           m.wrong->gap, workcell.cell().unit.name);
     text += "\n";
   }
-  double overhang = 0;
-  std::size_t balls = 0;
-  for (const Covered& part : workcell.covered()) {
-    overhang = std::max(overhang, part.cover.overhang());
-    balls += part.cover.smallest().size();
-  }
   const std::string_view unit = workcell.cell().unit.name;
-  text += fmt::format(
-      "\n{} stops; the arm is covered by {} balls that reach at most {:.3g} {} beyond it; {} balls and triangles "
-      "were tested for obstacles\n",
-      process.stops.size(), balls, overhang, unit, process.queries);
+  text += fmt::format("\n{} stops; {} distances were measured for obstacles\n", process.stops.size(), process.queries);
   for (const MaterialTransfer& transfer : process.transfers)
     if (transfer.slot && transfer.stop > 0)
       text += fmt::format("let go in the {}: {:.1f} {} from its place, turned by {:.2f} degrees\n",

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "experiments/thesis/cell/simulation/clearance.h"
 #include "experiments/thesis/cell/simulation/cycle_time.h"
 #include "experiments/thesis/cell/simulation/joint_turn.h"
 #include "experiments/thesis/cell/simulation/moving_parts.h"
@@ -155,23 +156,28 @@ class Measurement {
     StepOfJoint step;
     const MaterialTransfer* state;
     double rate;    ///< by which the distance changes at most, per degree
-    double needed;  ///< a lower bound that is good enough
     double upper;   ///< attained on the way
     double always;  ///< a lower bound on the whole way
   };
-  /// A lower bound of the distance between two angles, by its bounds at them. Halves until it is good enough.
-  double lowest(Way& way, double begin, double at_begin, double end, double at_end) {
-    const double lower = std::max(way.always, (at_begin + at_end - way.rate * (end - begin)) / 2);
-    if (lower >= way.needed || way.rate * (end - begin) <= tolerance_ / 4) return lower;
-    const double middle = begin + (end - begin) / 2;
-    kinematics::Angles angles = process_.stops[way.stop].commanded;
-    angles[way.step.joint] += std::copysign(middle, way.step.degrees);
-    const DistanceBounds there = measure(way.part, way.element, arm_.link_poses(angles), *way.state,
-                                         std::max(at_begin, at_end) + way.rate * (end - begin), way.stop,
-                                         std::copysign(middle, way.step.degrees));
-    way.upper = std::min(way.upper, there.upper);
-    way.needed = needed(way);
-    return std::min(lowest(way, begin, at_begin, middle, there.lower), lowest(way, middle, there.lower, end, at_end));
+  /// A lower bound of the distance on the way, by its bounds at the ends. Halves until it is good enough.
+  double lowest(Way& way, const Clearance& whole) {
+    double lower = kInfinity;
+    const auto judge = [&](const Clearance& part) {
+      const double here = std::max(way.always, part.least(way.rate));
+      if (here < needed(way) && way.rate * (part.end - part.begin) > tolerance_ / 4) return Next::Halve;
+      lower = std::min(lower, here);
+      return Next::Done;
+    };
+    by_halves(whole, judge, [&](double middle, const Clearance& part) {
+      kinematics::Angles angles = process_.stops[way.stop].commanded;
+      angles[way.step.joint] += std::copysign(middle, way.step.degrees);
+      const double cutoff = std::max(part.at_begin, part.at_end) + way.rate * (part.end - part.begin);
+      const DistanceBounds there = measure(way.part, way.element, arm_.link_poses(angles), *way.state, cutoff, way.stop,
+                                           std::copysign(middle, way.step.degrees));
+      way.upper = std::min(way.upper, there.upper);
+      return there.lower;
+    });
+    return lower;
   }
   /// How much higher than an element a part stays while it turns about a vertical axis; 0 for other moves.
   [[nodiscard]] double above(std::size_t p, std::size_t e, const JointTurn& turn, const std::vector<Pose>& links,
@@ -181,8 +187,7 @@ class Measurement {
     const Pose pose = part.pose(links, state);
     const touchstone::Box box = part.triangles.whole();
     const Eigen::Vector3d half = (box.high - box.low) / 2;
-    const double center = (pose.rotation * (box.low + half) + pose.translation).z(),
-                 reach = (pose.rotation.cwiseAbs() * half).z() + part.radius;
+    const double center = (pose * (box.low + half)).z(), reach = (pose.rotation.cwiseAbs() * half).z() + part.radius;
     return std::max(0.0, center - reach - elements_[e].triangles.whole().high.z() - kTolerance * tolerance_);
   }
   [[nodiscard]] double needed(const Way& way) {
@@ -219,11 +224,9 @@ class Measurement {
                    step,
                    stretch.state,
                    degrees > 0 ? way[p] / degrees : 0,
-                   0,
                    nearest.bounds.upper,
                    above(p, e, turn, links, *stretch.state)};
-          over.needed = needed(over);
-          const double lower = lowest(over, 0, before[i], degrees, after[i]);
+          const double lower = lowest(over, {0, before[i], degrees, after[i]});
           best.bounds.lower = std::min(best.bounds.lower, lower);
           nearest.bounds.upper = std::min(nearest.bounds.upper, over.upper);
           nearest.bounds.lower = std::min(nearest.bounds.lower, lower);

@@ -7,25 +7,21 @@
 #include <vector>
 
 #include "experiments/thesis/cell/simulation/hindrance.h"
+#include "experiments/thesis/cell/simulation/moving_parts.h"
 #include "experiments/thesis/cell/simulation/workcell.h"
 
 namespace touchstone::cell {
 
 /// Tests whole moves of the arm for contact of all that moves, the sphere apart.
 ///
-/// Tested are: every moving part of the arm against the parts that stand, the floor and material that lies in a slot;
-/// the gripper against the same, as triangles; gripped material against the parts that stand and the floor, as
-/// triangles; and parts of the arm, with what it holds, against each other, unless they come within twice the covers'
-/// overhang of each other at home or sit next to each other in the chain.
+/// Tested are: every moving part of the arm and the gripper against the parts that stand, the floor and material that
+/// lies in a slot; gripped material against the parts that stand and the floor; and parts of the arm, with what it
+/// holds, against each other, unless they touch at home or sit next to each other in the chain. All are triangles that
+/// cover the faces, as for Separation.
 ///
 /// Guarantee: if a move has no hindrance, nothing that is tested touches at any angle of the move. Held material may
-/// rest on what lies wholly below it. The converse does not hold: a hindrance may be a miss by the overhang of a cover,
-/// or for triangles by what they move in a 128th of a step.
-///
-/// Method: conservative advancement over intervals of the angle. In the middle of an interval, every ball of a cover is
-/// enlarged, and every triangle kept away, by the farthest that the rest of the interval can move it: its greatest
-/// distance from the joint's axis times half the interval. What is clear then is clear in the whole interval; otherwise
-/// the interval is halved, down to a 64th of a step.
+/// rest on what lies wholly below it. The converse does not hold: a hindrance may be a miss by what the parts move in a
+/// 64th of a step. Method: first_touch.
 class Sweep {
  public:
   /// Requires a workcell that outlives it.
@@ -36,8 +32,8 @@ class Sweep {
     std::optional<Pose> held;     ///< the material's pose in the flange's frame, if it is held
     Workcell::Material material;  ///< else the slot in which it lies
   };
-  /// Returns the first hindrance of a move of one joint, by the signed `degrees`. Adds the number of tested balls and
-  /// triangles to `queries`. Cost: 1 to 30 ms.
+  /// Returns the first hindrance of a move of one joint, by the signed `degrees`. Adds the number of distances
+  /// that it measures to `queries`. Cost: 1 to 30 ms.
   [[nodiscard]] std::optional<Hindrance> along(const kinematics::Angles& from, Moved joint, double degrees,
                                                const Load& load, std::uint64_t& queries) const;
   /// Returns what the arm at rest touches, its fixed links against all but the floor.
@@ -47,7 +43,9 @@ class Sweep {
  private:
   friend class SweptMove;
   const Workcell* workcell_;
-  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // of covered parts that are to keep apart
+  std::vector<MovingPart> parts_;                           // all but the sphere
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // of parts that are to keep apart
+  TriangleTree without_floor_;                              // what stands, for the foot
 };
 
 }  // namespace touchstone::cell

@@ -80,10 +80,7 @@ double size_of(const Triangle& t) {
   return std::max({t.a.cwiseAbs().maxCoeff(), t.b.cwiseAbs().maxCoeff(), t.c.cwiseAbs().maxCoeff()});
 }
 
-Triangle posed(const Pose& pose, const Triangle& t) {
-  const auto at = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return pose.rotation * p + pose.translation; };
-  return {at(t.a), at(t.b), at(t.c)};
-}
+Triangle posed(const Pose& pose, const Triangle& t) { return {pose * t.a, pose * t.b, pose * t.c}; }
 
 /// A distance that two boxes, or a box and the ball around one, are at least apart.
 double apart(const touchstone::Box& one, const touchstone::Box& other) {
@@ -108,13 +105,13 @@ DistanceBounds distance(const Triangle& first, const Triangle& second) {
   return {0, pierces(a, b, m) || pierces(b, a, n) ? 0 : upper};
 }
 
-DistanceBounds distance(const TriangleTree& moving, const Pose& pose, const TriangleTree& still, double cutoff) {
-  DistanceBounds bounds{cutoff, std::numeric_limits<double>::infinity()};
+DistanceOfTrees distance(const TriangleTree& moving, const Pose& pose, const TriangleTree& still, double cutoff) {
+  DistanceOfTrees bounds{{cutoff, std::numeric_limits<double>::infinity()}};
   if (moving.nodes_.empty() || still.nodes_.empty()) return bounds;
   using Node = TriangleTree::Node;
   const auto beside = [&](const Node& mine, const Node& its) {
     const Eigen::Vector3d half = (mine.box.high - mine.box.low) / 2;
-    const Eigen::Vector3d center = pose.rotation * (mine.box.low + half) + pose.translation;
+    const Eigen::Vector3d center = pose * (mine.box.low + half);
     // The posed box has these half lengths along the axes.
     const Eigen::Vector3d reach = pose.rotation.cwiseAbs() * half;
     const double off = kPosing * (center.cwiseAbs().maxCoeff() + reach.maxCoeff() + its.box.high.cwiseAbs().maxCoeff() +
@@ -151,7 +148,10 @@ DistanceBounds distance(const TriangleTree& moving, const Pose& pose, const Tria
         const Triangle& other = still.triangles_[j].triangle;
         if (apart(around, box(other)) - off - kPosing * size_of(other) >= bounds.lower) continue;
         const DistanceBounds here = distance(triangle, other);
-        bounds.lower = std::min(bounds.lower, std::max(0.0, here.lower - off));
+        if (const double lower = std::max(0.0, here.lower - off); lower < bounds.lower) {
+          bounds.lower = lower;
+          bounds.owner = moving.triangles_[i].owner, bounds.other = still.triangles_[j].owner;
+        }
         bounds.upper = std::min(bounds.upper, here.upper + off);
       }
     }

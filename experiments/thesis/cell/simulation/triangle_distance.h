@@ -19,10 +19,15 @@ struct DistanceBounds {
 /// for triangles that touch. Requires finite coordinates. Cost: 0.3 us.
 [[nodiscard]] DistanceBounds distance(const Triangle& first, const Triangle& second);
 
+/// The distance of two sets of triangles.
+struct DistanceOfTrees : DistanceBounds {
+  std::uint32_t owner = 0, other = 0;  ///< of the two triangles with the least lower bound, if that is below the cutoff
+};
+
 /// Returns the distance of posed triangles from others. Both bounds are enlarged by more than posing is off. Distances
 /// of `cutoff` and more need not be told apart: then `lower` is the cutoff and `upper` may be infinite. Cost: 5 to 50
 /// us, by two hierarchies.
-[[nodiscard]] DistanceBounds distance(const TriangleTree& moving, const Pose& pose, const TriangleTree& still,
-                                      double cutoff);
+[[nodiscard]] DistanceOfTrees distance(const TriangleTree& moving, const Pose& pose, const TriangleTree& still,
+                                       double cutoff);
 
 }  // namespace touchstone::cell

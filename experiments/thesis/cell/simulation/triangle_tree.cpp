@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::uint32_t kMostInLeaf = 4;
 
-bool meet(const touchstone::Box& a, const touchstone::Box& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
 }  // namespace
 
 TriangleTree::TriangleTree(std::vector<NamedTriangle> triangles) : triangles_(std::move(triangles)) {
@@ -37,25 +33,6 @@ std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end) {
   nodes_[number].children[0] = low;
   nodes_[number].children[1] = high;
   return number;
-}
-
-const NamedTriangle* TriangleTree::find(const touchstone::Box& box,
-                                        const std::function<bool(const NamedTriangle&)>& test) const {
-  if (nodes_.empty()) return nullptr;
-  std::vector<std::uint32_t> open{0};
-  while (!open.empty()) {
-    const Node& node = nodes_[open.back()];
-    open.pop_back();
-    if (!meet(node.box, box)) continue;
-    if (node.children[0] != 0) {
-      open.push_back(node.children[1]);
-      open.push_back(node.children[0]);
-      continue;
-    }
-    for (std::uint32_t i = node.begin; i < node.end; ++i)
-      if (meet(touchstone::box(triangles_[i].triangle), box) && test(triangles_[i])) return &triangles_[i];
-  }
-  return nullptr;
 }
 
 }  // namespace touchstone::cell

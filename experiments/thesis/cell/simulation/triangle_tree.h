@@ -20,17 +20,14 @@ struct NamedTriangle {
   std::uint32_t owner;  ///< index of its name
 };
 
-struct DistanceBounds;
+struct DistanceOfTrees;
 
-/// Triangles that stand, to be found by a box around them.
+/// A hierarchy of boxes over triangles, for their distances.
 class TriangleTree {
  public:
   /// Cost: O(n log n), about 0.3 us per triangle.
   explicit TriangleTree(std::vector<NamedTriangle> triangles);
 
-  /// Returns the first triangle found that meets a closed box and satisfies a test; null if no triangle does.
-  [[nodiscard]] const NamedTriangle* find(const touchstone::Box& box,
-                                          const std::function<bool(const NamedTriangle&)>& test) const;
   /// Returns whether any triangle satisfies a test.
   [[nodiscard]] bool any(const std::function<bool(const NamedTriangle&)>& test) const {
     return std::ranges::any_of(triangles_, test);
@@ -39,7 +36,7 @@ class TriangleTree {
   [[nodiscard]] touchstone::Box whole() const { return nodes_.empty() ? touchstone::Box() : nodes_.front().box; }
 
  private:
-  friend DistanceBounds distance(const TriangleTree&, const Pose&, const TriangleTree&, double);
+  friend DistanceOfTrees distance(const TriangleTree&, const Pose&, const TriangleTree&, double);
   struct Node {
     touchstone::Box box;
     std::uint32_t begin, end;   // of its triangles

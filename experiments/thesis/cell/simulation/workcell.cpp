@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "experiments/cases/workloads/degrees.h"
@@ -47,7 +46,7 @@ Workplace workplace(const Station& station, const Slot& slot, const scene::Faces
   Workplace place;
   place.azimuth = station.azimuth() + workloads::arc_tangent(y, x);
   place.out = std::sqrt(x * x + y * y);
-  place.pose = {frame.rotation, frame.rotation * slot.place + frame.translation};
+  place.pose = {frame.rotation, frame * slot.place};
   place.faces = posed(place.pose, material);
   place.drop = drop;
   place.virtual_faces = posed({place.pose.rotation, place.pose.translation + Eigen::Vector3d(0, 0, drop)}, material);
@@ -69,19 +68,13 @@ void append(std::vector<NamedTriangle>& all, const scene::Faces& faces, std::uin
 
 std::string_view to_string(StationSlot slot) { return slot == StationSlot::Storage ? "storage" : "machine"; }
 
-std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang) {
+std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts) {
   std::vector<Covered> covered;
   for (const ModelPart& part : parts) {
     if (part.carrier != Carrier::Link && part.carrier != Carrier::Gripper && part.carrier != Carrier::Material)
       continue;
-    try {
-      const scene::Faces faces = scene_faces(part.faces).faces;
-      covered.push_back({part.name, part.carrier, part.link, BallCover(faces, overhang), {}});
-      append(covered.back().triangles, faces, 0);
-    } catch (const std::length_error& error) {
-      throw std::length_error(
-          fmt::format("the part {}: {}; --cover-margin allows larger ones", part.name, error.what()));
-    }
+    covered.push_back({part.name, part.carrier, part.link, {}});
+    append(covered.back().triangles, scene_faces(part.faces).faces, 0);
   }
   return covered;
 }

@@ -13,7 +13,6 @@
 #include "experiments/thesis/cell/model/cell.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/simulation/arm.h"
-#include "experiments/thesis/cell/simulation/ball_cover.h"
 #include "experiments/thesis/cell/simulation/triangle_tree.h"
 #include "robust/scene/scene.h"
 
@@ -43,17 +42,15 @@ struct Obstacles {
   std::vector<std::string> owners;  ///< for each face, the part, as in ModelPart::name
 };
 
-/// A part of the arm, of the gripper, or the material, and the balls that cover it.
+/// A part of the arm, of the gripper, or the material.
 struct Covered {
   std::string name;  ///< as in ModelPart
   Carrier carrier;
   std::size_t link;
-  BallCover cover;
   std::vector<NamedTriangle> triangles;  ///< that cover its faces, in its frame
 };
-/// Covers links, gripper and material. Throws std::length_error, which names the part, as BallCover does. Cost: that of
-/// BallCover.
-[[nodiscard]] std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang);
+/// Covers links, gripper and material by triangles.
+[[nodiscard]] std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts);
 
 /// A cell with its posed faces and its arm. Everything is in the cell's unit and frame.
 class Workcell {
@@ -62,8 +59,8 @@ class Workcell {
   /// cover of these parts' arm. Cost: some us per face.
   Workcell(const Cell& cell, const std::vector<ModelPart>& parts, std::shared_ptr<const std::vector<Covered>> arm);
   /// Computes the cover itself.
-  Workcell(const Cell& cell, const std::vector<ModelPart>& parts, double overhang)
-      : Workcell(cell, parts, std::make_shared<const std::vector<Covered>>(cover_arm(parts, overhang))) {}
+  Workcell(const Cell& cell, const std::vector<ModelPart>& parts)
+      : Workcell(cell, parts, std::make_shared<const std::vector<Covered>>(cover_arm(parts))) {}
 
   [[nodiscard]] const Cell& cell() const { return cell_; }
   [[nodiscard]] const Arm& arm() const { return arm_; }

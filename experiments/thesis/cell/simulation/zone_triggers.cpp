@@ -12,6 +12,7 @@
 #include <utility>
 #include <variant>
 
+#include "experiments/thesis/cell/simulation/clearance.h"
 #include "experiments/thesis/cell/simulation/joint_turn.h"
 #include "experiments/thesis/cell/simulation/moving_parts.h"
 
@@ -31,9 +32,7 @@ struct Posed {
 struct Shaper {
   const Pose& pose;
 
-  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& point) const {
-    return pose.rotation * point + pose.translation;
-  }
+  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& point) const { return pose * point; }
   Posed operator()(const Zone::Face& face) const {
     std::vector<NamedTriangle> fan;
     for (std::size_t i = 1; i + 1 < face.corners.size(); ++i)
@@ -77,7 +76,12 @@ class Watch {
   [[nodiscard]] std::optional<double> comes_in(const Stop& from, const StepOfJoint& step, const MaterialTransfer& state,
                                                double moved, double at_begin, double at_end) const {
     const double degrees = std::abs(step.degrees), rate = degrees > 0 ? moved / degrees : 0;
-    return comes_in(from, step, state, rate, 0, at_begin, degrees, at_end);
+    return first_touch({0, at_begin, degrees, at_end}, rate, kFinest * cell_.cell().step,
+                       [&](double middle, const Clearance& part) {
+                         kinematics::Angles angles = from.commanded;
+                         angles[step.joint] += std::copysign(middle, step.degrees);
+                         return apart(cell_.arm().link_poses(angles), state, rate * (part.end - part.begin));
+                       });
   }
 
  private:
@@ -86,22 +90,9 @@ class Watch {
     if (!zone_.box) return false;
     const Pose in_zone = within(zone_.to_zone, pose);
     return part_.triangles.any([&](const NamedTriangle& each) {
-      const Eigen::Vector3d p = in_zone.rotation * each.triangle.a + in_zone.translation;
+      const Eigen::Vector3d p = in_zone * each.triangle.a;
       return (p.array() >= zone_.box->lower.array()).all() && (p.array() <= zone_.box->upper.array()).all();
     });
-  }
-  [[nodiscard]] std::optional<double> comes_in(const Stop& from, const StepOfJoint& step, const MaterialTransfer& state,
-                                               double rate, double begin, double at_begin, double end,
-                                               double at_end) const {
-    if (!(at_begin > 0)) return begin;
-    if (at_begin + at_end - rate * (end - begin) > 0 && at_end > 0) return std::nullopt;
-    if (end - begin <= kFinest * cell_.cell().step) return begin;
-    const double middle = begin + (end - begin) / 2;
-    kinematics::Angles angles = from.commanded;
-    angles[step.joint] += std::copysign(middle, step.degrees);
-    const double there = apart(cell_.arm().link_poses(angles), state, rate * (end - begin));
-    if (const auto early = comes_in(from, step, state, rate, begin, at_begin, middle, there)) return early;
-    return comes_in(from, step, state, rate, middle, there, end, at_end);
   }
 
   const Workcell& cell_;

@@ -33,7 +33,6 @@ function answersOf(recorded, variation) {
     preset,
     presets: () => ask("/api/presets"),
     cell: () => (isVaried(variation) ? post("varied")({}) : ask(`/api/cell${behind}`)),
-    covers: () => ask(`/api/covers${behind}`),
     run: post("run"),
     pose: post("pose"),
     area: post("area"),

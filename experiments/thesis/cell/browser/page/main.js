@@ -22,7 +22,7 @@ async function main() {
   const lengthDigits = Math.max(0, 1 - Math.round(Math.log10(length)));
   const says = (x) => `${digits(x, lengthDigits)} ${cell.unit}`;
   const setting = structuredClone(cell.setting);
-  let run = null, shown = null, wanted = 0, covers = null;
+  let run = null, shown = null, wanted = 0;
 
   at("name").textContent = cell.name;
   document.title = `${cell.name} · Touchstone`;
@@ -117,9 +117,8 @@ async function main() {
     const things = [{mesh: floor, pose: IDENTITY, hollow: true, flat: true, lines: colours.floor}];
     for (const {part, mesh} of meshes) {
       const material = part.carrier === "material";
-      const own = covers && (part.carrier === "link" || part.carrier === "gripper");
-      things.push({mesh, pose: material ? look.material : poseOf(part, look.links), shadow: true, lines: own ? null : colours.edge,
-                   hollow: own, colour: offends(part, look) ? colours.offending : colours[part.carrier === "link" ? "robot" : part.carrier],
+      things.push({mesh, pose: material ? look.material : poseOf(part, look.links), shadow: true, lines: colours.edge,
+                   colour: offends(part, look) ? colours.offending : colours[part.carrier === "link" ? "robot" : part.carrier],
                    highlight: material && touching && (!look.virtual || look.puts) ? [look.touched, colours.touching] : null});
     }
     if (look.virtual && !look.puts)
@@ -129,7 +128,6 @@ async function main() {
     for (const {zone, mesh} of zones)
       things.push({mesh, pose: IDENTITY, hollow: true, dash: cell.bounds.longest / 300,
                    lines: in_.includes(zone.name) || (look.offending || []).includes(zone.name) ? colours.touching : colours.zone});
-    for (const {link, balls} of covers || []) things.push({balls, pose: look.links[link], colour: colours.robot, hollow: true});
     const size = cell.sphere;
     if (at("with-sphere").checked) things.push({mesh: ball, pose: shiftedTo(look.sphere, size), colour: signal, shadow: true, through: true});
     if (look.wrong || (look.errors && look.errors.length)) things.push({mesh: rings, pose: shiftedTo(look.sphere, 2.2 * size), hollow: true, lines: colours.wrong});
@@ -346,13 +344,7 @@ async function main() {
   at("preset").value = answers.preset || 0;
   at("preset").addEventListener("change", () => (location.search = +at("preset").value ? `?preset=${at("preset").value}` : ""));
   at("with-sphere").addEventListener("change", draw);
-  at("covers-label").hidden = !answers.live || !scene || isVaried(variation);
   new Elements(cell, variation, answers.live);
-  at("with-covers").addEventListener("change", async () => {
-    const answer = at("with-covers").checked ? await answers.covers() : null;
-    covers = answer && answer.covers.map(({link, balls}) => ({link, balls: scene.balls(balls)}));
-    draw();
-  });
   at("where").addEventListener("click", showStuck);
   at("unjog").addEventListener("click", () => (joints.forget(), show(player.stop)));
   for (const slot of cell.slots) at("slot").append(node("option", slot.name, {value: slot.name}));

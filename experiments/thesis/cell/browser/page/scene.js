@@ -21,22 +21,6 @@ const FACE_COLOUR = `
     float light = 0.55 + 0.40 * max(0.0, dot(n, sun)) + 0.15 * max(0.0, dot(n, normalize(eye - place)));
     gl_FragColor = vec4(colour.rgb * mix(1.0, light, lit), colour.a);
   }`;
-const POINTS = `
-  attribute vec4 at;
-  uniform mat4 pose, view; uniform float scale;
-  void main() {
-    gl_Position = view * (pose * vec4(at.xyz, 1.0));
-    gl_PointSize = max(1.0, at.w * scale / gl_Position.w);
-  }`;
-const POINT_COLOUR = `
-  precision mediump float;
-  uniform vec3 colour;
-  void main() {
-    vec2 off = 2.0 * gl_PointCoord - 1.0;
-    float away = dot(off, off);
-    if (away > 1.0) discard;
-    gl_FragColor = vec4(colour * (0.55 + 0.45 * sqrt(1.0 - away)), 1.0);
-  }`;
 const LINES = `
   attribute vec3 at; attribute float along;
   uniform mat4 pose, view; uniform vec3 eye; uniform float lift; varying float way;
@@ -61,7 +45,6 @@ class Scene {
     this.gl = gl;
     this.faces = this.program(FACES, FACE_COLOUR, ["pose", "view", "shadow", "eye", "sun", "colour", "lit"]);
     this.lines = this.program(LINES, LINE_COLOUR, ["pose", "view", "eye", "lift", "colour", "dash"]);
-    this.points = this.program(POINTS, POINT_COLOUR, ["pose", "view", "scale", "colour"]);
     this.target = [0, 0, 0], this.size = 1, this.split = true, this.closeness = 0.16;
     this.behind = 0;  // degrees: where one sees the stations from, across the robot
     this.look("front");
@@ -110,9 +93,6 @@ class Scene {
   forget(mesh) {
     for (const key of ["at", "facing", "lines", "along"]) this.gl.deleteBuffer(mesh[key]);
   }
-
-  /// Balls, as flat lists of centres and radii, which are drawn as discs.
-  balls(numbers) { return {at: this.buffer(numbers), count: numbers.length / 4}; }
 
   /// A ball of radius 1, and a ring round it.
   ball() {
@@ -178,8 +158,7 @@ class Scene {
     this[distance] = Math.max(0.05, Math.min(3, this[distance] * factor));
   }
 
-  /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow, flat, through}, or
-  /// {balls, pose, colour, hollow}]; what goes
+  /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow, flat, through}]; what goes
   /// through is to be seen, paler, behind others, and so are highlights.
   draw(things, colours, sphere) {
     const gl = this.gl, canvas = this.canvas, ratio = Math.min(2, window.devicePixelRatio || 1);
@@ -242,20 +221,6 @@ class Scene {
     for (const thing of things) {
       if (thing.hollow) continue;
       fill(thing, [...thing.colour, 1], 1, 0, thing.mesh.corners);
-    }
-    for (const thing of things) {
-      if (!thing.balls) continue;
-      gl.useProgram(this.points.program);
-      gl.bindBuffer(gl.ARRAY_BUFFER, thing.balls.at);
-      gl.enableVertexAttribArray(0);
-      gl.vertexAttribPointer(0, 4, gl.FLOAT, false, 0, 0);
-      gl.disableVertexAttribArray(this.faces.second);
-      gl.uniformMatrix4fv(this.points.pose, false, matrixOf(thing.pose));
-      gl.uniformMatrix4fv(this.points.view, false, view);
-      gl.uniform1f(this.points.scale, height / Math.tan(angle / 2 * Math.PI / 180));
-      gl.uniform3f(this.points.colour, ...thing.colour);
-      gl.drawArrays(gl.POINTS, 0, thing.balls.count);
-      gl.useProgram(this.faces.program);
     }
     // Touched faces over themselves.
     const highlight = (thing, alpha, lit) => {

@@ -14,8 +14,7 @@ const cell::Cell& aristo() {
 }
 
 const Simulator& simulator() {
-  static const Simulator simulator(
-      aristo(), {.overhang = 8, .methods = methods::find_methods({"filtered", "thesis"}), .rule = {}});
+  static const Simulator simulator(aristo(), {.methods = methods::find_methods({"filtered", "thesis"}), .rule = {}});
   return simulator;
 }
 

@@ -70,7 +70,7 @@ TEST_F(Page, AnswersEveryRoute) {
 TEST_F(Page, RefusesWithAReasonAndGoesOn) {
   const std::uint16_t port = serving.port();
   refuses(ask(port, "GET", "/api/runs"), 404,
-          "there are /, /api/presets, /api/cell, /api/covers, /api/varied, /api/run, /api/area and /api/pose, not "
+          "there are /, /api/presets, /api/cell, /api/varied, /api/run, /api/area and /api/pose, not "
           "/api/runs");
   refuses(ask(port, "GET", "/../etc/passwd"), 404, "there are");
   refuses(ask(port, "DELETE", "/api/cell"), 405, "/api/cell takes GET, HEAD, not DELETE");
@@ -162,9 +162,8 @@ TEST_F(Page, AnswersHeadAsGetWithoutABody) {
 // Bytes that are not UTF-8 would not be JSON in the refusal that quotes them.
 TEST_F(Page, RefusesBytesThatAreNotUtf8ByTheirPlace) {
   const std::uint16_t port = serving.port();
-  refuses(
-      send_raw(port, "GET /\xff HTTP/1.1\r\nHost: localhost\r\n\r\n"), 404,
-      "there are /, /api/presets, /api/cell, /api/covers, /api/varied, /api/run, /api/area and /api/pose, not /\\xff");
+  refuses(send_raw(port, "GET /\xff HTTP/1.1\r\nHost: localhost\r\n\r\n"), 404,
+          "there are /, /api/presets, /api/cell, /api/varied, /api/run, /api/area and /api/pose, not /\\xff");
   refuses(send_raw(port, "GET / HTTP/1.1\r\nHost: \xff\r\n\r\n"), 421,
           "this server answers to localhost or its address, not to \"\\xff\"");
   refuses(ask(port, "POST", "/api/run", "{\"\xff\": 1}"), 400, "request: is not JSON: column 3: ");

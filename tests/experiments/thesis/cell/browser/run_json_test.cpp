@@ -85,8 +85,7 @@ void names_the_faces_that_are_touched(const Recording& run) {
     const auto distance = [&](const char* key) {
       const Polygon& face = faces.at(json["stops"][i][key].get<std::size_t>()).polygon;
       Loop loop;
-      for (std::size_t k = 0; k < face.vertex_count(); ++k)
-        loop.push_back(pose.rotation * face.vertex(k) + pose.translation);
+      for (std::size_t k = 0; k < face.vertex_count(); ++k) loop.push_back(pose * face.vertex(k));
       return exact::answer(at.sphere, Polygon(loop)).distance;
     };
     EXPECT_NEAR(distance("nearest"), json["stops"][i]["distance"].get<double>(), 1e-9);
@@ -105,7 +104,7 @@ TEST(RunJson, NamesTheFacesOfAPrism) {
   const Simulator simulator(
       cell::read_cell(aristo().file, std::nullopt,
                       {prism, "storage.slots[1].aim=[0, -21.8]", "machine.slots[0].aim=[0, -21.8]"}),
-      {.overhang = 30, .methods = {}, .rule = {.sphere_alone = true}});
+      {.methods = {}, .rule = {.sphere_alone = true}});
   const Recording run = simulator.run(setting_of(simulator.cell()));
   const auto numbers = cell::scene_faces(run.parts.back().faces).numbers;
   EXPECT_FALSE(std::is_sorted(numbers.begin(), numbers.end())) << "any order of counting would do";

@@ -35,7 +35,7 @@ TEST(ServeCommand, NamesTheKeyOfABadCellFile) {
 TEST(ServeCommand, NamesThePortThatIsTaken) {
   const Serving other([](const cell::browser::HttpRequest&) { return cell::browser::HttpReply{}; });
   const std::string port = std::to_string(other.port());
-  const run_tests::Ran ran = serve({aristo().file.string(), "--cover-margin", "30", "--port", port});
+  const run_tests::Ran ran = serve({aristo().file.string(), "--port", port});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err.rfind("cannot listen at 127.0.0.1, port " + port, 0), 0U) << ran.err;
 }

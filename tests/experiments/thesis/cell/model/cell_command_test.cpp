@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `touchstone cell show` and `convert`: tables, files and exit statuses.
+// `touchstone cell show` and `new`: tables, files and exit statuses.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -75,36 +75,6 @@ TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
             path("bad.json") +
                 ": nam: is an unknown key; there are name, unit, step, clearance, meshes, robot, robots, gripper, "
                 "storage, storages, machine, machines, material, materials, obstacles, zones, labels, presets");
-}
-
-TEST_F(CellCommand, ConvertSaysWhatItReadWroteAndReadAgain) {
-  run::write_file(path("square.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\n");
-  const Ran ran = touchstone_cell({"convert", path("square.obj"), path("square.txt"), "--merge", "--name", "Plate"});
-  ASSERT_EQ(ran.status, 0) << ran.err;
-  EXPECT_EQ(run_tests::text_of(path("square.txt")),
-            "Link Plate\nParts 1\nPart Plate\nVertices 4\n0 0 0\n2 0 0\n2 2 0\n0 2 0\nPolygons 1\n4 0 1 2 3\n");
-  EXPECT_NE(ran.out.find("read again      1         4         1          0      0        4  [0, 2] x [0, 2] x [0, 0]"),
-            std::string::npos)
-      << ran.out;
-}
-
-TEST_F(CellCommand, ConvertNamesWhatIsWrong) {
-  run::write_file(path("two words.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nf 1 2 3\n");
-  const auto err = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "convert");
-    const Ran ran = touchstone_cell(std::move(arguments));
-    EXPECT_EQ(ran.status, 2);
-    return ran.err;
-  };
-  EXPECT_EQ(
-      err({path("two words.obj"), path("a.txt")}),
-      path("two words.obj") + ": the name \"two words\" is not one word of UTF-8 without '#'; --name gives another");
-  EXPECT_EQ(err({path("two words.obj"), path("a.step")}),
-            path("a.step") + ": the extension '.step' must be .txt, .obj, .off, .stl or .ply");
-  EXPECT_EQ(err({path("two words.obj"), path("two words.obj")}),
-            path("two words.obj") + ": exists already; --force overwrites it");
-  run::write_file(path("bad.txt"), "Link A\nParts x\n");
-  EXPECT_EQ(err({path("bad.txt"), path("a.obj")}), path("bad.txt") + ": line 2: 'x' is not a count");
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include <string>
 
 #include "experiments/run/write_file.h"
-#include "experiments/thesis/cell/model/convert.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::cell_model_tests {
@@ -143,103 +142,6 @@ TEST(LinkModelFile, ANameIsOneWord) {
             "line 1: the name '\\xff\\xfe' has a control character, or is not UTF-8");
   EXPECT_THROW((void)cell::link_model_text({"A", {{"b c", {}, {}}}}), std::invalid_argument);
   EXPECT_EQ(cell::link_model_text({"\xc3\xa9", {}}), "Link \xc3\xa9\nParts 0\n");
-}
-
-class Conversion : public testing::Test {
- protected:
-  /// Written as a file of that extension and read again.
-  LinkModel converted(const LinkModel& model, const std::string& extension,
-                      cell::Preparation preparation = cell::Preparation::None) {
-    const std::filesystem::path file = scratch.path / ("model" + extension);
-    written = cell::prepared(model, preparation, file);
-    run::write_file(file, cell::model_text(written, file));
-    return cell::read_model(file);
-  }
-
-  const run_tests::Scratch scratch;
-  LinkModel written;
-};
-
-/// Two parts: a square frame, and a tent of a quad and two triangles; numbers that no float holds.
-LinkModel frame_and_tent() {
-  LinkPart frame{"frame",
-                 {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
-                 {{{0, 1, 2, 3}, {{4, 5, 6, 7}}}}};
-  LinkPart tent{"tent",
-                {{0.1, 1.0 / 3, 1e-300}, {1e9 + 0.125, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}},
-                {{{0, 1, 4}, {}}, {{1, 2, 4}, {}}, {{3, 2, 1, 0}, {}}}};
-  return {"Axis1", {frame, tent}};
-}
-
-TEST_F(Conversion, KeepsCountsPointsAndBoundsInEveryFormat) {
-  LinkModel model = frame_and_tent();
-  model.parts[1].polygons.pop_back();  // the quad is not planar; OBJ, OFF and PLY would hold it, STL cannot
-  for (const char* const extension : {".txt", ".obj", ".off", ".ply", ".stl"}) {
-    const LinkModel read = converted(model, extension);
-    EXPECT_EQ(cell::differences(written, read), std::vector<std::string>{}) << extension;
-    const cell::ModelCounts before = cell::counts_of(model), after = cell::counts_of(read);
-    EXPECT_EQ(after.points, before.points) << extension;
-    EXPECT_EQ(after.bounds.min(), before.bounds.min()) << extension;
-    EXPECT_EQ(after.bounds.max(), before.bounds.max()) << extension;
-    EXPECT_EQ(after.polygons, extension == std::string(".txt") ? 3U : 8U + 2) << extension;
-  }
-}
-
-TEST_F(Conversion, OfAModelFileToItselfChangesNothing) {
-  const LinkModel model = frame_and_tent();
-  LinkModel read = converted(model, ".TXT");
-  EXPECT_EQ(read, model);
-}
-
-TEST_F(Conversion, WeldsAndMergesBackWhatStlTookApart) {
-  const LinkModel model{"frame", {frame_and_tent().parts[0]}};
-  const LinkModel stl = converted(model, ".stl");
-  EXPECT_EQ(cell::counts_of(stl).vertices, 24U);
-  const LinkModel welded = converted(stl, ".txt", cell::Preparation::Weld);
-  EXPECT_EQ(cell::counts_of(welded).vertices, 8U);
-  EXPECT_EQ(cell::counts_of(welded).polygons, 8U);
-  const LinkModel merged = converted(stl, ".txt", cell::Preparation::Merge);
-  EXPECT_EQ(cell::counts_of(merged).polygons, 1U);
-  EXPECT_EQ(cell::counts_of(merged).holes, 1U);
-  EXPECT_EQ(cell::counts_of(merged).points, 8U);
-}
-
-TEST_F(Conversion, AWeldKeepsHoles) {
-  LinkModel model{"frame", {frame_and_tent().parts[0]}};
-  model.parts[0].vertices.emplace_back(0, 0, -0.0);
-  model.parts[0].polygons[0].outer[0] = 8;
-  const LinkModel welded = converted(model, ".txt", cell::Preparation::Weld);
-  EXPECT_EQ(welded.parts[0].polygons, (std::vector<LinkPolygon>{{{0, 1, 2, 3}, {{4, 5, 6, 7}}}}));
-}
-
-TEST_F(Conversion, NamesTheFaceThatCannotBeCut) {
-  LinkModel model = frame_and_tent();
-  model.parts[1].polygons[1].outer = {0, 1, 0, 2};
-  try {
-    (void)converted(model, ".stl");
-    FAIL();
-  } catch (const cell::BadConversion& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with("Axis1: part tent: face 1: ")) << error.what();
-  }
-  EXPECT_THROW((void)converted(model, ".step"), cell::BadConversion);
-}
-
-// What is compared must be able to differ: each of these is one thing lost.
-TEST(Differences, AreNoticedOneByOne) {
-  const LinkModel model = frame_and_tent();
-  EXPECT_EQ(cell::differences(model, model).size(), 0U);
-  LinkModel changed = model;
-  changed.parts[1].vertices[1].x() = 1e9;  // a float's worth off
-  EXPECT_EQ(cell::differences(model, changed).size(), 2U);
-  changed = model;
-  changed.parts[0].vertices[4].x() = 1.5;  // within the bounds; (1, 1, 0) is a point of the tent, too
-  EXPECT_EQ(cell::differences(model, changed), std::vector<std::string>{"12 points became 13 or others"});
-  changed = model;
-  changed.parts[0].polygons[0].holes.clear();
-  EXPECT_FALSE(cell::differences(model, changed).empty());
-  changed = model;
-  changed.parts[1].polygons[0].outer = {0, 1, 2, 4};
-  EXPECT_EQ(cell::differences(model, changed), std::vector<std::string>{"polygons have other numbers of corners"});
 }
 
 }  // namespace

@@ -118,9 +118,9 @@ TEST(Plant, ThingsAreSeenFromTheRobotThatMoves) {
   const auto place = [](const Cell& cell, const std::string& name) {
     return std::ranges::find(cell.obstacles, name, &cell::Part::name)->solid.pose.translation;
   };
-  const Eigen::Vector3d rack = frame.rotation * place(second, "rack/deck") + frame.translation;
+  const Eigen::Vector3d rack = frame * place(second, "rack/deck");
   EXPECT_LT((rack - place(first, "rack/deck")).norm(), 1e-9);
-  const Eigen::Vector3d foot = frame.rotation * place(second, "robot/Base/pedestal") + frame.translation;
+  const Eigen::Vector3d foot = frame * place(second, "robot/Base/pedestal");
   EXPECT_LT(foot.norm(), 1e-9);
 }
 

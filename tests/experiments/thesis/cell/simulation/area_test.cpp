@@ -44,7 +44,7 @@ TEST(Area, SaysWhyThereIsNoPlaceElsewhere) {
   EXPECT_NE(in_machine.reason.find("machine/"), std::string::npos) << in_machine.reason;
   const auto in_base = tried({{1}, {60}, {242}})[0];
   EXPECT_EQ(in_base.cause, FailureCause::InTheWay);
-  EXPECT_NE(in_base.reason.find("at home Base/pedestal comes within"), std::string::npos) << in_base.reason;
+  EXPECT_NE(in_base.reason.find("at home Base/pedestal touches"), std::string::npos) << in_base.reason;
 }
 
 // Advice works.
@@ -76,9 +76,9 @@ TEST(Area, IsTheSameForAnyNumberOfThreads) {
 
 TEST(Area, TheCommandWritesEveryPlace) {
   const run_tests::Scratch scratch;
-  const auto ran = run_tests::run_captured(
-      commands::cell_command, {"area", kAristo.string(), "--angle-step", "90", "--length-step", "300", "--cover-margin",
-                               "20", "--no-pictures", "--output", scratch.path.string()});
+  const auto ran =
+      run_tests::run_captured(commands::cell_command, {"area", kAristo.string(), "--angle-step", "90", "--length-step",
+                                                       "300", "--no-pictures", "--output", scratch.path.string()});
   ASSERT_EQ(ran.status, 0) << ran.err;
   const auto lines = [&](const char* name) {
     const std::string text = run_tests::text_of(scratch.path / name);
@@ -99,8 +99,7 @@ TEST(Area, TheCommandWritesEveryPlace) {
 TEST(Area, TheCommandRefusesAGridWithoutEnd) {
   const run_tests::Scratch scratch;
   const auto ran = run_tests::run_captured(
-      commands::cell_command,
-      {"area", kAristo.string(), "--length-step", "1e-3", "--cover-margin", "20", "--output", scratch.path.string()});
+      commands::cell_command, {"area", kAristo.string(), "--length-step", "1e-3", "--output", scratch.path.string()});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err.rfind("--length-step 0.001: that is about ", 0), 0U) << ran.err;
 }

@@ -7,8 +7,8 @@
 namespace touchstone::cell_simulation_tests {
 
 const std::shared_ptr<const std::vector<cell::Covered>>& covered_aristo() {
-  static const auto covered = std::make_shared<const std::vector<cell::Covered>>(
-      cell::cover_arm(cell::build_model(cell::read_cell(kAristo)), 8));
+  static const auto covered =
+      std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(cell::build_model(cell::read_cell(kAristo))));
   return covered;
 }
 

@@ -33,7 +33,7 @@ Process into_the_notch(const cell::Workcell& workcell) {
   const cell::Workplace& at = workcell.at(StationSlot::Storage);
   for (int i = 0; i <= 49; ++i) {
     const Eigen::Vector3d local{0, 20, 60.0 - i};  // in the plane of the side
-    const Eigen::Vector3d center = at.pose.rotation * local + at.pose.translation;
+    const Eigen::Vector3d center = at.pose * local;
     process.stops.push_back({0, workcell.arm().home, {center, 6}, StationSlot::Storage, {}});
   }
   return process;

@@ -20,7 +20,7 @@ namespace {
 using run_tests::Ran;
 
 Ran cell_run(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"run", kAristo.string(), "--cover-margin", "8"});
+  arguments.insert(arguments.begin(), {"run", kAristo.string()});
   return run_tests::run_captured(commands::cell_command, std::move(arguments));
 }
 

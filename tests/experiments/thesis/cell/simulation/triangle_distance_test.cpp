@@ -11,7 +11,6 @@
 #include <limits>
 #include <vector>
 
-#include "experiments/thesis/cell/simulation/triangle_gap.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
 namespace touchstone::cell_simulation_tests {
@@ -79,10 +78,10 @@ TEST(TriangleDistance, OfTreesIsTheLeastOfAllPairs) {
     const Eigen::AngleAxisd turn(between(random, 0, 3), point(random, 1).normalized());
     const Pose pose{turn.toRotationMatrix(), point(random, 10)};
     DistanceBounds least{kInfinity, kInfinity};
-    const auto at = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return pose.rotation * p + pose.translation; };
     for (const auto& m : moving)
       for (const auto& s : still) {
-        const auto here = cell::distance(Triangle{at(m.triangle.a), at(m.triangle.b), at(m.triangle.c)}, s.triangle);
+        const auto here =
+            cell::distance(Triangle{pose * m.triangle.a, pose * m.triangle.b, pose * m.triangle.c}, s.triangle);
         least = {std::min(least.lower, here.lower), std::min(least.upper, here.upper)};
       }
     const cell::TriangleTree one(moving), other(still);
