@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/cases/workloads/random.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 
@@ -33,6 +34,15 @@ enum class TriangleFamily {
 /// Draws query number `index`: a function of (family, seed, index) alone; `exact::validate` accepts the triangle.
 /// Requires rounding to nearest. Cost: about 1 us; HalfNear 30 us.
 [[nodiscard]] TriangleQuery draw_triangle_query(TriangleFamily family, std::uint64_t seed, std::uint64_t index);
+
+inline constexpr double kLargestCoordinate = 0x1p20;
+
+/// Draws a ball that touches a triangle exactly, at its face, an edge or a vertex, with equal probability. All numbers
+/// are integers, |.| <= kLargestCoordinate.
+///
+/// Uses an integer frame (workloads::lattice_frame), so that the normal is Pythagorean; the distance to the edge or the
+/// vertex is a Pythagorean triple or quadruple in the units of the frame.
+[[nodiscard]] TriangleQuery draw_lattice_tangent(Random& random);
 
 /// Draws query number `index` of `Random` with the double nearest to the exact distance as its radius. The nearest
 /// feature is a face, an edge or a vertex with equal probability, because faces are rare among random queries.
