@@ -8,16 +8,11 @@
 
 #include "experiments/run/statistics/clopper_pearson.h"
 #include "experiments/run/statistics/percent.h"
-#include "experiments/run/table.h"
 #include "experiments/run/write_file.h"
-#include "experiments/studies/near_edge/output.h"
+#include "experiments/studies/near_edge/search.h"
 
 namespace touchstone::near_edge {
 namespace {
-
-std::string_view test_word(cases::Threshold threshold) {
-  return to_string(cases::moves_radius(threshold) ? Test::Contact : Test::Foot);
-}
 
 /// Regions that differ in their family alone.
 struct RegionGroup {
@@ -73,12 +68,13 @@ struct Subject {
 /// The columns with which the rows of both tables begin.
 template <class Row>
 std::vector<run::Column<Row>> subject_columns() {
-  return {{"family", "the family of polygons, or `all`", [](const Row& row) { return row.group->family; }},
-          {"threshold", "the threshold that balls cross", [](const Row& row) { return row.group->threshold; }},
-          {"origin_distance", "of the polygon from the origin, in multiples of its size",
-           [](const Row& row) { return row.group->distance; }, "{:.0f}"},
-          {"method", "the method", &Row::method},
-          {"test", "the decision that is compared", [](const Row& row) { return test_word(row.group->threshold); }}};
+  return {
+      {"family", "the family of polygons, or `all`", [](const Row& row) { return row.group->family; }},
+      {"threshold", "the threshold that balls cross", [](const Row& row) { return row.group->threshold; }},
+      {"origin_distance", "of the polygon from the origin, in multiples of its size",
+       [](const Row& row) { return row.group->distance; }, "{:.0f}"},
+      {"method", "the method", &Row::method},
+      {"test", "the decision that is compared", [](const Row& row) { return cases::test_at(row.group->threshold); }}};
 }
 
 struct OnsetRow : Subject {

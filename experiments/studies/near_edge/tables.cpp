@@ -1,72 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/near_edge/output.h"
-
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <stdexcept>
+#include <cstdint>
 
-#include "experiments/cases/stratum_group.h"
-#include "experiments/run/statistics/clopper_pearson.h"
 #include "experiments/run/statistics/percent.h"
-#include "experiments/run/table.h"
 #include "experiments/run/write_file.h"
+#include "experiments/studies/near_edge/map.h"
 
 namespace touchstone::near_edge {
 namespace {
 
-struct OffsetRow {
-  const cases::StratumGroup* group;
-  Test test;
-  std::string_view method;
-  std::int64_t offset;
-  Tally tally;
-  run::Rate rate;
-};
+using OffsetRow = cases::OffsetRow<Failures>;
 
-struct BandRow {
-  const cases::StratumGroup* group;
-  Test test;
-  std::string_view method;
-  Summary summary;
-  run::Rate rate;
-};
-
-/// The columns with which the rows of both tables begin.
-template <class Row>
-std::vector<run::Column<Row>> subject_columns() {
-  return run::all_columns<Row>(
-      {cases::stratum_columns(&Row::group),
-       {{"test", "the decision that is compared", &Row::test}, {"method", "the method", &Row::method}}});
-}
+constexpr const char* kTestMeaning = "the decision that is compared";
 
 const run::Table<OffsetRow>& rates_table() {
   static const run::Table<OffsetRow> table(
       "rates.csv", "a family, placement, threshold, test, method and offset",
-      run::all_columns<OffsetRow>(
-          {subject_columns<OffsetRow>(),
-           {{"offset", "the distance of the ball from the threshold, in doubles", &OffsetRow::offset},
-            {"failures", "wrong or undecided answers", run::path(&OffsetRow::tally, &Tally::failures)},
-            {"trials", "answers", run::path(&OffsetRow::tally, &Tally::trials)}},
-           run::rate_columns<OffsetRow>("failures", &OffsetRow::rate)}));
+      cases::offset_columns<OffsetRow>(
+          kTestMeaning,
+          {{"failures", "wrong or undecided answers", run::path(&OffsetRow::count, &Failures::not_right)},
+           {"trials", "answers", run::path(&OffsetRow::count, &Failures::trials)}},
+          "failures"));
   return table;
 }
 
+struct BandRow : cases::Subject {
+  Failures samples, answers;
+  cases::Band band;
+  run::Rate rate;
+};
+
 const run::Table<BandRow>& bands_table() {
+  using run::path;
   static const run::Table<BandRow> table(
       "bands.csv", "a family, placement, threshold, test and method",
       run::all_columns<BandRow>(
-          {subject_columns<BandRow>(),
-           {{"failed_samples", "samples that failed at any offset",
-             [](const BandRow& row) { return row.summary.samples.failures; }},
-            {"samples", "samples", [](const BandRow& row) { return row.summary.samples.trials; }}},
+          {cases::subject_columns<BandRow>(kTestMeaning),
+           {{"failed_samples", "samples that failed at any offset", path(&BandRow::samples, &Failures::wrong)},
+            {"samples", "samples", path(&BandRow::samples, &Failures::trials)}},
            run::rate_columns<BandRow>("failed samples", &BandRow::rate),
-           {{"failures", "wrong or undecided answers at all offsets",
-             [](const BandRow& row) { return row.summary.all.failures; }},
-            {"trials", "answers at all offsets", [](const BandRow& row) { return row.summary.all.trials; }},
-            {"lowest_offset", "the lowest offset at which a failure was seen",
-             run::path(&BandRow::summary, &Summary::below)},
-            {"highest_offset", "the highest one", run::path(&BandRow::summary, &Summary::above)}}}));
+           {{"failures", "wrong or undecided answers at all offsets", path(&BandRow::answers, &Failures::not_right)},
+            {"trials", "answers at all offsets", path(&BandRow::answers, &Failures::trials)}},
+           cases::band_columns<BandRow>("the lowest offset at which a failure was seen")}));
   return table;
 }
 
@@ -96,22 +72,7 @@ std::vector<std::size_t> strata_of(cases::Threshold threshold) {
   return strata;
 }
 
-/// An offset as people read it; the ends of the sweep hide what lies beyond.
-std::string offset_text(std::int64_t offset) {
-  const std::int64_t size = std::abs(offset);
-  std::string text = offset < 0 ? "-" : "+";
-  if (offset == 0) return "0";
-  int exponent = 0;
-  while ((std::int64_t{1} << exponent) < size) ++exponent;
-  text += size <= 1024 ? std::to_string(size) : "2^" + std::to_string(exponent);
-  return size == cases::all_offsets().back() ? text + " or beyond" : text;
-}
-
-std::string band_text(const Summary& summary) {
-  if (!summary.below) return "none seen";
-  const bool single = summary.below == summary.above;
-  return single ? offset_text(*summary.below) : offset_text(*summary.below) + " to " + offset_text(*summary.above);
-}
+cases::Band band_of(const TestFailures& failures) { return cases::band_of(failures.offsets, &Failures::not_right); }
 
 std::string_view movement(cases::Threshold threshold) {
   switch (threshold) {
@@ -140,14 +101,15 @@ void write_rates(const std::filesystem::path& folder, const Settings& settings, 
   std::vector<OffsetRow> rows;
   for (const auto& group : groups)
     for (const Test test : kTests)
-      for (std::size_t m = 0; m < settings.methods.size(); ++m)
-        for (std::size_t i = 0; i < cases::all_offsets().size(); ++i) {
-          Tally tally;
-          for (const std::size_t stratum : group.strata) tally += counts.at(stratum, test, m, i);
-          if (tally.trials > 0)
-            rows.push_back({&group, test, settings.methods[m]->name(), cases::all_offsets()[i], tally,
-                            run::rate(tally.failures, tally.trials)});
-        }
+      for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+        const TestFailures failures = sum(counts, group.strata, test, m);
+        for (std::size_t i = 0; i < failures.offsets.size(); ++i)
+          if (const Failures& at = failures.offsets[i]; at.trials > 0)
+            rows.push_back({{&group, test, settings.methods[m]->name()},
+                            cases::all_offsets()[i],
+                            at,
+                            run::rate(at.not_right(), at.trials)});
+      }
   rates_table().write(folder, rows);
 }
 
@@ -157,10 +119,13 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
   for (const auto& group : groups)
     for (const Test test : kTests)
       for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-        const Summary summary = counts.summary(group.strata, test, m);
-        if (summary.samples.trials > 0)
-          rows.push_back({&group, test, settings.methods[m]->name(), summary,
-                          run::rate(summary.samples.failures, summary.samples.trials)});
+        const TestFailures failures = sum(counts, group.strata, test, m);
+        if (failures.samples.trials > 0)
+          rows.push_back({{&group, test, settings.methods[m]->name()},
+                          failures.samples,
+                          cases::total(failures.offsets),
+                          band_of(failures),
+                          failures.samples.rate()});
       }
   bands_table().write(folder, rows);
 }
@@ -191,16 +156,15 @@ std::string table(const Settings& settings, const Counts& counts) {
                     "method", "test", "failed of samples", "rate", "95 % limits", "band of offsets");
     for (std::size_t m = 0; m < settings.methods.size(); ++m)
       for (const Test test : kTests) {
-        const Summary summary = counts.summary(strata_of(threshold), test, m);
-        const auto& [failures, trials] = summary.samples;
-        if (trials == 0) continue;
-        const auto limits = statistics::clopper_pearson(failures, trials);
+        const TestFailures failures = sum(counts, strata_of(threshold), test, m);
+        if (failures.samples.trials == 0) continue;
+        const run::Rate rate = failures.samples.rate();
         text += fmt::format("  {:<16} {:<8} {:>18}  {:>7}%  {:<22} {}\n", settings.methods[m]->name(), to_string(test),
-                            fmt::format("{} of {}", failures, trials),
-                            statistics::percent_to_places(statistics::share_of(failures, trials), 3),
-                            fmt::format("{} to {} %", statistics::percent_to_places(limits.lower, 3),
-                                        statistics::percent_to_places(limits.upper, 3)),
-                            band_text(summary));
+                            fmt::format("{} of {}", failures.samples.wrong, failures.samples.trials),
+                            statistics::percent_to_places(rate.share, 3),
+                            fmt::format("{} to {} %", statistics::percent_to_places(rate.lower, 3),
+                                        statistics::percent_to_places(rate.upper, 3)),
+                            to_string(band_of(failures)));
       }
   }
   return text.append("\n").append(kLegend);
