@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/motions/output.h"
-
 #include <fmt/core.h>
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/run/write_file.h"
+#include "experiments/studies/motions/measure.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 
 namespace touchstone::motions {
 namespace {
 
+using cases::Failures;
 using run::path;
 using statistics::Distribution;
 
@@ -19,7 +19,7 @@ constexpr const char* kFormat = "{:.6g}";
 struct WayRow {
   std::string_view way, method;
   MethodErrors errors;
-  Tally all;
+  Failures all;
   run::Rate rate;
 };
 
@@ -38,14 +38,14 @@ const run::Table<WayRow>& ways_table() {
           {{{"way", "the way of the ball, as `touchstone cases --way` has it, or `all`", &WayRow::way},
             {"method", "the method", &WayRow::method},
             {"samples", "motions about which the method decides, which are independent",
-             path(&WayRow::errors, &MethodErrors::samples)},
+             path(&WayRow::errors, path(&MethodErrors::samples, &Failures::trials))},
             {"failed", "motions about which an answer is wrong for any radius",
-             path(&WayRow::errors, &MethodErrors::failed)}},
+             path(&WayRow::errors, path(&MethodErrors::samples, &Failures::wrong))}},
            run::rate_columns<WayRow>("failed motions", &WayRow::rate),
-           {{"answers", "answers to whether the ball touches", path(&WayRow::all, &Tally::trials)},
-            {"missed", "wrong answers: contacts that the method denies", path(&WayRow::all, &Tally::missed)},
-            {"invented", "wrong answers: contacts that the method invents", path(&WayRow::all, &Tally::invented)},
-            {"unsure", "undecided answers", path(&WayRow::all, &Tally::unsure)},
+           {{"answers", "answers to whether the ball touches", path(&WayRow::all, &Failures::trials)},
+            {"missed", "wrong answers: contacts that the method denies", path(&WayRow::all, &Failures::wrongly_out)},
+            {"invented", "wrong answers: contacts that the method invents", path(&WayRow::all, &Failures::wrongly_in)},
+            {"unsure", "undecided answers", path(&WayRow::all, &Failures::unsure)},
             {"furthest", "the largest offset of a wrong answer, as a share of the polygon's size",
              [](const WayRow& row) {
                return row.errors.furthest.any ? std::optional(row.errors.furthest.share) : std::nullopt;
@@ -69,7 +69,7 @@ struct ThresholdRow {
   Feature::Kind feature;
   std::string_view method;
   double offset;
-  Tally tally;
+  Failures answers;
   run::Rate rate;
 };
 
@@ -81,10 +81,10 @@ const run::Table<ThresholdRow>& thresholds_table() {
             {"feature", "what it touches first", &ThresholdRow::feature},
             {"method", "the method", &ThresholdRow::method},
             {"offset", "the radius less its threshold, as a share of the polygon's size", &ThresholdRow::offset},
-            {"trials", "motions, which are independent", path(&ThresholdRow::tally, &Tally::trials)},
-            {"missed", "contacts that the method denies", path(&ThresholdRow::tally, &Tally::missed)},
-            {"invented", "contacts that the method invents", path(&ThresholdRow::tally, &Tally::invented)},
-            {"unsure", "undecided answers", path(&ThresholdRow::tally, &Tally::unsure)}},
+            {"trials", "motions, which are independent", path(&ThresholdRow::answers, &Failures::trials)},
+            {"missed", "contacts that the method denies", path(&ThresholdRow::answers, &Failures::wrongly_out)},
+            {"invented", "contacts that the method invents", path(&ThresholdRow::answers, &Failures::wrongly_in)},
+            {"unsure", "undecided answers", path(&ThresholdRow::answers, &Failures::unsure)}},
            run::rate_columns<ThresholdRow>("wrong answers", &ThresholdRow::rate)}));
   return table;
 }
@@ -122,8 +122,8 @@ std::vector<WayRow> way_rows(const Settings& settings, const Errors& errors, boo
   const auto add = [&](std::string_view way, const auto& wanted) {
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
       const MethodErrors sum = errors.sum(m, wanted);
-      if (sum.samples > 0)
-        rows.push_back({way, settings.methods[m]->name(), sum, sum.all(), run::rate(sum.failed, sum.samples)});
+      if (sum.samples.trials > 0)
+        rows.push_back({way, settings.methods[m]->name(), sum, cases::total(sum.offsets), sum.samples.rate()});
     }
   };
   if (each_way)
@@ -141,9 +141,9 @@ std::vector<ThresholdRow> threshold_rows(const Settings& settings, const Errors&
         const MethodErrors sum =
             errors.sum(m, [&](const Kind& kind) { return kind.event == event && kind.feature == feature; });
         for (std::size_t i = 0; i < all_offsets().size(); ++i)
-          if (const Tally& tally = sum.offsets[i]; tally.trials > 0)
-            rows.push_back({kEvents[event], kFeatures[feature], settings.methods[m]->name(), all_offsets()[i], tally,
-                            run::rate(tally.wrong(), tally.trials)});
+          if (const Failures& answers = sum.offsets[i]; answers.trials > 0)
+            rows.push_back({kEvents[event], kFeatures[feature], settings.methods[m]->name(), all_offsets()[i], answers,
+                            answers.rate()});
       }
   return rows;
 }
