@@ -107,7 +107,8 @@ class SystemUnderTest {
   }
   [[nodiscard]] virtual bool plain_contact(const Motion& motion, const Triangle& triangle) const {
     filtered::NoCounts none;
-    return filtered::detail::baseline_kernels().plain.triangle_motion_contact(filtered::detail::view_of(motion, triangle), none);
+    return filtered::detail::baseline_kernels().plain.triangle_motion_contact(
+        filtered::detail::view_of(motion, triangle), none);
   }
   [[nodiscard]] virtual bool plain_contact(const Motion& motion, const Prepared& polygon) const {
     filtered::NoCounts none;
@@ -130,7 +131,8 @@ class SystemUnderTest {
   [[nodiscard]] virtual FirstContact plain_first_contact(const Motion& motion, const Triangle& triangle) const {
     filtered::NoCounts none;
     FirstContact found;
-    filtered::detail::baseline_kernels().plain.triangle_first_contact(filtered::detail::view_of(motion, triangle), found, none);
+    filtered::detail::baseline_kernels().plain.triangle_first_contact(filtered::detail::view_of(motion, triangle),
+                                                                      found, none);
     return found;
   }
   [[nodiscard]] virtual FirstContact plain_first_contact(const Motion& motion, const Prepared& polygon) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/tunnelling/output.h"
+#include "experiments/studies/tunnelling/measure.h"
 
 namespace touchstone::tunnelling {
 namespace {

@@ -3,12 +3,16 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "experiments/cases/workloads/adversarial/case.h"
+#include "experiments/run/run_control.h"
+#include "experiments/run/table.h"
+#include "experiments/studies/soak/system_under_test.h"
 #include "robust/filtered/stage.h"
 
 namespace touchstone::soak {
@@ -32,7 +36,6 @@ struct Outcomes {
   std::uint64_t differences = 0;                            ///< cases with an answer other than that of `exact`
 
   auto members() { return std::tie(cases, by_stage, differences); }
-  Outcomes& operator+=(const Outcomes& other);
   friend bool operator==(const Outcomes&, const Outcomes&) = default;
 };
 
@@ -78,5 +81,45 @@ class Tally {
 };
 
 [[nodiscard]] inline std::uint64_t items_done(const Tally& tally) { return tally.cases(); }
+
+/// Asks the system under test about case `index` and adds the result to the tally.
+///
+/// Every case: contact with the polygon, prepared, with and without counts and vector instructions; with a triangle
+/// also unprepared, and in a batch of all orders of its vertices. One case in 16: every question and the whole answer,
+/// the closest point of a triangle, and a batch of balls of neighbouring radii. Compares all answers with `exact`; an
+/// exception counts as a difference.
+void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
+
+/// Asks about the ball of case `index` as it moves: contact and first contact with the polygon, prepared, with and
+/// without counts and vector instructions; with a triangle also unprepared; and in batches, backwards and at rest.
+void compare_moving(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
+
+struct Settings {
+  std::uint64_t cases = 1'000'000;
+  std::uint64_t seed = 1;
+  std::uint64_t from = 0;  ///< the index of the first case
+  unsigned threads = 1;    ///< of each process
+  bool moving = false;     ///< the balls move
+};
+
+/// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.
+///
+/// In the first process the tally is a function of the system under test, seed, from and the number of cases that it
+/// contains; processes, threads, pauses and stops do not change it. Returns the number of cases done, in all processes.
+std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
+                           const run::RunControl<Tally>& control, Tally& tally);
+
+// Results only: byte for byte the same for the same seed, first case and number of cases, whatever the number of
+// threads and interruptions. Each throws std::runtime_error, which names the file, if it cannot be written.
+// tables() says what the table holds.
+
+void write_counts(const std::filesystem::path& folder, const Tally& tally);
+/// differences.jsonl: the first cases that differed, for `touchstone judge --methods filtered`; empty if none did.
+void write_differences(const std::filesystem::path& folder, const Tally& tally);
+
+[[nodiscard]] std::vector<run::TableDescription> tables();
+
+/// Returns the table for the terminal, with the verdict below it.
+[[nodiscard]] std::string table(const Tally& tally);
 
 }  // namespace touchstone::soak

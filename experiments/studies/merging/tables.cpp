@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/merging/output.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "experiments/run/statistics/clopper_pearson.h"
 #include "experiments/run/table.h"
+#include "experiments/studies/merging/study.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::merging {

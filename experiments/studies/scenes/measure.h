@@ -5,15 +5,28 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "experiments/cases/method.h"
+#include "experiments/cases/workloads/meshes/named_meshes.h"
 #include "experiments/run/blocks.h"
 #include "experiments/studies/scenes/balls.h"
-#include "experiments/studies/scenes/objects.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::scenes {
+
+/// The faces of a mesh that are polygons of the contract.
+struct Object {
+  std::string name;
+  scene::Faces faces;                  ///< triangles first
+  std::vector<std::uint32_t> numbers;  ///< indices of these faces in the mesh, from 0
+  std::vector<std::string> rejected;   ///< a sentence for each of the first other faces, with its place in the file
+  std::uint64_t faces_rejected = 0;    ///< the number of all other faces
+};
+
+/// Takes every face of the mesh as it is. Cost: that of exact::validate per face.
+[[nodiscard]] Object object_of(workloads::NamedFile file);
 
 enum class Question { Any, All, Nearest };
 
@@ -45,5 +58,23 @@ struct Order {
 
 /// Returns the number of blocks of faces that ask_every_face processes for some balls, as its progress counts them.
 [[nodiscard]] std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order);
+
+/// Returns a line of JSON: `id` and `ball` as in a case of the contract, then the requested answer: `touches`,
+/// `touched` (object and face) or `nearest` (object, face, feature, point and distance; null if there are no faces).
+/// Faces have the numbers of their mesh.
+[[nodiscard]] std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Question question,
+                                      const std::vector<Object>& objects);
+
+/// The differences between a method's answers and the scene's. They are compared here, not by cases::differing_keys,
+/// because they name faces of the scene.
+struct Differences {
+  std::uint64_t balls = 0;
+  std::uint64_t answers = 0;    ///< balls with another answer: touched or not, other faces, or another nearest face
+                                ///< at another distance
+  std::uint64_t distances = 0;  ///< Nearest: balls with another distance
+  std::uint64_t unsure = 0;     ///< balls for which the method could not decide about some face
+
+  void add(const BallAnswer& given, const BallAnswer& truth, Question question);
+};
 
 }  // namespace touchstone::scenes

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/scenes/ask.h"
+#include "experiments/studies/scenes/measure.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/cases/verdict.h"
+#include "experiments/cases/workloads/meshes/face_polygon.h"
 
 namespace touchstone::scenes {
 namespace {
@@ -87,7 +94,40 @@ void add(BallAnswer& answer, const BallAnswer& later, Question question) {
   answer.unsure += later.unsure;
 }
 
+using cases::Verdict;
+using scene::FaceId;
+
+Verdict face(FaceId id, const std::vector<Object>& objects) {
+  const Object& object = objects[id.object];
+  return {{"object", object.name}, {"face", object.numbers[id.face]}};
+}
+
 }  // namespace
+
+Object object_of(workloads::NamedFile file) {
+  Object object{std::move(file.name), {}, {}, {}, 0};
+  const Mesh& mesh = file.content.mesh;
+  std::vector<std::uint32_t> polygons;
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    try {
+      Polygon polygon = workloads::face_polygon(mesh, face);
+      if (polygon.vertex_count() == 3) {
+        object.faces.triangles.push_back({polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)});
+        object.numbers.push_back(face);
+      } else {
+        object.faces.polygons.push_back(std::move(polygon));
+        polygons.push_back(face);
+      }
+    } catch (const Rejected& rejected) {
+      if (object.faces_rejected++ >= kMostSentences) continue;
+      const auto& [code, message] = rejected.rejection();
+      object.rejected.push_back(io::sentence(file.file, file.content.places[face],
+                                             fmt::format("face {}: {}: {}", face, to_string(code), message)));
+    }
+  }
+  object.numbers.insert(object.numbers.end(), polygons.begin(), polygons.end());
+  return object;
+}
 
 std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order, std::span<const NamedBall> balls,
                                   const std::atomic<bool>& stop) {
@@ -130,6 +170,57 @@ std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::v
   for (const auto& part : parts)
     for (std::size_t i = 0; i < balls.size(); ++i) add(answers[i], part->answers()[i], order.question);
   return answers;
+}
+
+std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Question question,
+                        const std::vector<Object>& objects) {
+  const auto point = [](const Eigen::Vector3d& p) { return Verdict{p.x(), p.y(), p.z()}; };
+  Verdict line = Verdict::object();
+  line["id"] = ball.id;
+  line["ball"] = {{"center", point(ball.ball.center)}, {"radius", ball.ball.radius}};
+  if (question == Question::Any) line["touches"] = !answer.touched.empty();
+  if (question == Question::All) {
+    line["touched"] = Verdict::array();
+    // The scene numbers triangles first, the mesh does not.
+    std::vector<FaceId> touched = answer.touched;
+    std::ranges::sort(touched, {},
+                      [&](FaceId id) { return std::pair(id.object, objects[id.object].numbers[id.face]); });
+    for (const FaceId id : touched) line["touched"].push_back(face(id, objects));
+  }
+  if (question == Question::Nearest) {
+    line["nearest"] = nullptr;
+    if (answer.nearest) {
+      cases::PartialAnswer keys;
+      keys.nearest = answer.nearest->feature;
+      keys.point = answer.nearest->point;
+      keys.distance = answer.nearest->distance;
+      const Verdict found = cases::object_of(keys);
+      Verdict nearest = face(answer.nearest->face, objects);
+      nearest["feature"] = found["nearest"];
+      nearest["point"] = found["point"];
+      nearest["distance"] = found["distance"];
+      line["nearest"] = nearest;
+    }
+  }
+  return cases::to_line(line);
+}
+
+void Differences::add(const BallAnswer& given, const BallAnswer& truth, Question question) {
+  ++balls;
+  unsure += given.unsure > 0 ? 1 : 0;
+  bool differs = false;
+  switch (question) {
+    case Question::Any: differs = given.touched.empty() != truth.touched.empty(); break;
+    case Question::All: differs = given.touched != truth.touched; break;
+    case Question::Nearest: {
+      const bool both = given.nearest && truth.nearest;
+      const bool other = !both || given.nearest->distance != truth.nearest->distance;  // compared as rounded
+      differs = both ? other && given.nearest->face != truth.nearest->face : given.nearest || truth.nearest;
+      distances += both && other ? 1 : 0;
+      break;
+    }
+  }
+  answers += differs ? 1 : 0;
 }
 
 }  // namespace touchstone::scenes

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/soak/output.h"
-
 #include <fmt/core.h>
 
 #include "experiments/run/counted.h"
 #include "experiments/run/statistics/clopper_pearson.h"
 #include "experiments/run/table.h"
 #include "experiments/run/write_file.h"
+#include "experiments/studies/soak/measure.h"
 
 namespace touchstone::soak {
 namespace {
@@ -24,7 +23,7 @@ std::vector<Row> rows_of(const Tally& tally) {
     for (const adversarial::Family family : adversarial::all_families()) {
       const Outcomes& outcomes = tally.at(family, way);
       if (outcomes.cases > 0) rows.push_back({to_string(family), to_string(way), outcomes});
-      all += outcomes;
+      run::add(all, outcomes);
     }
     if (all.cases > 0) rows.push_back({"all", to_string(way), all});
   }

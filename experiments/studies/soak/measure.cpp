@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/soak/comparison.h"
+#include "experiments/studies/soak/measure.h"
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <memory>
@@ -191,6 +192,52 @@ void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t in
 
 void compare_moving(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally) {
   Comparison(tested, seed, index, tally).ask_all_moving();
+}
+
+std::string_view to_string(Way way) {
+  switch (way) {
+    case Way::Triangle: return "triangle";
+    case Way::Prepared: return "prepared";
+    case Way::Answer: return "answer";
+    case Way::MovingTriangle: return "moving-triangle";
+    case Way::MovingPrepared: break;
+  }
+  return "moving-prepared";
+}
+
+void Tally::add_case(std::vector<Difference> differences) {
+  ++cases_;
+  if (differences.empty()) return;
+  ++differing_;
+  std::move(differences.begin(), differences.end(), std::back_inserter(kept_));
+  keep_first();
+}
+
+Tally& Tally::operator+=(const Tally& other) {
+  run::add(outcomes_, other.outcomes_);
+  cases_ += other.cases_;
+  differing_ += other.differing_;
+  kept_.insert(kept_.end(), other.kept_.begin(), other.kept_.end());
+  keep_first();
+  return *this;
+}
+
+/// By index; those of one case stay in their order.
+void Tally::keep_first() {
+  std::stable_sort(kept_.begin(), kept_.end(),
+                   [](const Difference& a, const Difference& b) { return a.index < b.index; });
+  if (kept_.size() > kMostKept) kept_.resize(kMostKept);
+}
+
+std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
+                           const run::RunControl<Tally>& control, Tally& tally) {
+  constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core, 40 ms if balls move
+  return run::run_sweep(
+      settings.cases, settings.threads, control, Tally(), tally,
+      [&](std::uint64_t i, Tally& part) {
+        (settings.moving ? compare_moving : compare)(tested, settings.seed, settings.from + i, part);
+      },
+      kBlock);
 }
 
 }  // namespace touchstone::soak

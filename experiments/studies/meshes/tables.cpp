@@ -3,28 +3,101 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
 
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/key.h"
+#include "experiments/cases/output_lines.h"
+#include "experiments/cases/workloads/meshes/face_polygon.h"
 #include "experiments/run/statistics/clopper_pearson.h"
 #include "experiments/run/statistics/percent.h"
-#include "experiments/studies/meshes/output.h"
+#include "experiments/run/table.h"
+#include "experiments/run/write_file.h"
+#include "experiments/studies/meshes/study.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::meshes {
 namespace {
+
+/// A query of the study, and which methods fail which tests in it.
+struct FailedQuery {
+  std::set<std::size_t> methods;
+  std::array<bool, kTests.size()> wrong{};
+};
+
+std::string case_line(const Settings& settings, const NamedMesh& mesh, std::uint64_t face, std::size_t ball,
+                      const FailedQuery& failed) {
+  const Polygon polygon = workloads::face_polygon(mesh.mesh, face);
+  const exact::PreparedPolygon exact(polygon);
+  const MeshBall drawn = draw_mesh_balls(polygon, exact, settings.seed, mesh.name, face).balls[ball];
+  const auto whole = cases::PartialAnswer::of(exact::answer(drawn.ball, exact), "");
+  std::vector<cases::Key> keys;
+  for (std::size_t test = 0; test < kTests.size(); ++test)
+    if (failed.wrong[test]) keys.push_back(cases::key_of(kTests[test]));
+  std::vector<std::string> tags{std::string("near-") + std::string(to_string(drawn.place))};
+  for (const std::size_t method : failed.methods)
+    tags.push_back("fails-" + std::string(settings.methods[method]->name()));
+  const std::string id =
+      fmt::format("{}:{}:{}{:+}:seed-{}", mesh.name, face, to_string(drawn.place), drawn.steps, settings.seed);
+  return cases::case_line(id, drawn.ball, polygon, tags, cases::only(whole, keys));
+}
+
+struct MeshRow {
+  std::string_view mesh;
+  const MeshCounts* counts;
+  std::string_view method;
+  BallRegion place;
+  Test test;
+  const Failures* answers;
+};
+
+const run::Table<MeshRow>& meshes_table() {
+  using run::path;
+  static const run::Table<MeshRow> table(
+      "meshes.csv", "a mesh, method, place and test",
+      {{"mesh", "the mesh", &MeshRow::mesh},
+       {"faces", "its faces", path(&MeshRow::counts, &MeshCounts::faces)},
+       {"rejected", "faces that are not polygons", path(&MeshRow::counts, &MeshCounts::rejected)},
+       {"method", "the method", &MeshRow::method},
+       {"place", "what the balls are near", &MeshRow::place},
+       {"test", "the decision that is compared", &MeshRow::test},
+       {"trials", "answers", path(&MeshRow::answers, &Failures::trials)},
+       {"wrong", "wrong answers", path(&MeshRow::answers, &Failures::wrong)},
+       {"wrongly_in", "answers that wrongly say inside, or contact", path(&MeshRow::answers, &Failures::wrongly_in)},
+       {"wrongly_out", "answers that wrongly say outside, or no contact",
+        path(&MeshRow::answers, &Failures::wrongly_out)},
+       {"boundary_missed", "answers that miss a boundary", path(&MeshRow::answers, &Failures::boundary_missed)}});
+  return table;
+}
+
+struct RejectedRow {
+  std::string_view mesh;
+  const RejectedFace* face;
+};
+
+const run::Table<RejectedRow>& rejected_table() {
+  static const run::Table<RejectedRow> table(
+      "rejected.csv", "a face that is not a polygon",
+      {{"mesh", "the mesh", &RejectedRow::mesh},
+       {"face", "the number of the face in its file", run::path(&RejectedRow::face, &RejectedFace::face)},
+       {"code", "the code of the rejection", [](const RejectedRow& row) { return row.face->rejection.code; }},
+       {"message", "what is wrong", [](const RejectedRow& row) { return row.face->rejection.message; }}});
+  return table;
+}
 
 constexpr std::size_t kWidth = 120;  // columns of the terminal
 
 /// Three digits or so.
 std::string percent(double share) { return statistics::percent_to_places(share, share < 0.09995 ? 2 : 1); }
 
-std::string percent(const Count& count) {
-  return count.trials == 0 ? "-" : percent(static_cast<double>(count.wrong()) / static_cast<double>(count.trials));
-}
+std::string percent(const Failures& answers) { return answers.trials == 0 ? "-" : percent(answers.share()); }
 
 MeshCounts sum_of(const Result& result) {
   MeshCounts sum;
-  for (const MeshCounts& counts : result.meshes) sum += counts;
+  for (const MeshCounts& counts : result.meshes) run::add(sum, counts);
   return sum;
 }
 
@@ -106,7 +179,7 @@ std::string by_mesh(const Settings& settings, const std::vector<NamedMesh>& mesh
   std::vector<std::size_t> shown;
   std::string never;
   for (std::size_t method = 0; method < settings.methods.size() && !meshes.empty(); ++method) {
-    if (sum.methods[method].total(Test::Contact).wrong() > 0)
+    if (sum.methods[method].total(Test::Contact).wrong > 0)
       shown.push_back(method);
     else
       never.append(never.empty() ? "" : ", ").append(settings.methods[method]->name());
@@ -132,8 +205,8 @@ std::string by_mesh(const Settings& settings, const std::vector<NamedMesh>& mesh
 }
 
 /// Wrong answers and their percentage.
-std::string cell(const Count& count) {
-  return count.trials == 0 ? "-" : fmt::format("{} {:>5}%", count.wrong(), percent(count));
+std::string cell(const Failures& answers) {
+  return answers.trials == 0 ? "-" : fmt::format("{} {:>5}%", answers.wrong, percent(answers));
 }
 
 /// A row a method: every test, over all meshes.
@@ -147,7 +220,7 @@ std::string by_method(const Settings& settings, const Result& result) {
     const MethodCounts& counts = sum.methods[method];
     text += fmt::format("{:<16}", settings.methods[method]->name());
     for (const Test test : kTests) text += fmt::format("{:>15}", cell(counts.total(test)));
-    const Count contact = counts.total(Test::Contact);
+    const Failures contact = counts.total(Test::Contact);
     text += fmt::format(
         "{:>9}{:>9}{:>24}\n", contact.wrongly_out, contact.wrongly_in,
         fmt::format("{} ({})", counts.faces_wrong, limits_of(counts.faces_wrong, sum.faces - sum.rejected)));
@@ -185,6 +258,44 @@ interval may answer that it does not know.
 )";
 
 }  // namespace
+
+void write_meshes(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
+                  const Result& result) {
+  std::vector<MeshRow> rows;
+  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
+    const MeshCounts& counts = result.meshes[mesh];
+    for (std::size_t method = 0; method < settings.methods.size(); ++method)
+      for (std::size_t place = 0; place < kPlaces.size(); ++place)
+        for (std::size_t test = 0; test < kTests.size(); ++test)
+          rows.push_back({meshes[mesh].name, &counts, settings.methods[method]->name(), kPlaces[place], kTests[test],
+                          &counts.methods[method].at[place][test]});
+  }
+  meshes_table().write(folder, rows);
+}
+
+void write_rejected(const std::filesystem::path& folder, const std::vector<NamedMesh>& meshes, const Result& result) {
+  std::vector<RejectedRow> rows;
+  for (const RejectedFace& face : result.rejected) rows.push_back({meshes[face.mesh].name, &face});
+  rejected_table().write(folder, rows);
+}
+
+std::vector<run::TableDescription> tables() { return {meshes_table().description(), rejected_table().description()}; }
+
+void write_failures(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
+                    const Result& result) {
+  std::map<std::tuple<std::size_t, std::uint64_t, std::size_t>, FailedQuery> queries;
+  for (const Failure& failure : result.failures) {
+    FailedQuery& query = queries[{failure.mesh, failure.face, failure.ball}];
+    query.methods.insert(failure.method);
+    for (std::size_t test = 0; test < kTests.size(); ++test) query.wrong[test] |= failure.wrong[test];
+  }
+  std::string text;
+  for (const auto& [key, failed] : queries) {
+    const auto& [mesh, face, ball] = key;
+    text += case_line(settings, meshes[mesh], face, ball, failed);
+  }
+  run::write_file(folder / "failures.jsonl", text);
+}
 
 std::string table(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result) {
   return by_mesh(settings, meshes, result) + by_method(settings, result) + left_out(meshes, result) + kLegend;
