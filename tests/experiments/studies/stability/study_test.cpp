@@ -105,15 +105,15 @@ TEST(StabilityStudy, AMotionIsNotWhatWasMeant) {
   for (const Axis axis : {Axis::ChainMotion, Axis::PoseMotion}) {
     const auto setting = settings({"exact", "filtered"}, {axis}, 4);
     const Summary summary = whole(setting);
-    const Tally near = *summary.at(0, Nearness::OneDouble, Tested::Contact, 0, 3);
-    EXPECT_GT(near.failed, 0U);
+    const cases::Failures near = summary.at(0, Nearness::OneDouble, Tested::Contact, 0, 3)->samples;
+    EXPECT_GT(near.wrong, 0U);
     for (const Nearness nearness : kNearnesses)
       for (std::size_t level = 0; level < 5; ++level) {
-        const Tally *exact = summary.at(0, nearness, Tested::Contact, 0, level),
-                    *filtered = summary.at(0, nearness, Tested::Contact, 1, level);
-        EXPECT_EQ(exact->wrong, filtered->wrong);
+        const SampledFailures *exact = summary.at(0, nearness, Tested::Contact, 0, level),
+                              *filtered = summary.at(0, nearness, Tested::Contact, 1, level);
+        EXPECT_EQ(exact->answers.wrong, filtered->answers.wrong);
         if (nearness == Nearness::Ample) {
-          EXPECT_EQ(exact->wrong, 0U);
+          EXPECT_EQ(exact->answers.wrong, 0U);
         }
       }
     const auto median = [&](std::size_t level) {
@@ -295,12 +295,11 @@ TEST(StabilityStudy, AxesAndMethodsStandAlone) {
              among = settings({"thesis", "fast"}, {Axis::Aspect, Axis::Origin}, 3);
   const Summary one = whole(alone), two = whole(among);
   std::uint64_t compared = 0;
-  for (const auto& [cell, tally] : one.failures) {
+  for (const auto& [cell, failures] : one.failures) {
     const auto [axis, nearness, test, method, level] = cell;
-    const Tally* other = two.at(1, nearness, test, 1, level);
+    const SampledFailures* other = two.at(1, nearness, test, 1, level);
     ASSERT_NE(other, nullptr);
-    EXPECT_EQ(tally.wrong, other->wrong);
-    EXPECT_EQ(tally.balls, other->balls);
+    EXPECT_EQ(failures.answers, other->answers);
     ++compared;
   }
   EXPECT_GT(compared, 50U);
