@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/bench_scenes/output.h"
-
 #include <fmt/core.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "experiments/run/table.h"
 #include "experiments/run/timing/output.h"
+#include "experiments/studies/bench_scenes/study.h"
 
 namespace touchstone::bench_scenes {
 namespace {

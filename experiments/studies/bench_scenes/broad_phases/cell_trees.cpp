@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -10,6 +9,7 @@
 #include "experiments/studies/bench_scenes/broad_phases/broad_phase.h"
 
 namespace touchstone::bench_scenes {
+namespace {
 
 /// A tree of cells of space. A leaf lists the triangles whose boxes meet its cell, so that a triangle may be listed
 /// repeatedly. `Splitter` has a number `kCells`, and a call of (cell, boxes, numbers, depth) that returns the cells
@@ -79,5 +79,46 @@ class CellTree {
   std::vector<Box> boxes_;
   std::vector<Node> nodes_;
 };
+
+/// Two cells, parted across the longest side at the median of the triangles' middles: a tree of binary space
+/// partitioning whose planes are parallel to the axes. Source: [bentley1975].
+struct Halves {
+  static constexpr std::uint32_t kCells = 2;
+  std::array<Box, kCells> operator()(const Box& cell, const std::vector<Box>& boxes,
+                                     const std::vector<std::uint32_t>& numbers) const {
+    Eigen::Index axis = 0;
+    (cell.high - cell.low).maxCoeff(&axis);
+    std::vector<double> middles;
+    middles.reserve(numbers.size());
+    for (const std::uint32_t i : numbers) middles.push_back(boxes[i].low[axis] / 2 + boxes[i].high[axis] / 2);
+    const auto median = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
+    std::nth_element(middles.begin(), median, middles.end());
+    std::array<Box, kCells> halves{cell, cell};
+    halves[0].high[axis] = halves[1].low[axis] = std::clamp(*median, cell.low[axis], cell.high[axis]);
+    return halves;
+  }
+};
+
+/// Eight cells of half the size. Source: [samet1990].
+struct Octants {
+  static constexpr std::uint32_t kCells = 8;
+  std::array<Box, kCells> operator()(const Box& cell, const std::vector<Box>&,
+                                     const std::vector<std::uint32_t>&) const {
+    const Eigen::Vector3d middle = cell.low / 2 + cell.high / 2;
+    std::array<Box, kCells> octants;
+    for (unsigned k = 0; k < kCells; ++k)
+      for (int i = 0; i < 3; ++i) {
+        const bool upper = ((k >> i) & 1U) != 0;
+        octants[k].low[i] = upper ? middle[i] : cell.low[i];
+        octants[k].high[i] = upper ? cell.high[i] : middle[i];
+      }
+    return octants;
+  }
+};
+
+}  // namespace
+
+Library kd_tree_library() { return broad_phase<CellTree<Halves>>("k-d tree"); }
+Library octree_library() { return broad_phase<CellTree<Octants>>("Octree"); }
 
 }  // namespace touchstone::bench_scenes
