@@ -146,6 +146,8 @@ bool moves_radius(Threshold threshold) {
   return threshold != Threshold::FootEdge && threshold != Threshold::FootVertex;
 }
 
+Test test_at(Threshold threshold) { return moves_radius(threshold) ? Test::Contact : Test::Foot; }
+
 const std::vector<Threshold>& all_thresholds() {
   static const std::vector<Threshold> thresholds{Threshold::Face,    Threshold::Edge,     Threshold::Vertex,
                                                  Threshold::Tangent, Threshold::FootEdge, Threshold::FootVertex};

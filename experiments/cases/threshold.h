@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
 #include "experiments/cases/workloads/workload.h"
 #include "geometry/shapes/ball.h"
@@ -28,6 +29,8 @@ enum class Threshold {
 [[nodiscard]] std::string_view to_string(Threshold threshold);
 /// Returns whether the radius is moved (otherwise the centre).
 [[nodiscard]] bool moves_radius(Threshold threshold);
+/// Returns the decision that changes there: the final answer if the radius is moved, the foot if the centre is.
+[[nodiscard]] Test test_at(Threshold threshold);
 
 /// A stratum of the samples: each is sampled separately.
 struct Stratum {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/judge/corpus/drawing.h"
 #include "experiments/judge/corpus/given.h"
 
@@ -146,21 +147,11 @@ std::string exponents() {
 
 std::string point() { return drawn_text({soak_stream(adversarial::Family::Point, 250)}, any_kind); }
 
-/// Returns the largest difference of coordinates.
-double extent_of(const Polygon& polygon) {
-  double extent = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [least, greatest] = std::ranges::minmax(polygon.coordinates(axis));
-    extent = std::max(extent, greatest / 2 - least / 2);
-  }
-  return 2 * extent;
-}
-
 std::string off_plane() {
   return drawn_text({soak_stream(adversarial::Family::Outline, 190)},
                     [](const CorpusCase& drawn, const PartialAnswer& truth) {
                       const double off = *truth.off_plane;
-                      return std::isfinite(off) && off > 0x1p-30 * extent_of(drawn.polygon);
+                      return std::isfinite(off) && off > 0x1p-30 * workloads::extent_of(drawn.polygon);
                     });
 }
 

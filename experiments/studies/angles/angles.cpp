@@ -10,8 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "experiments/cases/comparison.h"
-#include "experiments/cases/method.h"
+#include "experiments/cases/failures.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/cases/workloads/workload.h"
@@ -21,6 +20,9 @@
 
 namespace touchstone::angles {
 namespace {
+
+using cases::Failures;
+using cases::SampledFailures;
 
 struct Options : run::StudyOptions {
   methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed", "filtered"}};
@@ -32,17 +34,10 @@ constexpr int kDegrees = 10;  // between neighbouring directions
 constexpr std::size_t kAngles = 180 / kDegrees + 1;
 constexpr std::array<std::int64_t, 3> kOffsets{-1, 0, 1};  // of the radius, in doubles
 
-/// The answers of one method from one direction.
-struct Count {
-  std::uint64_t failed = 0, samples = 0, wrong = 0;
-
-  auto members() { return std::tie(failed, samples, wrong); }
-};
-
 struct Sum {
   std::uint64_t samples = 0;
-  std::uint64_t missing = 0;                      ///< directions from which another feature is nearer
-  std::vector<std::array<Count, kAngles>> count;  ///< by method
+  std::uint64_t missing = 0;                                ///< directions from which another feature is nearer
+  std::vector<std::array<SampledFailures, kAngles>> count;  ///< by method
 
   auto members() { return std::tie(samples, missing, count); }
 };
@@ -52,7 +47,7 @@ std::uint64_t items_done(const Sum& sum) { return sum.samples; }
 struct Row {
   std::size_t angle;
   std::string_view method;
-  Count count;
+  SampledFailures count;
   run::Rate rate;
 };
 
@@ -65,10 +60,11 @@ const run::Table<Row>& table() {
              [](const Row& row) { return row.angle * kDegrees; }},
             {"method", "the method", &Row::method},
             {"failed_samples", "polygons with a wrong answer; undecided answers are not wrong",
-             path(&Row::count, &Count::failed)},
-            {"samples", "polygons", path(&Row::count, &Count::samples)}},
+             path(&Row::count, path(&SampledFailures::samples, &Failures::wrong))},
+            {"samples", "polygons", path(&Row::count, path(&SampledFailures::samples, &Failures::trials))}},
            run::rate_columns<Row>("failed samples", &Row::rate),
-           {{"wrong_answers", "wrong answers, of three for each polygon", path(&Row::count, &Count::wrong)}}}));
+           {{"wrong_answers", "wrong answers, of three for each polygon",
+             path(&Row::count, path(&SampledFailures::answers, &Failures::wrong))}}}));
   return table;
 }
 
@@ -89,7 +85,9 @@ class Study {
     workloads::require_vertices(families_, options.vertices);
   }
 
-  [[nodiscard]] Sum zero() const { return {.count = std::vector<std::array<Count, kAngles>>(methods_.size())}; }
+  [[nodiscard]] Sum zero() const {
+    return {.count = std::vector<std::array<SampledFailures, kAngles>>(methods_.size())};
+  }
 
   void ask(std::uint64_t n, Sum& sum) const {
     for (const workloads::Family family : families_) ask(family, n, sum);
@@ -100,8 +98,8 @@ class Study {
     std::vector<Row> rows;
     for (std::size_t angle = 0; angle < kAngles; ++angle)
       for (std::size_t m = 0; m < methods_.size(); ++m) {
-        const Count& count = sum.count[m][angle];
-        rows.push_back({angle, methods_[m]->name(), count, run::rate(count.failed, count.samples)});
+        const SampledFailures& count = sum.count[m][angle];
+        rows.push_back({angle, methods_[m]->name(), count, count.samples.rate()});
       }
     return rows;
   }
@@ -147,20 +145,13 @@ class Study {
       truths[i] = exact.ask(balls[i], cases::QueryKind::Contact);
     }
     for (std::size_t m = 0; m < prepared.size(); ++m) {
-      std::uint64_t wrong = 0;
+      Failures answers;
       for (std::size_t i = 0; i < kOffsets.size(); ++i)
-        if (!is_right(prepared[m]->ask(balls[i], cases::QueryKind::Contact), truths[i])) ++wrong;
-      Count& count = sum.count[m][angle];
-      ++count.samples;
-      count.failed += wrong > 0 ? 1 : 0;
-      count.wrong += wrong;
+        answers.add(
+            compare(cases::Test::Contact, prepared[m]->ask(balls[i], cases::QueryKind::Contact), truths[i], true));
+      sum.count[m][angle].samples.add_sample(answers.wrong > 0);
+      run::add(sum.count[m][angle].answers, answers);
     }
-  }
-
-  /// Returns whether the answer is right, or undecided.
-  static bool is_right(const cases::PartialAnswer& answer, const cases::PartialAnswer& truth) {
-    return cases::compare(cases::Test::Contact, answer, truth, true).value_or(cases::Outcome::Right) ==
-           cases::Outcome::Right;
   }
 
   static constexpr std::uint64_t kStream = 0x616e676c65;
@@ -192,7 +183,7 @@ namespace touchstone::commands {
 
 run::Command angles_command() {
   using angles::Options;
-  constexpr int kVersion = 1;  // raised when sample n of a seed changes
+  constexpr int kVersion = 2;  // raised when sample n of a seed changes
   run::Command command("angles", "Measure how often methods are wrong around an edge, direction by direction");
   auto options = std::make_shared<Options>();
   options->samples = 100;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/cases/workloads/lattice/triangle_queries.h"
+#include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/fast_batch.h"
 #include "experiments/studies/bench/polygon_queries.h"

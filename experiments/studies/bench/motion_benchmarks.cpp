@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "experiments/cases/workloads/grazing_radius.h"
-#include "experiments/cases/workloads/lattice/triangle_queries.h"
+#include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/run/statistics/percent.h"
 #include "experiments/studies/bench/asked_polygons.h"
 #include "experiments/studies/bench/families.h"

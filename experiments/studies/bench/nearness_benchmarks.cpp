@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "experiments/cases/workloads/lattice/triangle_queries.h"
+#include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/methods/engines/cgal_triangles.h"
 #include "experiments/studies/bench/families.h"
 #include "geometry/contact/fast_triangle.h"

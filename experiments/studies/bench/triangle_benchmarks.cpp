@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/cases/workloads/lattice/triangle_queries.h"
+#include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/methods/engines/cgal_triangles.h"
 #include "experiments/methods/ericson.h"
 #include "experiments/run/statistics/percent.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "experiments/cases/workloads/lattice/triangle_queries.h"
+#include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/variants.h"
 #include "robust/exact/exact.h"

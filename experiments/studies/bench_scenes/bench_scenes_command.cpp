@@ -18,7 +18,6 @@
 #include "experiments/run/stop_signal.h"
 #include "experiments/run/timing/output.h"
 #include "experiments/run/write_file.h"
-#include "experiments/studies/bench_scenes/output.h"
 #include "experiments/studies/bench_scenes/study.h"
 
 namespace touchstone::commands {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/bench_scenes/poses.h"
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
 #include <stdexcept>
 
+#include "experiments/studies/bench_scenes/study.h"
 #include "robust/scene/posing.h"
 #include "robust/scene/scene.h"
 

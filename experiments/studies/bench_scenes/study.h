@@ -3,18 +3,39 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "experiments/run/table.h"
 #include "experiments/run/timing/measurement.h"
 #include "experiments/studies/bench_scenes/library.h"
-#include "experiments/studies/bench_scenes/poses.h"
 #include "experiments/studies/bench_scenes/scenes.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/triangle.h"
 
 /// The study of query time against the number of triangles: `touchstone bench-scenes`.
 namespace touchstone::bench_scenes {
+
+/// The costs of poses, repetition by repetition.
+struct PoseCosts {
+  std::vector<double> nanoseconds;  ///< of Scene::set_pose
+  /// The time of queries after it, relative to those of a scene that was built of the posed triangles: whether balls
+  /// touch anything, which triangles they touch, and which is nearest.
+  std::vector<double> any, all, nearest;
+};
+
+/// The goals for objects of every size: nanoseconds, and ratios.
+inline constexpr timing::Goal kSetPoseGoal{1000}, kPosedQueryGoal{1.5};
+
+/// Turns and moves an object of these triangles many times, and asks about balls near it. Both scenes take turns, of
+/// which the quickest count. Throws std::logic_error if they differ about a ball.
+[[nodiscard]] PoseCosts measure_poses(const std::vector<Triangle>& triangles, std::span<const Ball> balls,
+                                      unsigned repetitions);
 
 enum class SceneQuestion { Any, All, Nearest };
 
@@ -95,5 +116,22 @@ struct Growth {
 /// Returns the growth from the smallest scene of at least 10,000 triangles (less a hundredth) to each larger one of its
 /// kind.
 [[nodiscard]] std::vector<Growth> growths(const std::vector<SceneResult>& results);
+
+/// Returns the build times and memory of one scene.
+[[nodiscard]] std::string builds_table(const SceneResult& result);
+/// Returns the costs of poses of one scene; nothing if they were not measured.
+[[nodiscard]] std::string poses_table(const SceneResult& result);
+/// Returns how the exact library's time grew.
+[[nodiscard]] std::string growth_table(const std::vector<Growth>& growths, const std::string& library);
+/// Returns every goal: ratios, builds, memory, poses, growth; how many were met, and which were not.
+[[nodiscard]] std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library);
+/// Returns the legend: the comparisons, and the meaning of the columns.
+[[nodiscard]] std::string scene_legend();
+
+[[nodiscard]] nlohmann::ordered_json json(const std::vector<SceneResult>& results);
+
+/// Writes all tables. Throws std::runtime_error, which names the file, if one cannot be written.
+void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);
+[[nodiscard]] std::vector<run::TableDescription> tables();
 
 }  // namespace touchstone::bench_scenes

@@ -16,7 +16,6 @@
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
-#include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/read_mesh.h"

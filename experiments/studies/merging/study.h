@@ -5,11 +5,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "experiments/run/table.h"
 #include "experiments/run/timing/measurement.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/mesh.h"
@@ -95,5 +97,18 @@ struct MeshResult {
 /// runs. Returns nothing if `stop` was set before it finished; checks `stop` for each face, polygon and ball.
 [[nodiscard]] std::optional<MeshResult> study(const Settings& settings, std::string name, const Mesh& mesh,
                                               const std::atomic<bool>& stop);
+
+// Each writes a table: tables() says what it holds. All but the times have the same bytes for the same settings and
+// meshes. Each throws std::runtime_error, which names the file, if it cannot be written.
+
+void write_counts(const std::filesystem::path& folder, const std::vector<MeshResult>& results);
+void write_polygons(const std::filesystem::path& folder, const std::vector<MeshResult>& results);
+void write_times(const std::filesystem::path& folder, const std::vector<MeshResult>& results);
+
+[[nodiscard]] std::vector<run::TableDescription> tables();
+
+/// Returns the table for the terminal: one row per mesh and the sum; if scenes were compared, their costs; and a
+/// legend.
+[[nodiscard]] std::string table(const Settings& settings, const std::vector<MeshResult>& results);
 
 }  // namespace touchstone::merging

@@ -18,7 +18,7 @@
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
 #include "experiments/run/write_file.h"
-#include "experiments/studies/meshes/output.h"
+#include "experiments/studies/meshes/study.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {

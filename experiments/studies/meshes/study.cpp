@@ -106,16 +106,10 @@ class Tally {
   }
 
   /// Is it wrong?
-  static bool add(Count& count, std::optional<cases::Outcome> verdict) {
+  static bool add(Failures& answers, std::optional<cases::Outcome> verdict) {
     if (!verdict) return false;
-    ++count.trials;
-    switch (*verdict) {
-      case cases::Outcome::Right: return false;
-      case cases::Outcome::WronglyIn: ++count.wrongly_in; break;
-      case cases::Outcome::WronglyOut: ++count.wrongly_out; break;
-      case cases::Outcome::BoundaryMissed: ++count.boundary_missed; break;
-    }
-    return true;
+    answers.add(verdict);
+    return *verdict != cases::Outcome::Right;
   }
 
   void keep(Failure failure) {
@@ -131,35 +125,10 @@ class Tally {
 
 }  // namespace
 
-Count& Count::operator+=(const Count& other) {
-  trials += other.trials;
-  wrongly_in += other.wrongly_in;
-  wrongly_out += other.wrongly_out;
-  boundary_missed += other.boundary_missed;
-  return *this;
-}
-
-Count MethodCounts::total(Test test) const {
-  Count sum;
-  for (const auto& tests : at) sum += tests[static_cast<std::size_t>(test)];
+Failures MethodCounts::total(Test test) const {
+  Failures sum;
+  for (const auto& tests : at) run::add(sum, tests[static_cast<std::size_t>(test)]);
   return sum;
-}
-
-MethodCounts& MethodCounts::operator+=(const MethodCounts& other) {
-  for (std::size_t place = 0; place < kPlaces.size(); ++place)
-    for (std::size_t test = 0; test < kTests.size(); ++test) at[place][test] += other.at[place][test];
-  faces_wrong += other.faces_wrong;
-  return *this;
-}
-
-MeshCounts& MeshCounts::operator+=(const MeshCounts& other) {
-  faces += other.faces;
-  rejected += other.rejected;
-  queries += other.queries;
-  for (std::size_t place = 0; place < kPlaces.size(); ++place) missing[place] += other.missing[place];
-  methods.resize(std::max(methods.size(), other.methods.size()));
-  for (std::size_t method = 0; method < other.methods.size(); ++method) methods[method] += other.methods[method];
-  return *this;
 }
 
 std::uint64_t block_count(const Settings& settings, const std::vector<NamedMesh>& meshes) {
@@ -179,7 +148,7 @@ Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes,
   for (const NamedMesh& mesh : meshes) result.faces += face_count(settings, mesh);
   for (const Tally& tally : tallies) {
     const Result& part = tally.result();
-    for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) result.meshes[mesh] += part.meshes[mesh];
+    for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) run::add(result.meshes[mesh], part.meshes[mesh]);
     result.rejected.insert(result.rejected.end(), part.rejected.begin(), part.rejected.end());
     result.failures.insert(result.failures.end(), part.failures.begin(), part.failures.end());
   }

@@ -4,20 +4,23 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "experiments/cases/comparison.h"
-#include "experiments/cases/method.h"
+#include "experiments/cases/failures.h"
 #include "experiments/run/blocks.h"
+#include "experiments/run/table.h"
 #include "experiments/studies/meshes/mesh_balls.h"
 #include "geometry/shapes/mesh.h"
 #include "geometry/shapes/rejection.h"
 
 namespace touchstone::meshes {
 
+using cases::Failures;
 using cases::kTests;
 using cases::Test;
 
@@ -34,22 +37,14 @@ struct Settings {
   unsigned threads = 1;
 };
 
-/// The answers of one method to one test.
-struct Count {
-  std::uint64_t trials = 0;
-  std::uint64_t wrongly_in = 0, wrongly_out = 0, boundary_missed = 0;  ///< as cases::Outcome
-
-  [[nodiscard]] std::uint64_t wrong() const { return wrongly_in + wrongly_out + boundary_missed; }
-  Count& operator+=(const Count& other);
-};
-
 struct MethodCounts {
-  std::array<std::array<Count, kTests.size()>, kPlaces.size()> at{};  ///< by place, then test
-  std::uint64_t faces_wrong = 0;                                      ///< faces with at least one wrong final answer
+  std::array<std::array<Failures, kTests.size()>, kPlaces.size()>
+      at{};                       ///< by place, then test; without undecided ones
+  std::uint64_t faces_wrong = 0;  ///< faces with at least one wrong final answer
 
   /// Returns the sum over all places.
-  [[nodiscard]] Count total(Test test) const;
-  MethodCounts& operator+=(const MethodCounts& other);
+  [[nodiscard]] Failures total(Test test) const;
+  auto members() { return std::tie(at, faces_wrong); }
 };
 
 struct MeshCounts {
@@ -59,7 +54,7 @@ struct MeshCounts {
   std::array<std::uint64_t, kPlaces.size()> missing{};  ///< faces near which no such ball was found
   std::vector<MethodCounts> methods;                    ///< in the order of the settings
 
-  MeshCounts& operator+=(const MeshCounts& other);
+  auto members() { return std::tie(faces, rejected, queries, missing, methods); }
 };
 
 struct RejectedFace {
@@ -98,5 +93,24 @@ struct Result {
 
 /// Returns the number of blocks, in which progress is counted.
 [[nodiscard]] std::uint64_t block_count(const Settings& settings, const std::vector<NamedMesh>& meshes);
+
+// Results only: byte for byte the same for the same settings and meshes, whatever the number of threads. Faces are
+// numbered from 0. Each throws std::runtime_error, which names the file, if it cannot be written. tables() says what
+// the tables hold.
+
+void write_meshes(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
+                  const Result& result);
+void write_rejected(const std::filesystem::path& folder, const std::vector<NamedMesh>& meshes, const Result& result);
+/// failures.jsonl: the kept failures, in the contract's form of a case. A query that several methods fail is written
+/// once, with the tags of all. `expected` holds the exact answer to only those tests that they fail, so that a method
+/// that matches it passes these tests.
+void write_failures(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
+                    const Result& result);
+
+[[nodiscard]] std::vector<run::TableDescription> tables();
+
+/// Returns the table for the terminal: one row per mesh, the sum, the totals of each method, the rejected faces and a
+/// legend.
+[[nodiscard]] std::string table(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result);
 
 }  // namespace touchstone::meshes

@@ -6,7 +6,7 @@
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/motions/output.h"
+#include "experiments/studies/motions/measure.h"
 
 namespace touchstone::commands {
 namespace {
@@ -19,7 +19,7 @@ struct Options : run::StudyOptions {
 };
 
 // Raised when sample n of a seed changes, or the form of what is kept.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 int run_motions(run::StudyRun& run, const Options& options) {
   const Settings settings{find_moving_methods(options.methods), options.vertices, options.samples, options.seed,

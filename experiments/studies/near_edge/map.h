@@ -8,14 +8,10 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/cases/comparison.h"
 #include "experiments/run/sweep.h"
+#include "experiments/studies/near_edge/study.h"
 
 namespace touchstone::near_edge {
-
-using cases::kTests;
-using cases::Outcome;
-using cases::Test;
 
 /// The subject of a map: a point of an L.
 enum class Spot {
@@ -63,5 +59,8 @@ inline constexpr double kOriginDistances[] = {0, 1e3, 1e6};
                                          const std::atomic<bool>& stop, const run::Progress& progress);
 
 [[nodiscard]] std::uint64_t map_rows();
+
+/// Writes a table a map. Throws as write_rates does.
+void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps);
 
 }  // namespace touchstone::near_edge

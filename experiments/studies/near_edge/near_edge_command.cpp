@@ -7,7 +7,8 @@
 #include "experiments/methods/selection.h"
 #include "experiments/run/counted.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/near_edge/output.h"
+#include "experiments/studies/near_edge/map.h"
+#include "experiments/studies/near_edge/search.h"
 
 namespace touchstone::commands {
 namespace {
@@ -24,7 +25,7 @@ struct Options : run::StudyOptions {
 };
 
 // Raised when sample n of a seed changes, or the form of what is kept.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 constexpr const char* kSearchCheckpoint = "search-checkpoint.json";
 

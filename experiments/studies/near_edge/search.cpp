@@ -2,12 +2,18 @@
 #include "experiments/studies/near_edge/search.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "experiments/cases/output_lines.h"
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
+#include "robust/exact/validate.h"
+#include "robust/filtered/filtered.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -112,6 +118,74 @@ Onsets shared(const run::Processes& processes, const Onsets& onsets) {
   return of_first;
 }
 
+using workloads::Random;
+
+/// About one of the lower 32 bits of it, or as many doubles.
+double nudged(Random& random, double x) {
+  const auto bit = static_cast<int>(random.integer(0, 31));
+  if (random.coin()) return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ (std::uint64_t{1} << bit));
+  const std::int64_t most = std::int64_t{1} << bit;
+  return workloads::move_by_doubles(x, random.integer(-most, most));
+}
+
+Eigen::Vector3d& vertex(std::vector<Loop>& loops, std::size_t i) {
+  auto loop = loops.begin();
+  for (; i >= loop->size(); ++loop) i -= loop->size();
+  return (*loop)[i];
+}
+
+/// The case with one coordinate of its polygon or its centre nudged; nothing if that is not a polygon.
+std::optional<AtThreshold> with_nudge(Random& random, const AtThreshold& at) try {
+  AtThreshold result = at;
+  const auto count = static_cast<std::int64_t>(at.polygon.vertex_count());
+  const auto chosen = random.integer(-count / 2, count - 1);  // the centre in a third of the draws
+  const auto axis = static_cast<int>(random.integer(0, 2));
+  if (chosen < 0) {
+    result.ball.center[axis] = nudged(random, at.ball.center[axis]);
+  } else {
+    auto loops = workloads::loops_of(at.polygon);
+    double& x = vertex(loops, static_cast<std::size_t>(chosen))[axis];
+    x = nudged(random, x);
+    result.polygon = workloads::polygon_of(loops);
+    if (exact::validate(result.polygon)) return std::nullopt;
+  }
+  return result;
+} catch (const Rejected&) {
+  return std::nullopt;
+}
+
+/// Puts the ball at the threshold again; false where it is another kind of threshold.
+bool settle(AtThreshold& at, Feature::Kind kind) {
+  const filtered::PreparedPolygon polygon(at.polygon);
+  if (at.moved_axis < 0) {
+    const Answer answer = filtered::answer({at.ball.center, 0}, polygon);
+    at.ball.radius = answer.distance;
+    return answer.nearest.kind == kind && answer.distance > 0 && std::isfinite(answer.distance);
+  }
+  constexpr std::int64_t kReach = std::int64_t{1} << 34;  // a nudge moves a vertex by up to 2^31 doubles
+  const auto crossing = cases::find_foot_crossing(at.ball, at.moved_axis, kReach, [&](const Ball& ball) {
+    return filtered::foot(ball, polygon) == PointLocation::Outside;
+  });
+  if (!crossing) return false;
+  at.ball = crossing->last;
+  return true;
+}
+
+Feature::Kind nearest_kind(const AtThreshold& at) {
+  return filtered::answer({at.ball.center, 0}, filtered::PreparedPolygon(at.polygon)).nearest.kind;
+}
+
+std::size_t place_of(std::int64_t offset) {
+  const auto& offsets = cases::all_offsets();
+  return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
+}
+
+int differing_axis(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (a[axis] != b[axis]) return axis;
+  return -1;
+}
+
 }  // namespace
 
 std::vector<Region> search_regions(const std::vector<workloads::Family>& families) {
@@ -169,6 +243,83 @@ std::uint64_t run_climbs(const Settings& settings, const run::RunControl<WorstCa
         if (rank < furthest.size()) search.climb_from(where, furthest[rank], part);
       },
       [](std::uint64_t, const WorstCases&) {}, no_worst_cases(settings), 0, worst);
+}
+
+Climbed climb(AtThreshold start, const cases::Method& method, Random random) {
+  const cases::Method& truth = *methods::find_method("filtered");
+  const bool knows_boundary = cases::knows_boundary(method);
+  const auto reach_of = [&](const AtThreshold& at) {
+    return wrong_reach(at, *method.prepare(at.polygon), knows_boundary, *truth.prepare(at.polygon));
+  };
+  const Feature::Kind kind = nearest_kind(start);
+  WrongReach reach = reach_of(start);
+  Climbed best{std::move(start), reach};
+  for (int step = 0; step < kClimbSteps; ++step) {
+    auto next = with_nudge(random, best.at);
+    if (!next || !settle(*next, kind)) continue;
+    reach = reach_of(*next);
+    if (reach < best.reach) continue;
+    best = {*std::move(next), reach};
+  }
+  return best;
+}
+
+double AtThreshold::size() const { return workloads::extent_of(polygon); }
+
+std::optional<Ball> AtThreshold::moved(double share) const {
+  Ball result = ball;
+  if (moved_axis >= 0)
+    result.center[moved_axis] += share * size();
+  else
+    result.radius += share * size();
+  if (result.radius < 0) return std::nullopt;
+  return result;
+}
+
+double AtThreshold::share_of(const Ball& other) const {
+  const double offset =
+      moved_axis < 0 ? other.radius - ball.radius : other.center[moved_axis] - ball.center[moved_axis];
+  return std::abs(offset) / size();
+}
+
+std::optional<AtThreshold> draw_at_threshold(const cases::SamplePlace& place) {
+  auto crossing = cases::draw_crossing(place, *methods::find_method("filtered"));
+  if (!crossing) return std::nullopt;
+  const Ball &here = crossing->balls[place_of(0)], &next = crossing->balls[place_of(1)];
+  return AtThreshold{std::move(crossing->polygon), here, differing_axis(here.center, next.center)};
+}
+
+WrongReach wrong_reach(const AtThreshold& at, const cases::PreparedMethod& method, bool knows_boundary,
+                       const cases::PreparedMethod& truth) {
+  WrongReach reach;
+  const Test test = at.test();
+  const auto is_wrong = [&](double share) {
+    const auto ball = at.moved(share);
+    if (!ball || at.share_of(*ball) == 0) return false;
+    const auto verdict =
+        compare(test, method.ask(*ball, query_kind(test)), truth.ask(*ball, query_kind(test)), knows_boundary);
+    if (!verdict || verdict == cases::Outcome::Right) return false;
+    if (at.share_of(*ball) > reach.share) {
+      reach.share = at.share_of(*ball);
+      reach.furthest = ball;
+    }
+    return true;
+  };
+
+  for (const double side : {-1.0, 1.0}) {
+    int furthest = -1;
+    for (std::size_t k = kMostExponent + 1; k-- > 0;) {
+      const auto exponent = static_cast<int>(k);
+      if (!is_wrong(side * std::ldexp(1.0, -exponent))) continue;
+      reach.wrong[k] = true;
+      furthest = exponent;
+    }
+    if (furthest <= 0) continue;
+    const double offset = side * std::ldexp(1.0, -furthest);
+    for (int step = kSteps - 1; step > 0; --step)
+      if (is_wrong(offset * (1 + static_cast<double>(step) / kSteps))) break;
+  }
+  return reach;
 }
 
 }  // namespace touchstone::near_edge

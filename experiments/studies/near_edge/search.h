@@ -1,16 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
-#include "experiments/studies/near_edge/climb.h"
-#include "experiments/studies/near_edge/counts.h"
+#include "experiments/cases/workloads/random.h"
 #include "experiments/studies/near_edge/study.h"
 
 namespace touchstone::near_edge {
+
+/// A ball at a threshold, exactly except for rounding, and the direction in which it is moved.
+struct AtThreshold {
+  Polygon polygon;
+  Ball ball;       ///< radius: the double nearest to the distance; foot: the last centre whose foot is not outside
+  int moved_axis;  ///< of the centre; none (-1) if the radius is moved
+
+  [[nodiscard]] Test test() const { return moved_axis < 0 ? Test::Contact : Test::Foot; }
+  /// Returns the largest coordinate difference of two vertices, to which offsets are relative.
+  [[nodiscard]] double size() const;
+  /// Returns the ball moved by that share of the size, rounded to doubles; nothing if the radius would be negative.
+  [[nodiscard]] std::optional<Ball> moved(double share) const;
+  /// Returns the share of the size by which a ball is moved.
+  [[nodiscard]] double share_of(const Ball& ball) const;
+};
+
+/// Returns the ball of offset 0 of a sample, or nothing if none was found.
+[[nodiscard]] std::optional<AtThreshold> draw_at_threshold(const cases::SamplePlace& place);
+
+/// Balls are moved by 2^-k of the size, k = 0, ..., kMostExponent, to either side.
+inline constexpr std::size_t kMostExponent = 60;
+
+/// The distance from a threshold up to which a method was seen to be wrong.
+struct WrongReach {
+  std::array<bool, kMostExponent + 1>
+      wrong{};                   ///< [k]: whether at 2^-k, on either side; false if that is less than a double.
+  std::optional<Ball> furthest;  ///< the furthest ball on which it was seen to be wrong
+  double share = 0;              ///< by which it is moved, as a share of the size
+
+  friend bool operator<(const WrongReach& a, const WrongReach& b) { return a.share < b.share; }
+};
+
+/// Tests at 2^-k of the size to either side, for every k, then at kSteps even steps between the largest offset found
+/// wrong and twice that.
+///
+/// Wrong answers need not end at one offset, and a sweep of all doubles is not affordable. So the result only states
+/// that the method is wrong at `furthest` and was right at every tested ball further out. `truth` must be a correct
+/// method, prepared for the same polygon.
+[[nodiscard]] WrongReach wrong_reach(const AtThreshold& at, const cases::PreparedMethod& method, bool knows_boundary,
+                                     const cases::PreparedMethod& truth);
+inline constexpr int kSteps = 64;
+
+inline constexpr int kClimbSteps = 64;
+
+/// A case and the distance from its threshold at which the method is wrong about it.
+struct Climbed {
+  AtThreshold at;
+  WrongReach reach;
+};
+
+/// Takes kClimbSteps steps. Each step moves one coordinate of a vertex or the centre, by some doubles or by one of its
+/// lower 32 bits, and keeps the change if the method is wrong at least as far from the threshold. A change that yields
+/// an invalid polygon or another kind of nearest feature is discarded. If the threshold moves the radius, the radius is
+/// set to the new distance; if it moves the foot, the threshold is searched again along the same axis. At the origin
+/// shapes hardly change; 10^6 sizes away, where a double is 2^-33 of the size, they do.
+///
+/// A function of its arguments. Cost: about 10 ms.
+[[nodiscard]] Climbed climb(AtThreshold start, const cases::Method& method, workloads::Random random);
 
 /// A region of the search: rotated polygons of one family at one distance from the origin, at one threshold.
 struct Region {
@@ -90,5 +150,17 @@ std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const 
 std::uint64_t run_climbs(const Settings& settings, const run::RunControl<WorstCases>& course, const Onsets& onsets,
                          WorstCases& worst);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);
+
+// Results only, and errors, as of write_rates.
+
+void write_onsets(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets);
+/// Also writes worst.jsonl: these cases, for `touchstone judge`.
+void write_worst(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets,
+                 const WorstCases& worst);
+/// Returns what these tables hold.
+[[nodiscard]] std::vector<run::TableDescription> search_tables();
+
+/// Returns the table of a search for the terminal: one line per threshold, distance and method, over all families.
+[[nodiscard]] std::string search_table(const Settings& settings, const Onsets& onsets, const WorstCases& worst);
 
 }  // namespace touchstone::near_edge

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/methods/registry.h"
@@ -28,15 +30,16 @@ class Sample {
     if (settings_.methods[m]->through_pipe())
       for (const Ball& ball : crossing_.balls) whole.push_back(prepared->ask(ball, cases::QueryKind::Answer));
     for (const Test test : kTests) {
-      std::vector<bool> failed;
+      std::vector<std::optional<Outcome>> outcomes;
       for (std::size_t i = 0; i < crossing_.balls.size(); ++i) {
         const auto answer = whole.empty() ? prepared->ask(crossing_.balls[i], query_kind(test)) : whole[i];
         const auto verdict = compare(test, answer, crossing_.truths[i], knows_boundary);
         if (!verdict && !answer.unsure) break;  // the method has no such test
-        failed.push_back(verdict != Outcome::Right);
-        if (verdict && failed.back()) wrong_[static_cast<std::size_t>(test)][i] = true;
+        outcomes.push_back(verdict);
+        if (verdict && *verdict != Outcome::Right) wrong_[static_cast<std::size_t>(test)][i] = true;
       }
-      if (failed.size() == crossing_.balls.size()) result_.counts.add(place_.stratum, test, m, failed);
+      if (outcomes.size() == crossing_.balls.size())
+        result_.counts[place_.stratum][static_cast<std::size_t>(test)][m].add(outcomes);
     }
   }
 
@@ -115,12 +118,53 @@ class Study {
 
 }  // namespace
 
-Result no_result(const Settings& settings) { return {.counts = Counts(settings.methods.size()), .disagreements = {}}; }
+void TestFailures::add(const std::vector<std::optional<Outcome>>& outcomes) {
+  bool failed = false;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    offsets[i].add(outcomes[i]);
+    failed |= outcomes[i] != Outcome::Right;
+  }
+  samples.add_sample(failed);
+}
+
+TestFailures sum(const Counts& counts, const std::vector<std::size_t>& strata, Test test, std::size_t method) {
+  TestFailures sum;
+  for (const std::size_t stratum : strata) run::add(sum, counts[stratum][static_cast<std::size_t>(test)][method]);
+  return sum;
+}
+
+Result no_result(const Settings& settings) {
+  Result result;
+  result.counts.resize(cases::all_strata().size());
+  for (auto& tests : result.counts) tests.fill(std::vector<TestFailures>(settings.methods.size()));
+  return result;
+}
 
 std::uint64_t run_study(const Settings& settings, const run::RunControl<Result>& control, Result& result) {
   const Study study(settings);
   return run::run_sweep(settings.samples, settings.threads, control, no_result(settings), result,
                         [&](std::uint64_t n, Result& part) { study.ask_all(n, part); });
+}
+
+void Disagreements::add(std::vector<Disagreement> found) {
+  count_ += found.size();
+  std::move(found.begin(), found.end(), std::back_inserter(kept_));
+  keep_first();
+}
+
+Disagreements& Disagreements::operator+=(const Disagreements& other) {
+  count_ += other.count_;
+  kept_.insert(kept_.end(), other.kept_.begin(), other.kept_.end());
+  keep_first();
+  return *this;
+}
+
+/// Those of one sample stay in their order.
+void Disagreements::keep_first() {
+  std::stable_sort(kept_.begin(), kept_.end(), [](const Disagreement& a, const Disagreement& b) {
+    return std::tie(a.n, a.stratum) < std::tie(b.n, b.stratum);
+  });
+  if (kept_.size() > kMostKept) kept_.resize(kMostKept);
 }
 
 }  // namespace touchstone::near_edge

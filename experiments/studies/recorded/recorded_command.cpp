@@ -10,13 +10,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "experiments/cases/method.h"
+#include "experiments/cases/failures.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/recorded/pile.h"
-#include "experiments/studies/recorded/recording.h"
+#include "experiments/studies/recorded/measure.h"
 
 namespace touchstone::recorded {
 namespace {
@@ -32,15 +31,13 @@ enum class Radius { Own, WithThreshold };
 constexpr std::array kRadii{Radius::Own, Radius::WithThreshold};
 std::string_view to_string(Radius radius) { return radius == Radius::Own ? "own" : "with threshold"; }
 
-/// The answers of one method. Wrong: not as exact.
-struct Tally {
-  std::uint64_t wrong = 0, failed_piles = 0;
+/// The answers of one method about piles, which are the samples.
+struct MethodFailures : cases::SampledFailures {
   double furthest = 0;  ///< wrong answer from contact, as a share of the triangle's size
 
-  auto members() { return std::tie(wrong, failed_piles, furthest); }
-  Tally& operator+=(const Tally& other) {
-    wrong += other.wrong;
-    failed_piles += other.failed_piles;
+  auto members() { return std::tuple_cat(SampledFailures::members(), std::tie(furthest)); }
+  MethodFailures& operator+=(const MethodFailures& other) {
+    run::add<SampledFailures>(*this, other);
     furthest = std::max(furthest, other.furthest);
     return *this;
   }
@@ -52,9 +49,9 @@ constexpr std::size_t kMostExponent = 60;
 struct Part {
   std::uint64_t questions = 0, touching = 0;
   std::array<std::uint64_t, kMostExponent + 1> near{};  ///< [k]: at most 2^-k of the triangle's size from contact
-  std::vector<Tally> tallies;                           ///< of the simulation's own answers, then by method
+  std::vector<MethodFailures> methods;                  ///< the simulation's own answers, then by method
 
-  auto members() { return std::tie(questions, touching, near, tallies); }
+  auto members() { return std::tie(questions, touching, near, methods); }
 };
 
 struct Sum {
@@ -71,12 +68,12 @@ struct Row {
   Radius radius;
   std::string_view method;
   const Part* part;
-  const Tally* tally;
-  std::uint64_t piles;
+  const MethodFailures* failures;
   run::Rate rate, pile_rate;
 };
 
 const run::Table<Row>& table() {
+  using cases::Failures;
   using run::path;
   static const run::Table<Row> table(
       "recorded.csv", "a simulation, a radius and a method",
@@ -89,16 +86,19 @@ const run::Table<Row>& table() {
              &Row::method},
             {"questions", "questions of ball and triangle", path(&Row::part, &Part::questions)},
             {"touching", "of these, contacts", path(&Row::part, &Part::touching)},
-            {"wrong", "answers that differ from those of `exact`", path(&Row::tally, &Tally::wrong)}},
+            {"wrong", "answers that differ from those of `exact`",
+             path(&Row::failures, path(&MethodFailures::answers, &Failures::wrong))}},
            run::rate_columns<Row>("wrong answers, as if questions were independent, which those of one pile are not",
                                   &Row::rate),
-           {{"failed_piles", "piles with a wrong answer", path(&Row::tally, &Tally::failed_piles)},
-            {"piles", "piles, which are independent", &Row::piles}},
+           {{"failed_piles", "piles with a wrong answer",
+             path(&Row::failures, path(&MethodFailures::samples, &Failures::wrong))},
+            {"piles", "piles, which are independent",
+             path(&Row::failures, path(&MethodFailures::samples, &Failures::trials))}},
            run::rate_columns<Row>("failed piles", &Row::pile_rate, "piles_"),
            {{"furthest",
              "of the wrong answers, the largest difference of distance and radius, as a share of the triangle's "
              "largest coordinate difference",
-             path(&Row::tally, &Tally::furthest)}}}));
+             path(&Row::failures, &MethodFailures::furthest)}}}));
   return table;
 }
 
@@ -128,7 +128,7 @@ class Study {
 
   [[nodiscard]] Sum zero() const {
     Part part;
-    part.tallies.resize(1 + methods_.size());
+    part.methods.resize(1 + methods_.size());
     Sum sum;
     sum.parts.resize(simulations().size(), {part, part});
     return sum;
@@ -145,11 +145,10 @@ class Study {
     for (std::size_t s = 0; s < sum.parts.size(); ++s)
       for (const Radius radius : kRadii) {
         const Part& part = sum.parts[s][static_cast<std::size_t>(radius)];
-        for (std::size_t m = 0; m < part.tallies.size(); ++m) {
-          const Tally& tally = part.tallies[m];
+        for (std::size_t m = 0; m < part.methods.size(); ++m) {
+          const MethodFailures& failures = part.methods[m];
           rows.push_back({simulations()[s].name, radius, m == 0 ? simulations()[s].name : methods_[m - 1]->name(),
-                          &part, &tally, sum.samples, run::rate(tally.wrong, part.questions),
-                          run::rate(tally.failed_piles, sum.samples)});
+                          &part, &failures, failures.answers.rate(), failures.samples.rate()});
         }
       }
     return rows;
@@ -177,7 +176,7 @@ class Study {
     for (auto& list : failed) list.resize(1 + methods_.size());
     for (const auto& [triangle, questions] : of_triangle) ask(pile.triangle(triangle), questions, parts, failed);
     for (std::size_t r = 0; r < kRadii.size(); ++r)
-      for (std::size_t m = 0; m < failed[r].size(); ++m) parts[r].tallies[m].failed_piles += failed[r][m] ? 1 : 0;
+      for (std::size_t m = 0; m < failed[r].size(); ++m) parts[r].methods[m].samples.add_sample(failed[r][m]);
   }
 
   void ask(const Triangle& triangle, const std::vector<Question>& questions, Parts& parts,
@@ -192,20 +191,24 @@ class Study {
       for (std::size_t r = 0; r < kRadii.size(); ++r) {
         const bool own = kRadii[r] == Radius::Own;
         const Ball ball{question.ball.center, own ? question.ball.radius : question.within_radius};
-        const bool touches = *truth->ask(ball, cases::QueryKind::Contact).contact;
+        const auto right = truth->ask(ball, cases::QueryKind::Contact);
         const double share = std::abs(distance - ball.radius) / size;
         Part& part = parts[r];
         ++part.questions;
-        part.touching += touches ? 1 : 0;
+        part.touching += *right.contact ? 1 : 0;
         for (std::size_t k = 0; k <= kMostExponent && share <= std::ldexp(1, -static_cast<int>(k)); ++k) ++part.near[k];
-        const auto count = [&](std::size_t m, std::optional<bool> contact) {
-          if (!contact || *contact == touches) return;
-          part.tallies[m] += {1, 0, share};
+        const auto count = [&](std::size_t m, const cases::PartialAnswer& answer) {
+          const auto outcome = compare(cases::Test::Contact, answer, right, true);
+          part.methods[m].answers.add(outcome);
+          if (!outcome || *outcome == cases::Outcome::Right) return;
+          part.methods[m].furthest = std::max(part.methods[m].furthest, share);
           failed[r][m] = true;
         };
-        count(0, own ? question.contact : question.within);
+        cases::PartialAnswer simulated;
+        simulated.contact = own ? question.contact : question.within;
+        count(0, simulated);
         for (std::size_t m = 0; m < prepared.size(); ++m)
-          count(1 + m, prepared[m]->ask(ball, cases::QueryKind::Contact).contact);
+          count(1 + m, prepared[m]->ask(ball, cases::QueryKind::Contact));
       }
     }
   }
@@ -238,7 +241,7 @@ namespace touchstone::commands {
 
 run::Command recorded_command() {
   using recorded::Options;
-  constexpr int kVersion = 1;  // raised when pile n of a seed changes
+  constexpr int kVersion = 2;  // raised when pile n of a seed changes
   run::Command command("recorded", "Replay every ball-triangle query of a Bullet simulation of piled balls");
   auto options = std::make_shared<Options>();
   options->samples = 100;

@@ -30,8 +30,7 @@
 #include "experiments/run/stop_signal.h"
 #include "experiments/run/study.h"
 #include "experiments/run/write_file.h"
-#include "experiments/studies/scenes/ask.h"
-#include "experiments/studies/scenes/output.h"
+#include "experiments/studies/scenes/measure.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {

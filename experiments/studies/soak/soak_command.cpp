@@ -10,8 +10,7 @@
 #include "experiments/cases/workloads/adversarial/motions.h"
 #include "experiments/run/standard_output.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/soak/campaign.h"
-#include "experiments/studies/soak/output.h"
+#include "experiments/studies/soak/measure.h"
 
 namespace touchstone::commands {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "experiments/cases/workloads/lattice/lattice_tangents.h"
 #include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/studies/stability/rational.h"
 #include "robust/filtered/detail/signs/signs.h"

@@ -35,11 +35,18 @@ struct FailureRow {
   Nearness nearness;
   Test test;
   std::string_view method;
-  const Tally* tally;
+  const SampledFailures* failures;
   run::Rate rate;
 };
 
 const run::Table<FailureRow>& failures_table() {
+  using cases::Failures;
+  const auto of_samples = [](auto number) {
+    return path(&FailureRow::failures, path(&SampledFailures::samples, number));
+  };
+  const auto of_answers = [](auto number) {
+    return path(&FailureRow::failures, path(&SampledFailures::answers, number));
+  };
   static const run::Table<FailureRow> table(
       "failures.csv", "an axis, level, nearness, test and method",
       run::all_columns<FailureRow>(
@@ -47,11 +54,11 @@ const run::Table<FailureRow>& failures_table() {
            {{"nearness", "how close the ball's radius is to the exact distance", &FailureRow::nearness},
             {"test", "the decision that is compared", &FailureRow::test},
             {"method", "the method", &FailureRow::method},
-            {"failed_samples", "polygons with a wrong answer", path(&FailureRow::tally, &Tally::failed)},
-            {"samples", "polygons", path(&FailureRow::tally, &Tally::samples)}},
+            {"failed_samples", "polygons with a wrong answer", of_samples(&Failures::wrong)},
+            {"samples", "polygons", of_samples(&Failures::trials)}},
            run::rate_columns<FailureRow>("failed samples", &FailureRow::rate),
-           {{"wrong_answers", "wrong answers", path(&FailureRow::tally, &Tally::wrong)},
-            {"answers", "answers", path(&FailureRow::tally, &Tally::balls)}}}));
+           {{"wrong_answers", "wrong answers", of_answers(&Failures::wrong)},
+            {"answers", "answers", of_answers(&Failures::trials)}}}));
   return table;
 }
 
@@ -75,7 +82,7 @@ struct FirstFailureRow {
   std::string_view method;
   std::optional<LevelRate> first, above_half;
   std::optional<LevelBefore> before;
-  Tally all;
+  cases::Failures all;  ///< samples of all levels
   run::Rate rate;
 };
 
@@ -104,8 +111,8 @@ const run::Table<FirstFailureRow>& first_failure_table() {
             {"samples_before", "samples there", optional_path(&Row::before, &LevelBefore::samples)},
             {"upper_before", "the upper limit of their rate of failures",
              optional_path(&Row::before, &LevelBefore::upper), "{:.6g}"},
-            {"failed_samples", "failed samples of all levels", path(&Row::all, &Tally::failed)},
-            {"samples", "samples of all levels", path(&Row::all, &Tally::samples)}},
+            {"failed_samples", "failed samples of all levels", path(&Row::all, &cases::Failures::wrong)},
+            {"samples", "samples of all levels", path(&Row::all, &cases::Failures::trials)}},
            run::rate_columns<Row>("failed samples of all levels", &Row::rate)}));
   return table;
 }
@@ -199,7 +206,8 @@ std::optional<LevelRate> first_above(const Settings& settings, const Summary& su
   const auto [axis, nearness, test, method, unused] = cell;
   const auto level = summary.first_level(settings, axis, nearness, test, method, share);
   if (!level) return std::nullopt;
-  return LevelRate{levels(settings.axes[axis])[*level].name, summary.at(axis, nearness, test, method, *level)->rate()};
+  return LevelRate{levels(settings.axes[axis])[*level].name,
+                   summary.at(axis, nearness, test, method, *level)->samples.share()};
 }
 
 /// Returns the level before the first one with a failure, or the last level if there is none.
@@ -208,9 +216,9 @@ std::optional<LevelBefore> before_first(const Settings& settings, const Summary&
   const auto first = summary.first_level(settings, axis, nearness, test, method, 0);
   std::size_t level = first.value_or(levels(settings.axes[axis]).size());
   while (level-- > 0)
-    if (const Tally* tally = summary.at(axis, nearness, test, method, level))
-      return LevelBefore{levels(settings.axes[axis])[level].name, tally->samples,
-                         statistics::clopper_pearson(0, tally->samples).upper};
+    if (const SampledFailures* failures = summary.at(axis, nearness, test, method, level))
+      return LevelBefore{levels(settings.axes[axis])[level].name, failures->samples.trials,
+                         statistics::clopper_pearson(0, failures->samples.trials).upper};
   return std::nullopt;
 }
 
@@ -225,18 +233,18 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
         for (std::size_t m = 0; m < settings.methods.size(); ++m) {
           const Axis axis = settings.axes[a];
           const std::string_view name = settings.methods[m]->name();
-          Tally all;
+          cases::Failures all;
           for (std::size_t level = 0; level < levels(axis).size(); ++level) {
-            const Tally* tally = summary.at(a, nearness, test, m, level);
-            if (tally == nullptr) continue;
-            all += *tally;
-            rows.push_back({axis, level, nearness, test, name, tally, run::rate(tally->failed, tally->samples)});
+            const SampledFailures* failures = summary.at(a, nearness, test, m, level);
+            if (failures == nullptr) continue;
+            run::add(all, failures->samples);
+            rows.push_back({axis, level, nearness, test, name, failures, failures->samples.rate()});
           }
-          if (all.samples == 0) continue;
+          if (all.trials == 0) continue;
           const Summary::Cell cell{a, nearness, test, m, 0};
           firsts.push_back({axis, nearness, test, name, first_above(settings, summary, cell, 0),
                             first_above(settings, summary, cell, 0.5), before_first(settings, summary, cell), all,
-                            run::rate(all.failed, all.samples)});
+                            all.rate()});
         }
   failures_table().write(folder, rows);
   first_failure_table().write(folder, firsts);

@@ -13,27 +13,13 @@ void keep_worse(std::optional<WorstCase>& held, const WorstCase& candidate) {
 
 }  // namespace
 
-Tally& Tally::operator+=(const Tally& other) {
-  failed += other.failed;
-  samples += other.samples;
-  wrong += other.wrong;
-  balls += other.balls;
-  return *this;
-}
-
-BoundSummary& BoundSummary::operator+=(const BoundSummary& other) {
-  tightness += other.tightness;
-  exceeded += other.exceeded;
-  failed += other.failed;
-  polygons += other.polygons;
-  return *this;
-}
-
 void Summary::add(const Block& block) {
   const std::size_t axis = block.number % missing.size();
   ++blocks;
   for (const TestResult& r : block.tests)
-    failures[{axis, r.nearness, r.test, r.method, r.level}] += {r.wrong > 0 ? 1U : 0U, 1, r.wrong, r.asked};
+    run::add(
+        failures[{axis, r.nearness, r.test, r.method, r.level}],
+        {.samples = {.trials = 1, .wrong = r.wrong > 0 ? 1U : 0U}, .answers = {.trials = r.asked, .wrong = r.wrong}});
   for (const NumberError& e : block.errors) {
     ErrorSummary& summary = errors[{axis, e.quantity, e.method, e.level}];
     summary.relative.add(e.relative);
@@ -60,21 +46,18 @@ void Summary::add_bounds(const Block& block, std::size_t axis) {
   for (auto& [place, bound] : found) {
     bound.polygons = 1;
     bound.failed = bound.exceeded > 0 ? 1 : 0;
-    bounds[{place.second, axis, place.first}] += bound;
-    all_bounds[place.second] += bound;
+    run::add(bounds[{place.second, axis, place.first}], bound);
+    run::add(all_bounds[place.second], bound);
   }
   if (!shown.empty()) points[block.number] = std::move(shown);
 }
 
 Summary& Summary::operator+=(const Summary& other) {
   blocks += other.blocks;
-  for (const auto& [cell, tally] : other.failures) failures[cell] += tally;
-  for (const auto& [cell, summary] : other.errors) {
-    errors[cell].relative += summary.relative;
-    errors[cell].ulps += summary.ulps;
-  }
-  for (const auto& [cell, bound] : other.bounds) bounds[cell] += bound;
-  for (const auto& [quantity, bound] : other.all_bounds) all_bounds[quantity] += bound;
+  run::add(failures, other.failures);
+  run::add(errors, other.errors);
+  run::add(bounds, other.bounds);
+  run::add(all_bounds, other.all_bounds);
   points.insert(other.points.begin(), other.points.end());
   for (std::size_t axis = 0; axis < worst.size(); ++axis) {
     for (std::size_t m = 0; m < worst[axis].size(); ++m)
@@ -101,7 +84,8 @@ void run_study(const Settings& settings, const run::RunControl<Summary>& control
       kSecondsBetweenCheckpoints);
 }
 
-const Tally* Summary::at(std::size_t axis, Nearness nearness, Test test, std::size_t method, std::size_t level) const {
+const SampledFailures* Summary::at(std::size_t axis, Nearness nearness, Test test, std::size_t method,
+                                   std::size_t level) const {
   const auto found = failures.find({axis, nearness, test, method, level});
   return found == failures.end() ? nullptr : &found->second;
 }
@@ -109,21 +93,18 @@ const Tally* Summary::at(std::size_t axis, Nearness nearness, Test test, std::si
 std::optional<std::size_t> Summary::first_level(const Settings& settings, std::size_t axis, Nearness nearness,
                                                 Test test, std::size_t method, double share) const {
   for (std::size_t level = 0; level < levels(settings.axes[axis]).size(); ++level)
-    if (const Tally* tally = at(axis, nearness, test, method, level); tally != nullptr && tally->rate() > share)
+    if (const SampledFailures* found = at(axis, nearness, test, method, level); found && found->samples.share() > share)
       return level;
   return std::nullopt;
 }
 
-Tally Summary::total(const Settings& settings, std::size_t method) const {
-  Tally sum;
-  for (const auto& [cell, tally] : failures) {
+SampledFailures Summary::total(const Settings& settings, std::size_t method) const {
+  SampledFailures sum;
+  for (const auto& [cell, found] : failures) {
     const auto& [axis, nearness, test, asked, level] = cell;
     if (asked != method || against_motion(settings.axes[axis])) continue;
-    sum.wrong += tally.wrong;
-    sum.balls += tally.balls;
-    if (test != Test::Contact || nearness != Nearness::OneDouble) continue;
-    sum.failed += tally.failed;
-    sum.samples += tally.samples;
+    run::add(sum.answers, found.answers);
+    if (test == Test::Contact && nearness == Nearness::OneDouble) run::add(sum.samples, found.samples);
   }
   return sum;
 }

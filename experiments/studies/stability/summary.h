@@ -7,29 +7,20 @@
 #include <tuple>
 #include <vector>
 
+#include "experiments/cases/failures.h"
 #include "experiments/run/distribution.h"
 #include "experiments/run/run_control.h"
 #include "experiments/studies/stability/study.h"
 
 namespace touchstone::stability {
 
-/// The results of the samples of a cell; a sample fails if the method is wrong with any of its balls.
-struct Tally {
-  std::uint64_t failed = 0, samples = 0;
-  std::uint64_t wrong = 0, balls = 0;
-
-  auto members() { return std::tie(failed, samples, wrong, balls); }
-  Tally& operator+=(const Tally& other);
-  [[nodiscard]] double rate() const {
-    return samples == 0 ? 0 : static_cast<double>(failed) / static_cast<double>(samples);
-  }
-};
-
 struct ErrorSummary {
   statistics::Distribution relative, ulps;
 
   auto members() { return std::tie(relative, ulps); }
 };
+
+using cases::SampledFailures;
 
 /// The checks of a bound. Polygons are independent, observations on one polygon are not: a polygon fails if a bound is
 /// exceeded with any ball.
@@ -39,7 +30,6 @@ struct BoundSummary {
   std::uint64_t failed = 0, polygons = 0;
 
   auto members() { return std::tie(tightness, exceeded, failed, polygons); }
-  BoundSummary& operator+=(const BoundSummary& other);
 };
 
 /// The number of samples of a level whose points are kept for pictures.
@@ -64,7 +54,7 @@ struct Summary {
   Summary& operator+=(const Summary& other);
 
   std::uint64_t blocks = 0;
-  std::map<Cell, Tally> failures;
+  std::map<Cell, SampledFailures> failures;  ///< a sample fails if the method is wrong with any of its balls
   std::map<ErrorCell, ErrorSummary> errors;
   std::map<BoundCell, BoundSummary> bounds;
   std::map<std::size_t, BoundSummary> all_bounds;               ///< by quantity, over all axes
@@ -80,14 +70,14 @@ struct Summary {
   /// Returns the number of samples of each axis that are complete.
   [[nodiscard]] std::uint64_t samples() const { return blocks / missing.size(); }
   /// Returns nothing if the method has no such test, or was not asked.
-  [[nodiscard]] const Tally* at(std::size_t axis, Nearness nearness, Test test, std::size_t method,
-                                std::size_t level) const;
+  [[nodiscard]] const SampledFailures* at(std::size_t axis, Nearness nearness, Test test, std::size_t method,
+                                          std::size_t level) const;
   /// Returns the first level at which more than this share of the samples failed.
   [[nodiscard]] std::optional<std::size_t> first_level(const Settings& settings, std::size_t axis, Nearness nearness,
                                                        Test test, std::size_t method, double share) const;
-  /// Sums over all axes that are compared with the given doubles: wrong answers and answers, to every test, in `wrong`
-  /// and `balls`; polygons in `samples`; polygons with a wrong final answer within one double in `failed`.
-  [[nodiscard]] Tally total(const Settings& settings, std::size_t method) const;
+  /// Sums over all axes that are compared with the given doubles: the answers to every test; samples for their final
+  /// answers within one double.
+  [[nodiscard]] SampledFailures total(const Settings& settings, std::size_t method) const;
 
  private:
   void add_bounds(const Block& block, std::size_t axis);

@@ -81,11 +81,11 @@ std::string limits_of_none(const Settings& settings, const Summary& summary) {
   for (std::size_t axis = 0; axis < settings.axes.size(); ++axis) {
     if (!is_graded(settings.axes[axis])) continue;
     std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max(), most = 0;
-    for (const auto& [cell, tally] : summary.failures) {
+    for (const auto& [cell, failures] : summary.failures) {
       const auto& [of_axis, nearness, test, method, level] = cell;
       if (of_axis != axis || nearness != Nearness::OneDouble || test != Test::Contact) continue;
-      fewest = std::min(fewest, tally.samples);
-      most = std::max(most, tally.samples);
+      fewest = std::min(fewest, failures.samples.trials);
+      most = std::max(most, failures.samples.trials);
     }
     if (most == 0) continue;  // no method has that test
     axes[{most, fewest}].append(" ").append(to_string(settings.axes[axis]));
@@ -136,10 +136,10 @@ std::string mode_rates(const Settings& settings, const Summary& summary, std::si
       for (std::size_t level = 0; level < modes.size(); ++level)
         text += row(fmt::format("{:<7} {}", modes[level].name, to_string(nearness)), begin, end,
                     [&](std::size_t m) -> std::string {
-                      const Tally* tally = summary.at(axis, nearness, Test::Contact, m, level);
-                      if (tally == nullptr) return "";
-                      polygons = std::max(polygons, tally->samples);
-                      return percent(tally->failed, tally->samples);
+                      const SampledFailures* failures = summary.at(axis, nearness, Test::Contact, m, level);
+                      if (failures == nullptr) return "";
+                      polygons = std::max(polygons, failures->samples.trials);
+                      return percent(failures->samples.wrong, failures->samples.trials);
                     });
     return text;
   };
@@ -163,16 +163,16 @@ std::string all_mode_rates(const Settings& settings, const Summary& summary) {
 std::string totals(const Settings& settings, const Summary& summary) {
   std::string text;
   for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-    const Tally total = summary.total(settings, m);
-    if (total.balls == 0) continue;
-    if (total.wrong == 0)
+    const auto& [samples, answers] = summary.total(settings, m);
+    if (answers.trials == 0) continue;
+    if (answers.wrong == 0)
       text += fmt::format(
           "{}: none of {} answers to all five tests about {} polygons was wrong: at most {:.2g} of such polygons (95 "
           "%).\n",
-          settings.methods[m]->name(), total.balls, total.samples, statistics::clopper_pearson(0, total.samples).upper);
+          settings.methods[m]->name(), answers.trials, samples.trials, samples.rate().upper);
     else
       text += fmt::format("{}: {} of {} answers to all five tests about {} polygons were wrong.\n",
-                          settings.methods[m]->name(), total.wrong, total.balls, total.samples);
+                          settings.methods[m]->name(), answers.wrong, answers.trials, samples.trials);
   }
   if (summary.confirmed + summary.disputed > 0)
     text += fmt::format(

@@ -19,17 +19,6 @@ using cases::Crossing;
 using cases::Outcome;
 using cases::Test;
 
-const Worst& worse(const Worst& a, const Worst& b) {
-  const auto rank = [](const Worst& w) { return std::make_tuple(-w.ulps, w.n, w.stratum); };
-  return rank(b) < rank(a) ? b : a;
-}
-
-MethodErrors nothing() {
-  MethodErrors errors;
-  errors.offsets.resize(cases::all_offsets().size());
-  return errors;
-}
-
 class Study {
  public:
   explicit Study(const Settings& settings) : settings_(settings), exact_(*methods::find_method("exact")) {
@@ -60,14 +49,14 @@ class Study {
       MethodErrors& errors = by_method[m];
       const auto prepared = settings_.methods[m]->prepare(crossing.polygon);
       ++errors.samples;
-      const Test test = test_at(threshold);
+      const Test test = cases::test_at(threshold);
       const bool overflowed = truth && ask_numbers(*prepared, middle, *truth, n, stratum, errors);
       for (std::size_t i = 0; i < crossing.balls.size(); ++i) {
         const auto answer = prepared->ask(crossing.balls[i], query_kind(test));
         const auto outcome = compare(test, answer, crossing.truths[i], knows_boundary_[m]);
         if (!outcome && !answer.unsure) continue;  // the method has no such test
-        const bool wrong = outcome && *outcome != Outcome::Right;
-        errors.offsets[i] += {wrong ? 1U : 0U, outcome ? 0U : 1U, 1, wrong && overflowed ? 1U : 0U};
+        errors.offsets[i].add(outcome);
+        if (overflowed && outcome && *outcome != Outcome::Right) ++errors.offsets[i].overflowed;
       }
     }
   }
@@ -90,7 +79,7 @@ class Study {
     ++errors.ulps[q].asked;
     if (!error) return;
     errors.ulps[q].known.add(*error);
-    errors.worst[q] = worse(errors.worst[q], {*error, n, stratum});
+    errors.worst[q] += {*error, n, stratum};
   }
 
   const Settings& settings_;
@@ -100,16 +89,6 @@ class Study {
 
 }  // namespace
 
-cases::Test test_at(cases::Threshold threshold) { return cases::moves_radius(threshold) ? Test::Contact : Test::Foot; }
-
-Tally& Tally::operator+=(const Tally& other) {
-  wrong += other.wrong;
-  unsure += other.unsure;
-  trials += other.trials;
-  overflowed += other.overflowed;
-  return *this;
-}
-
 double UlpErrors::quantile_of_finite(double share) const {
   if (known.infinite() == 0) return known.quantile(share);
   const auto all = static_cast<double>(known.count()), finite = all - static_cast<double>(known.infinite());
@@ -118,27 +97,22 @@ double UlpErrors::quantile_of_finite(double share) const {
 
 std::string_view to_string(Quantity quantity) { return quantity == Quantity::Distance ? "distance" : "point"; }
 
-Tally MethodErrors::near_threshold() const {
-  Tally sum;
-  for (std::size_t i = 0; i < offsets.size(); ++i)
-    if (std::abs(cases::all_offsets()[i]) <= kNear) sum += offsets[i];
-  return sum;
-}
-
-MethodErrors& MethodErrors::operator+=(const MethodErrors& other) {
-  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] += other.offsets[i];
-  samples += other.samples;
-  for (std::size_t q = 0; q < kQuantities.size(); ++q) {
-    ulps[q].asked += other.ulps[q].asked;
-    ulps[q].known += other.ulps[q].known;
-    worst[q] = worse(worst[q], other.worst[q]);
-  }
+Worst& Worst::operator+=(const Worst& other) {
+  const auto rank = [](const Worst& w) { return std::make_tuple(-w.ulps, w.n, w.stratum); };
+  if (rank(other) < rank(*this)) *this = other;
   return *this;
 }
 
+Answers MethodErrors::near_threshold() const {
+  Answers sum;
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    if (std::abs(cases::all_offsets()[i]) <= kNear) run::add(sum, offsets[i]);
+  return sum;
+}
+
 MethodErrors Errors::sum(const std::vector<std::size_t>& strata, std::size_t method) const {
-  MethodErrors sum = nothing();
-  for (const std::size_t stratum : strata) sum += at[stratum][method];
+  MethodErrors sum;
+  for (const std::size_t stratum : strata) run::add(sum, at[stratum][method]);
   return sum;
 }
 
@@ -156,7 +130,7 @@ std::uint64_t Errors::polygons(const std::vector<std::size_t>& strata, std::size
 
 Errors no_errors(const Settings& settings) {
   Errors errors;
-  errors.at.assign(cases::all_strata().size(), std::vector(settings.methods.size(), nothing()));
+  errors.at.assign(cases::all_strata().size(), std::vector<MethodErrors>(settings.methods.size()));
   return errors;
 }
 

@@ -3,15 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <tuple>
 #include <vector>
 
-#include "experiments/cases/comparison.h"
-#include "experiments/cases/method.h"
-#include "experiments/cases/threshold.h"
+#include "experiments/cases/failures.h"
 #include "experiments/run/distribution.h"
 #include "experiments/run/run_control.h"
+#include "experiments/run/table.h"
 
 namespace touchstone::tradeoff {
 
@@ -29,17 +29,11 @@ inline constexpr std::uint64_t kSlowStride = 4;
 /// Offsets of up to this number of doubles from a threshold count as near.
 inline constexpr std::int64_t kNear = 8;
 
-/// The counted answers across a threshold: the final answer if the radius moves, the foot if the centre moves.
-[[nodiscard]] cases::Test test_at(cases::Threshold threshold);
-
-struct Tally {
-  std::uint64_t wrong = 0, unsure = 0, trials = 0;
+/// The answers to cases::test_at.
+struct Answers : cases::Failures {
   std::uint64_t overflowed = 0;  ///< of the wrong ones: those of samples at which the whole answer is not finite
 
-  [[nodiscard]] std::uint64_t not_right() const { return wrong + unsure; }
-  auto members() { return std::tie(wrong, unsure, trials, overflowed); }
-  Tally& operator+=(const Tally& other);
-  friend bool operator==(const Tally&, const Tally&) = default;
+  auto members() { return std::tuple_cat(Failures::members(), std::tie(overflowed)); }
 };
 
 /// The numbers whose errors are measured in units in the last place.
@@ -64,19 +58,19 @@ struct Worst {
   std::size_t stratum = 0;
 
   auto members() { return std::tie(ulps, n, stratum); }
+  Worst& operator+=(const Worst& other);
 };
 
 /// The results of one method in one stratum.
 struct MethodErrors {
-  std::vector<Tally> offsets;  ///< by cases::all_offsets
-  std::uint64_t samples = 0;   ///< the number of samples that it was asked about
+  std::vector<Answers> offsets = std::vector<Answers>(cases::all_offsets().size());
+  std::uint64_t samples = 0;  ///< the number of samples that it was asked about
   std::array<UlpErrors, kQuantities.size()> ulps;
   std::array<Worst, kQuantities.size()> worst;
 
   /// Returns the sum over the offsets near the threshold.
-  [[nodiscard]] Tally near_threshold() const;
+  [[nodiscard]] Answers near_threshold() const;
   auto members() { return std::tie(offsets, samples, ulps, worst); }
-  MethodErrors& operator+=(const MethodErrors& other);
 };
 
 /// The results of all methods and strata. Sums do not depend on their order.
@@ -104,5 +98,15 @@ struct Errors {
 /// In the first process the result is a function of the settings and the number of samples done; threads, processes,
 /// stops and the other families and methods do not change it. A run stopped after m samples equals a run of m samples.
 void measure_errors(const Settings& settings, const run::RunControl<Errors>& course, Errors& errors);
+
+// Results only: byte for byte the same for the same settings, whatever the threads and processes. Each throws
+// std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.
+
+void write_errors(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
+void write_bands(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
+void write_points(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
+/// worst.jsonl: the case of the worst error of each placement, method and quantity that ever has an error, in the
+/// contract's form; `expected` holds the exact value of that quantity.
+void write_worst(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
 
 }  // namespace touchstone::tradeoff

@@ -41,10 +41,10 @@ std::optional<Nanoseconds> nanoseconds(std::size_t method, QueryKind kind, std::
 
 std::optional<ParetoEntry> entry(Measure measure, const MethodErrors& errors, std::uint64_t polygons) {
   if (measure == Measure::NotRight) {
-    const Tally tally = errors.near_threshold();
-    if (tally.trials == 0) return std::nullopt;
-    const auto trials = static_cast<double>(tally.trials);
-    const double share = static_cast<double>(tally.not_right()) / trials;
+    const Answers near = errors.near_threshold();
+    if (near.trials == 0) return std::nullopt;
+    const auto trials = static_cast<double>(near.trials);
+    const double share = static_cast<double>(near.not_right()) / trials;
     const auto limits = statistics::bounded_mean(share, polygons);
     return ParetoEntry{.method = 0,
                        .nanoseconds = {},
@@ -52,7 +52,7 @@ std::optional<ParetoEntry> entry(Measure measure, const MethodErrors& errors, st
                        .lower = limits.lower,
                        .upper = limits.upper,
                        .finite_error = share,
-                       .not_finite = static_cast<double>(tally.overflowed) / trials,
+                       .not_finite = static_cast<double>(near.overflowed) / trials,
                        .samples = polygons};
   }
   const UlpErrors& ulps =

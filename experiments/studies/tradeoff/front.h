@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -66,5 +68,15 @@ void mark_front(std::vector<ParetoEntry>& entries);
 /// centre).
 [[nodiscard]] std::vector<std::size_t> strata_of(std::optional<workloads::Family> family,
                                                  workloads::Placement placement, bool radius);
+
+/// Throws as write_timings does.
+void write_front(const std::filesystem::path& folder, const Settings& settings, const Errors& errors,
+                 const std::vector<Timing>& timings);
+
+/// Returns what the tables hold.
+[[nodiscard]] std::vector<run::TableDescription> tables();
+
+/// Returns the tables for the terminal, all families together, with their legend.
+[[nodiscard]] std::string table(const Settings& settings, const Errors& errors, const std::vector<Timing>& timings);
 
 }  // namespace touchstone::tradeoff

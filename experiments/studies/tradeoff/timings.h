@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -75,5 +76,8 @@ inline constexpr double kSecondsOfList = 0.005;
 
 /// Returns the number of lists, the unit of progress.
 [[nodiscard]] std::uint64_t list_count(const TimingSettings& settings);
+
+/// Throws std::runtime_error, which names the file, if it cannot be written.
+void write_timings(const std::filesystem::path& folder, const std::vector<Timing>& timings);
 
 }  // namespace touchstone::tradeoff

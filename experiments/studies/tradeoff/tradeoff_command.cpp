@@ -7,7 +7,7 @@
 #include "experiments/methods/selection.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/tradeoff/output.h"
+#include "experiments/studies/tradeoff/front.h"
 
 namespace touchstone::commands {
 namespace {
@@ -40,7 +40,7 @@ std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& famili
 }
 
 // Raised when sample n of a seed changes, or the form of what is kept.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 /// One run: all processes measure errors, one process alone measures times.
 int run_tradeoff(run::StudyRun& run, const Options& options) {

@@ -5,8 +5,7 @@
 
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/tunnelling/cost.h"
-#include "experiments/studies/tunnelling/output.h"
+#include "experiments/studies/tunnelling/measure.h"
 
 namespace touchstone::commands {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "experiments/cases/workloads/lattice/lattice_tangents.h"
+#include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/methods/ericson.h"
 #include "experiments/studies/bench/polygon_queries.h"
 #include "geometry/contact/fast.h"

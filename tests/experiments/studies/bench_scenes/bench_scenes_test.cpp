@@ -13,7 +13,6 @@
 #include "experiments/commands.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/motions.h"
-#include "experiments/studies/bench_scenes/output.h"
 #include "geometry/bvh/box.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"

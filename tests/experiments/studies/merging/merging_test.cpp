@@ -13,7 +13,6 @@
 #include "experiments/commands.h"
 #include "experiments/run/stop_signal.h"
 #include "experiments/run/write_file.h"
-#include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/mesh/scene_faces.h"

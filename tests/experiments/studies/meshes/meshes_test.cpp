@@ -16,7 +16,6 @@
 #include "experiments/cases/workloads/meshes/face_polygon.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/meshes/output.h"
 #include "experiments/studies/meshes/study.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
@@ -116,12 +115,12 @@ TEST_F(MeshContact, ComesToEveryFaceAndNamesThoseRejected) {
 TEST_F(MeshContact, ExactIsNeverWrongAndTheThesisIs) {
   const Result result = study(cube, {"exact", "thesis-float"});
   for (const cases::Test test : kTests) {
-    const Count exact = result.meshes[0].methods[0].total(test);
+    const Failures exact = result.meshes[0].methods[0].total(test);
     EXPECT_EQ(exact.trials, result.meshes[0].queries);
-    EXPECT_EQ(exact.wrong(), 0U) << to_string(test);
+    EXPECT_EQ(exact.wrong, 0U) << to_string(test);
   }
   EXPECT_EQ(result.meshes[0].methods[0].faces_wrong, 0U);
-  EXPECT_GT(result.meshes[0].methods[1].total(cases::Test::Contact).wrong(), 0U);
+  EXPECT_GT(result.meshes[0].methods[1].total(cases::Test::Contact).wrong, 0U);
   EXPECT_EQ(result.meshes[0].methods[1].faces_wrong, kAccepted);  // radii in floats do not resolve doubles
 }
 
@@ -170,7 +169,7 @@ TEST_F(MeshContact, OtherMeshesChangeNothing) {
     const std::atomic<bool> stop = false;
     const Settings settings{.methods = methods::find_methods({"fast", "thesis"}), .seed = 5};
     const Result result = run_study(settings, meshes, stop, [](std::uint64_t) {});
-    return result.meshes.back().methods[1].total(cases::Test::Contact).wrong();
+    return result.meshes.back().methods[1].total(cases::Test::Contact).wrong;
   };
   EXPECT_EQ(counts({{"cube", mesh}}), counts({{"other", mesh}, {"cube", mesh}}));
 }

@@ -17,9 +17,7 @@
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/motions/errors.h"
-#include "experiments/studies/motions/grazing_pass.h"
-#include "experiments/studies/motions/output.h"
+#include "experiments/studies/motions/measure.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 #include "tests/experiments/support/run_command.h"
@@ -148,9 +146,9 @@ MethodErrors measured(Changed::Change change, std::uint64_t samples = 2) {
 
 TEST(MotionErrors, OfTheTruthAreNone) {
   const MethodErrors errors = measured([](PartialAnswer&, const Motion&) {});
-  EXPECT_GT(errors.samples, 40U);
-  EXPECT_EQ(errors.failed, 0U);
-  EXPECT_EQ(errors.all().wrong(), 0U);
+  EXPECT_GT(errors.samples.trials, 40U);
+  EXPECT_EQ(errors.samples.wrong, 0U);
+  EXPECT_EQ(cases::total(errors.offsets).wrong, 0U);
   EXPECT_FALSE(errors.furthest.any);
   EXPECT_EQ(errors.times.found, errors.times.ways.count());
   EXPECT_LT(errors.times.ulps.count(), errors.times.found);  // contacts at the start
@@ -163,21 +161,21 @@ TEST(MotionErrors, TellMissedContactsFromInventedOnes) {
   const MethodErrors invented = measured([](PartialAnswer& answer, const Motion&) { answer.contact = true; });
   for (std::size_t i = 0; i < all_offsets().size(); ++i) {
     const bool touches = all_offsets()[i] >= 0;
-    EXPECT_EQ(missed.offsets[i].missed, touches ? missed.offsets[i].trials : 0) << i;
-    EXPECT_EQ(missed.offsets[i].invented, 0U) << i;
-    EXPECT_EQ(invented.offsets[i].invented, touches ? 0 : invented.offsets[i].trials) << i;
-    EXPECT_EQ(invented.offsets[i].missed, 0U) << i;
+    EXPECT_EQ(missed.offsets[i].wrongly_out, touches ? missed.offsets[i].trials : 0) << i;
+    EXPECT_EQ(missed.offsets[i].wrongly_in, 0U) << i;
+    EXPECT_EQ(invented.offsets[i].wrongly_in, touches ? 0 : invented.offsets[i].trials) << i;
+    EXPECT_EQ(invented.offsets[i].wrongly_out, 0U) << i;
   }
-  EXPECT_EQ(missed.failed, missed.samples);
+  EXPECT_EQ(missed.samples.wrong, missed.samples.trials);
   EXPECT_EQ(missed.times.found, 0U);
   EXPECT_EQ(missed.furthest.share, 0x1p-4);
 }
 
 TEST(MotionErrors, UndecidedAnswersAreNeitherWrongNorCounted) {
   const MethodErrors errors = measured([](PartialAnswer& answer, const Motion&) { answer.contact.reset(); });
-  EXPECT_EQ(errors.all().unsure, errors.all().trials);
-  EXPECT_EQ(errors.failed, 0U);
-  EXPECT_EQ(errors.samples, 0U);
+  EXPECT_EQ(cases::total(errors.offsets).unsure, cases::total(errors.offsets).trials);
+  EXPECT_EQ(errors.samples.wrong, 0U);
+  EXPECT_EQ(errors.samples.trials, 0U);
 }
 
 TEST(MotionErrors, OfTimesAreUnitsAndWays) {

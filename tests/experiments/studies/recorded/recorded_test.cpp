@@ -10,8 +10,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/recorded/pile.h"
-#include "experiments/studies/recorded/recording.h"
+#include "experiments/studies/recorded/measure.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 

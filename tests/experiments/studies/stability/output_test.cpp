@@ -58,9 +58,9 @@ TEST(StabilityWorst, AreRankedByTheFinalAnswer) {
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
     for (std::size_t m = 0; m < setting.methods.size(); ++m) {
       int furthest = 0;
-      for (const auto& [cell, tally] : summary.failures) {
+      for (const auto& [cell, failures] : summary.failures) {
         const auto& [of_axis, nearness, test, method, level] = cell;
-        if (of_axis == axis && method == m && test == cases::Test::Contact && tally.wrong > 0)
+        if (of_axis == axis && method == m && test == cases::Test::Contact && failures.answers.wrong > 0)
           furthest = std::max(furthest, 1 + static_cast<int>(nearness));
       }
       const auto& worst = summary.worst[axis][m];

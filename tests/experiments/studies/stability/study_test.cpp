@@ -64,11 +64,11 @@ class Planted : public cases::Method {
   Change change_;
 };
 
-/// All tallies of one method with that test, over levels and nearness.
-Tally sum_of(const Summary& summary, Tested test, std::size_t method) {
-  Tally sum;
-  for (const auto& [cell, tally] : summary.failures)
-    if (std::get<2>(cell) == test && std::get<3>(cell) == method) sum += tally;
+/// The failures of one method with that test, over levels and nearness.
+SampledFailures sum_of(const Summary& summary, Tested test, std::size_t method) {
+  SampledFailures sum;
+  for (const auto& [cell, failures] : summary.failures)
+    if (std::get<2>(cell) == test && std::get<3>(cell) == method) run::add(sum, failures);
   return sum;
 }
 
@@ -105,15 +105,15 @@ TEST(StabilityStudy, AMotionIsNotWhatWasMeant) {
   for (const Axis axis : {Axis::ChainMotion, Axis::PoseMotion}) {
     const auto setting = settings({"exact", "filtered"}, {axis}, 4);
     const Summary summary = whole(setting);
-    const Tally near = *summary.at(0, Nearness::OneDouble, Tested::Contact, 0, 3);
-    EXPECT_GT(near.failed, 0U);
+    const cases::Failures near = summary.at(0, Nearness::OneDouble, Tested::Contact, 0, 3)->samples;
+    EXPECT_GT(near.wrong, 0U);
     for (const Nearness nearness : kNearnesses)
       for (std::size_t level = 0; level < 5; ++level) {
-        const Tally *exact = summary.at(0, nearness, Tested::Contact, 0, level),
-                    *filtered = summary.at(0, nearness, Tested::Contact, 1, level);
-        EXPECT_EQ(exact->wrong, filtered->wrong);
+        const SampledFailures *exact = summary.at(0, nearness, Tested::Contact, 0, level),
+                              *filtered = summary.at(0, nearness, Tested::Contact, 1, level);
+        EXPECT_EQ(exact->answers.wrong, filtered->answers.wrong);
         if (nearness == Nearness::Ample) {
-          EXPECT_EQ(exact->wrong, 0U);
+          EXPECT_EQ(exact->answers.wrong, 0U);
         }
       }
     const auto median = [&](std::size_t level) {
@@ -148,16 +148,16 @@ TEST(StabilityStudy, FindsPlantedErrors) {
   Settings setting{{&swapped, &no_boundary, &throwing, &silent, &long_distance}, {Axis::OffPlane}, 3, 5, 1};
   const Summary summary = whole(setting);
 
-  const Tally all = sum_of(summary, Tested::Contact, 0);
-  EXPECT_GT(all.balls, 100U);
-  EXPECT_EQ(all.wrong, all.balls);
-  EXPECT_EQ(all.failed, all.samples);
-  EXPECT_EQ(sum_of(summary, Tested::Plane, 0).wrong, 0U);
-  EXPECT_EQ(sum_of(summary, Tested::Foot, 1).wrong, 0U) << "a method without the word is right on a boundary";
-  const Tally relations = sum_of(summary, Tested::Relation, 2);
-  EXPECT_EQ(relations.wrong, relations.balls);
-  EXPECT_EQ(sum_of(summary, Tested::Contact, 2).wrong, 0U);
-  EXPECT_EQ(sum_of(summary, Tested::Edges, 3).balls, 0U);
+  const SampledFailures all = sum_of(summary, Tested::Contact, 0);
+  EXPECT_GT(all.answers.trials, 100U);
+  EXPECT_EQ(all.answers.wrong, all.answers.trials);
+  EXPECT_EQ(all.samples.wrong, all.samples.trials);
+  EXPECT_EQ(sum_of(summary, Tested::Plane, 0).answers.wrong, 0U);
+  EXPECT_EQ(sum_of(summary, Tested::Foot, 1).answers.wrong, 0U) << "a method without the word is right on a boundary";
+  const cases::Failures relations = sum_of(summary, Tested::Relation, 2).answers;
+  EXPECT_EQ(relations.wrong, relations.trials);
+  EXPECT_EQ(sum_of(summary, Tested::Contact, 2).answers.wrong, 0U);
+  EXPECT_EQ(sum_of(summary, Tested::Edges, 3).answers.trials, 0U);
   for (std::size_t level = 0; level < levels(Axis::OffPlane).size(); ++level) {
     const ErrorSummary& errors = summary.errors.at({0, Quantity::Distance, 4, level});
     EXPECT_NEAR(errors.relative.quantile(0.5) / 0x1p-40, 1, 1.0 / 64);
@@ -180,7 +180,7 @@ TEST(StabilityStudy, AsksInTheModeOfTheLevel) {
   const Summary summary = whole(setting);
   EXPECT_EQ(seen, (std::set<int>{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}));
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
-  EXPECT_EQ(sum_of(summary, Tested::Contact, 0).wrong, 0U);
+  EXPECT_EQ(sum_of(summary, Tested::Contact, 0).answers.wrong, 0U);
 }
 
 // All bounds hold on all axes; were they a thousandth, the study would see it of every quantity.
@@ -293,12 +293,11 @@ TEST(StabilityStudy, AxesAndMethodsStandAlone) {
              among = settings({"thesis", "fast"}, {Axis::Aspect, Axis::Origin}, 3);
   const Summary one = whole(alone), two = whole(among);
   std::uint64_t compared = 0;
-  for (const auto& [cell, tally] : one.failures) {
+  for (const auto& [cell, failures] : one.failures) {
     const auto [axis, nearness, test, method, level] = cell;
-    const Tally* other = two.at(1, nearness, test, 1, level);
+    const SampledFailures* other = two.at(1, nearness, test, 1, level);
     ASSERT_NE(other, nullptr);
-    EXPECT_EQ(tally.wrong, other->wrong);
-    EXPECT_EQ(tally.balls, other->balls);
+    EXPECT_EQ(failures.answers, other->answers);
     ++compared;
   }
   EXPECT_GT(compared, 50U);

@@ -17,9 +17,7 @@
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/tradeoff/band.h"
 #include "experiments/studies/tradeoff/front.h"
-#include "experiments/studies/tradeoff/output.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/studies/tradeoff/small_study.h"
 #include "tests/experiments/support/run_command.h"
@@ -81,8 +79,8 @@ TEST(TradeoffErrors, OfExactAreNone) {
   for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
     const MethodErrors errors = errors_of(*methods::find_method("filtered"), placement);
     EXPECT_EQ(errors.samples, placement == Placement::LatticeFrame ? 8U : 6U);
-    EXPECT_EQ(errors.near_threshold(), (Tally{0, 0, 17 * errors.samples}));
-    EXPECT_EQ(text_of(band_of(errors)), "none seen");
+    EXPECT_EQ(errors.near_threshold(), (cases::Failures{.trials = 17 * errors.samples}));
+    EXPECT_EQ(to_string(cases::band_of(errors.offsets, &Answers::wrong)), "none seen");
     for (const Quantity quantity : kQuantities) {
       EXPECT_EQ(ulps(errors, quantity).known.count(), errors.samples);
       EXPECT_EQ(ulps(errors, quantity).known.quantile(1), 0);
@@ -126,10 +124,10 @@ TEST(TradeoffErrors, AreSeenInTheBandWhereTheyWerePlanted) {
     return exact.ask({ball.center, workloads::move_by_doubles(ball.radius, 3)}, kind);
   });
   const MethodErrors errors = errors_of(method);
-  const Band band = band_of(errors);
+  const cases::Band band = cases::band_of(errors.offsets, &Answers::wrong);
   EXPECT_EQ(band.lowest, -3);
   EXPECT_LE(*band.highest, 0);
-  const Tally near = errors.near_threshold();
+  const Answers near = errors.near_threshold();
   EXPECT_EQ(near.trials, 17 * errors.samples);
   EXPECT_GE(near.wrong, 2 * errors.samples);
   EXPECT_LE(near.wrong, 4 * errors.samples);
@@ -143,7 +141,7 @@ TEST(TradeoffErrors, CountWhatIsLeftOpenApart) {
     return answer;
   });
   const MethodErrors errors = errors_of(method);
-  EXPECT_EQ(errors.near_threshold(), (Tally{0, 17 * errors.samples, 17 * errors.samples}));
+  EXPECT_EQ(errors.near_threshold(), (cases::Failures{.trials = 17 * errors.samples, .unsure = 17 * errors.samples}));
   EXPECT_EQ(ulps(errors, Quantity::Point).known.count(), 0U);
   EXPECT_EQ(ulps(errors, Quantity::Point).asked, errors.samples);
 }
@@ -163,7 +161,10 @@ TEST(TradeoffErrors, OfWhatIsNotFiniteAreCountedApart) {
   });
   const MethodErrors errors = errors_of(method);
   ASSERT_EQ(errors.samples, 6U);
-  EXPECT_EQ(errors.near_threshold(), (Tally{17 * 6, 0, 17 * 6, 17 * 2}));
+  const Answers near = errors.near_threshold();
+  EXPECT_EQ(near.trials, 17U * 6);
+  EXPECT_EQ(near.wrong, 17U * 6);
+  EXPECT_EQ(near.overflowed, 17U * 2);
   const UlpErrors& distances = ulps(errors, Quantity::Distance);
   EXPECT_EQ(distances.known.count(), 6U);
   EXPECT_EQ(distances.known.infinite(), 2U);

@@ -7,9 +7,7 @@
 #include <filesystem>
 
 #include "experiments/commands.h"
-#include "experiments/studies/tunnelling/cost.h"
-#include "experiments/studies/tunnelling/misses.h"
-#include "experiments/studies/tunnelling/output.h"
+#include "experiments/studies/tunnelling/measure.h"
 #include "robust/exact/motion.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"

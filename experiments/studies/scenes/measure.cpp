@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/scenes/measure.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/cases/verdict.h"
+#include "experiments/cases/workloads/meshes/face_polygon.h"
+
+namespace touchstone::scenes {
+namespace {
+
+using scene::FaceId;
+
+constexpr std::uint64_t kBalls = 16, kFaces = 256;  // a block
+
+struct FaceBlock {
+  std::uint32_t object, first, last;
+};
+
+std::vector<FaceBlock> all_blocks(const std::vector<Object>& objects, const Order& order) {
+  std::vector<FaceBlock> blocks;
+  for (const std::uint32_t object : order.objects) {
+    const auto faces = static_cast<std::uint32_t>(objects[object].numbers.size());
+    for (std::uint32_t first = 0; first < faces; first += kFaces)
+      blocks.push_back({object, first, std::min<std::uint32_t>(first + kFaces, faces)});
+  }
+  return blocks;
+}
+
+Polygon face_of(const scene::Faces& faces, std::uint32_t number) {
+  if (number >= faces.triangles.size()) return faces.polygons[number - faces.triangles.size()];
+  const Triangle& t = faces.triangles[number];
+  return Polygon({t.a, t.b, t.c});
+}
+
+[[noreturn]] void refuse(const cases::Method& method, const char* what) {
+  throw std::invalid_argument("the method " + std::string(method.name()) + " does not compute " + what);
+}
+
+/// The contribution of the faces of one block to the answers to all balls.
+class BlockAnswers {
+ public:
+  BlockAnswers(const cases::Method& method, const Order& order, std::size_t balls)
+      : method_(method), question_(order.question), answers_(balls) {}
+
+  void ask(const Polygon& polygon, FaceId id, std::span<const NamedBall> balls) {
+    const auto prepared = method_.prepare(polygon);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      BallAnswer& answer = answers_[i];
+      if (question_ == Question::Nearest)
+        meet_nearest(prepared->ask(balls[i].ball, cases::QueryKind::Answer), id, answer);
+      else if (question_ == Question::All || answer.touched.empty())
+        meet(prepared->ask(balls[i].ball, cases::QueryKind::Contact), id, answer);
+    }
+  }
+  [[nodiscard]] const std::vector<BallAnswer>& answers() const { return answers_; }
+
+ private:
+  void meet(const cases::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
+    if (!found.contact) {
+      if (!found.unsure) refuse(method_, "contact");
+      ++answer.unsure;
+    } else if (*found.contact) {
+      answer.touched.push_back(id);
+    }
+  }
+  void meet_nearest(const cases::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
+    if (!found.distance || !found.nearest || !found.point) {
+      if (!found.unsure) refuse(method_, "the nearest point");
+      ++answer.unsure;
+    } else if (!answer.nearest || *found.distance < answer.nearest->distance) {
+      answer.nearest = {id, *found.nearest, *found.point, *found.distance};
+    }
+  }
+
+  const cases::Method& method_;
+  Question question_;
+  std::vector<BallAnswer> answers_;
+};
+
+/// Adds what later faces gave.
+void add(BallAnswer& answer, const BallAnswer& later, Question question) {
+  if (question != Question::Any || answer.touched.empty())
+    answer.touched.insert(answer.touched.end(), later.touched.begin(), later.touched.end());
+  if (later.nearest && (!answer.nearest || later.nearest->distance < answer.nearest->distance))
+    answer.nearest = later.nearest;
+  answer.unsure += later.unsure;
+}
+
+using cases::Verdict;
+using scene::FaceId;
+
+Verdict face(FaceId id, const std::vector<Object>& objects) {
+  const Object& object = objects[id.object];
+  return {{"object", object.name}, {"face", object.numbers[id.face]}};
+}
+
+}  // namespace
+
+Object object_of(workloads::NamedFile file) {
+  Object object{std::move(file.name), {}, {}, {}, 0};
+  const Mesh& mesh = file.content.mesh;
+  std::vector<std::uint32_t> polygons;
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    try {
+      Polygon polygon = workloads::face_polygon(mesh, face);
+      if (polygon.vertex_count() == 3) {
+        object.faces.triangles.push_back({polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)});
+        object.numbers.push_back(face);
+      } else {
+        object.faces.polygons.push_back(std::move(polygon));
+        polygons.push_back(face);
+      }
+    } catch (const Rejected& rejected) {
+      if (object.faces_rejected++ >= kMostSentences) continue;
+      const auto& [code, message] = rejected.rejection();
+      object.rejected.push_back(io::sentence(file.file, file.content.places[face],
+                                             fmt::format("face {}: {}: {}", face, to_string(code), message)));
+    }
+  }
+  object.numbers.insert(object.numbers.end(), polygons.begin(), polygons.end());
+  return object;
+}
+
+std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order, std::span<const NamedBall> balls,
+                                  const std::atomic<bool>& stop) {
+  std::vector<BallAnswer> answers(balls.size());
+  const auto ask = [&](std::size_t i) {
+    BallAnswer& answer = answers[i];
+    const Ball& ball = balls[i].ball;
+    if (order.question == Question::Nearest) answer.nearest = scene.nearest(ball, order.objects);
+    if (order.question == Question::All) answer.touched = scene.touched(ball, order.objects);
+    if (order.question == Question::Any && scene.touches(ball, order.objects)) answer.touched.push_back({});
+  };
+  const std::uint64_t blocks = (balls.size() + kBalls - 1) / kBalls;
+  const std::uint64_t done = run::run_blocks(
+      blocks, order.threads, stop, [](std::uint64_t) {},
+      [&](unsigned, std::uint64_t block) {
+        for (std::uint64_t i = block * kBalls; i < std::min((block + 1) * kBalls, balls.size()); ++i) ask(i);
+      });
+  answers.resize(std::min(done * kBalls, balls.size()));
+  return answers;
+}
+
+std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order) {
+  return all_blocks(objects, order).size();
+}
+
+std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::vector<Object>& objects,
+                                       const Order& order, std::span<const NamedBall> balls,
+                                       const std::atomic<bool>& stop, const run::Progress& progress) {
+  const std::vector<FaceBlock> blocks = all_blocks(objects, order);
+  std::vector<std::unique_ptr<BlockAnswers>> parts(blocks.size());
+  const std::uint64_t done =
+      run::run_blocks(blocks.size(), order.threads, stop, progress, [&](unsigned, std::uint64_t number) {
+        const FaceBlock& block = blocks[number];
+        parts[number] = std::make_unique<BlockAnswers>(method, order, balls.size());
+        for (std::uint32_t face = block.first; face < block.last; ++face)
+          parts[number]->ask(face_of(objects[block.object].faces, face), {block.object, face}, balls);
+      });
+  if (done < blocks.size()) return {};
+  std::vector<BallAnswer> answers(balls.size());
+  for (const auto& part : parts)
+    for (std::size_t i = 0; i < balls.size(); ++i) add(answers[i], part->answers()[i], order.question);
+  return answers;
+}
+
+std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Question question,
+                        const std::vector<Object>& objects) {
+  const auto point = [](const Eigen::Vector3d& p) { return Verdict{p.x(), p.y(), p.z()}; };
+  Verdict line = Verdict::object();
+  line["id"] = ball.id;
+  line["ball"] = {{"center", point(ball.ball.center)}, {"radius", ball.ball.radius}};
+  if (question == Question::Any) line["touches"] = !answer.touched.empty();
+  if (question == Question::All) {
+    line["touched"] = Verdict::array();
+    // The scene numbers triangles first, the mesh does not.
+    std::vector<FaceId> touched = answer.touched;
+    std::ranges::sort(touched, {},
+                      [&](FaceId id) { return std::pair(id.object, objects[id.object].numbers[id.face]); });
+    for (const FaceId id : touched) line["touched"].push_back(face(id, objects));
+  }
+  if (question == Question::Nearest) {
+    line["nearest"] = nullptr;
+    if (answer.nearest) {
+      cases::PartialAnswer keys;
+      keys.nearest = answer.nearest->feature;
+      keys.point = answer.nearest->point;
+      keys.distance = answer.nearest->distance;
+      const Verdict found = cases::object_of(keys);
+      Verdict nearest = face(answer.nearest->face, objects);
+      nearest["feature"] = found["nearest"];
+      nearest["point"] = found["point"];
+      nearest["distance"] = found["distance"];
+      line["nearest"] = nearest;
+    }
+  }
+  return cases::to_line(line);
+}
+
+void Differences::add(const BallAnswer& given, const BallAnswer& truth, Question question) {
+  ++balls;
+  unsure += given.unsure > 0 ? 1 : 0;
+  bool differs = false;
+  switch (question) {
+    case Question::Any: differs = given.touched.empty() != truth.touched.empty(); break;
+    case Question::All: differs = given.touched != truth.touched; break;
+    case Question::Nearest: {
+      const bool both = given.nearest && truth.nearest;
+      const bool other = !both || given.nearest->distance != truth.nearest->distance;  // compared as rounded
+      differs = both ? other && given.nearest->face != truth.nearest->face : given.nearest || truth.nearest;
+      distances += both && other ? 1 : 0;
+      break;
+    }
+  }
+  answers += differs ? 1 : 0;
+}
+
+}  // namespace touchstone::scenes

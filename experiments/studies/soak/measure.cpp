@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/soak/measure.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <memory>
+
+#include "experiments/cases/output_lines.h"
+#include "experiments/cases/workloads/adversarial/motions.h"
+#include "experiments/cases/workloads/ulp.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
+
+namespace touchstone::soak {
+namespace {
+
+using filtered::StageCounts;
+
+constexpr std::uint64_t kWholeOneIn = 16;
+
+/// All questions about one case.
+class Comparison {
+ public:
+  Comparison(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally)
+      : tested_(tested), seed_(seed), index_(index), case_(adversarial::draw_case(seed, index)), tally_(tally) {}
+
+  void ask_all() {
+    const exact::PreparedPolygon truth(case_.polygon);
+    const bool touches = exact::contact(case_.ball, truth);
+    if (const auto triangle = case_.triangle())
+      ask(Way::Triangle, [&](auto& c) { ask_triangle(*triangle, touches, c); });
+    std::optional<filtered::PreparedPolygon> prepared;
+    ask(Way::Prepared, [&](auto& counts) {
+      prepared.emplace(case_.polygon);
+      ask_prepared(*prepared, touches, counts);
+    });
+    // A multiplier spreads the share over all families, which go by the index.
+    if (prepared && index_ * 0x9e3779b97f4a7c15 >> 60 == 0)
+      ask(Way::Answer, [&](auto& counts) { ask_whole(*prepared, truth, counts); });
+    tally_.add_case(std::move(differences_));
+  }
+
+  void ask_all_moving() {
+    const Motion motion = adversarial::draw_motion(case_, seed_, index_);
+    case_.ball = motion.ball;
+    to_ = motion.to;
+    const FirstContact truth = exact::first_contact(motion, case_.polygon);
+    if (const auto triangle = case_.triangle())
+      ask(Way::MovingTriangle, [&](auto& counts) { ask_moving(motion, *triangle, truth, counts); });
+    ask(Way::MovingPrepared, [&](auto& counts) {
+      const filtered::PreparedPolygon prepared(case_.polygon);
+      ask_moving(motion, prepared, truth, counts);
+    });
+    tally_.add_case(std::move(differences_));
+  }
+
+ private:
+  static_assert(kWholeOneIn == std::uint64_t{1} << (64 - 60));
+
+  /// Counts the case for one way of asking.
+  template <class Questions>
+  void ask(Way way, const Questions& questions) {
+    const std::size_t before = differences_.size();
+    StageCounts counts;
+    try {
+      questions(counts);
+    } catch (const std::exception& error) {
+      differs(std::string(to_string(way)) + ": " + error.what(), case_.ball, case_.polygon);
+    }
+    Outcomes& outcomes = tally_.at(case_.family, way);
+    ++outcomes.cases;
+    ++outcomes.by_stage[static_cast<std::size_t>(counts.last())];
+    outcomes.differences += differences_.size() > before ? 1 : 0;
+  }
+
+  /// Compares by ==, not by cases::differing_keys: every function of `filtered` returns the very type that `exact`
+  /// does.
+  void expect(bool same, const char* question) {
+    if (!same) differs(question, case_.ball, case_.polygon);
+  }
+
+  void ask_triangle(const Triangle& t, bool touches, StageCounts& counts) {
+    expect(tested_.contact(case_.ball, t) == touches, "triangle");
+    expect(tested_.contact(case_.ball, t, counts) == touches, "triangle, counted");
+    expect(tested_.plain_contact(case_.ball, t) == touches, "triangle, without vectors");
+
+    const std::array<Triangle, 6> orders{
+        {{t.a, t.b, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}, {t.c, t.b, t.a}, {t.b, t.a, t.c}, {t.a, t.c, t.b}}};
+    std::array<bool, 6> found{};
+    const auto expect_all = [&](const char* question) {
+      for (std::size_t i = 0; i < orders.size(); ++i)
+        if (found[i] != touches) differs(question, case_.ball, Polygon({orders[i].a, orders[i].b, orders[i].c}));
+    };
+    tested_.contact(case_.ball, orders, found);
+    expect_all("triangle, in a batch");
+    const filtered::TriangleSet set(orders);
+    tested_.contact(case_.ball, set, found);
+    expect_all("triangle, in a set");
+    tested_.plain_contact(case_.ball, set, found);
+    expect_all("triangle, in a set, without vectors");
+  }
+
+  void ask_prepared(const filtered::PreparedPolygon& prepared, bool touches, StageCounts& counts) {
+    expect(tested_.contact(case_.ball, prepared) == touches, "contact");
+    expect(tested_.contact(case_.ball, prepared, counts) == touches, "contact, counted");
+    expect(tested_.plain_contact(case_.ball, prepared) == touches, "contact, without vectors");
+  }
+
+  void ask_whole(const filtered::PreparedPolygon& prepared, const exact::PreparedPolygon& truth, StageCounts& counts) {
+    const Ball& ball = case_.ball;
+    const Answer answer = exact::answer(ball, truth);
+    expect(tested_.relation(ball, prepared) == answer.relation, "relation");
+    expect(tested_.plane_side(ball, prepared) == answer.plane, "plane");
+    expect(tested_.foot(ball, prepared) == answer.foot, "foot");
+    expect(tested_.edges_hit(ball, prepared) == answer.edges_hit, "edges_hit");
+    expect(tested_.answer(ball, prepared) == answer, "answer");
+    expect(tested_.answer(ball, prepared, counts) == answer, "answer, counted");
+    expect(tested_.plain_answer(ball, prepared) == answer, "answer, without vectors");
+    if (const auto triangle = case_.triangle()) {
+      const filtered::ClosestPoint closest{answer.nearest, answer.point, answer.distance};
+      expect(tested_.closest(ball.center, *triangle) == closest, "closest");
+      expect(tested_.plain_closest(ball.center, *triangle) == closest, "closest, without vectors");
+    }
+    ask_neighbours(prepared, truth);
+  }
+
+  /// Nine balls, so that vectors of 2, 4 and 8 leave one over.
+  void ask_neighbours(const filtered::PreparedPolygon& prepared, const exact::PreparedPolygon& truth) {
+    std::array<Ball, 9> balls;
+    std::array<bool, 9> found{};
+    for (std::int64_t i = 0; i < 9; ++i) {
+      balls[static_cast<std::size_t>(i)] = {case_.ball.center,
+                                            workloads::move_radius_by_doubles(case_.ball.radius, i - 4)};
+    }
+    tested_.contact(balls, prepared, found);
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      if (found[i] != exact::contact(balls[i], truth)) differs("contact, in a batch", balls[i], case_.polygon);
+  }
+
+  /// Of a triangle or a prepared polygon.
+  template <class Asked>
+  void ask_moving(const Motion& motion, const Asked& asked, const FirstContact& truth, StageCounts& counts) {
+    expect(tested_.first_contact(motion, asked, counts) == truth, "first contact, counted");
+    expect(tested_.first_contact(motion, asked) == truth, "first contact");
+    expect(tested_.plain_first_contact(motion, asked) == truth, "first contact, without vectors");
+    expect(tested_.contact(motion, asked, counts) == truth.contact(), "contact, counted");
+    expect(tested_.contact(motion, asked) == truth.contact(), "contact");
+    expect(tested_.plain_contact(motion, asked) == truth.contact(), "contact, without vectors");
+    ask_batch(motion, asked, truth.contact());
+  }
+
+  /// Contact is the same backwards.
+  void ask_batch(const Motion& motion, const filtered::PreparedPolygon& prepared, bool touches) {
+    const std::array<Motion, 3> motions{{motion, {{motion.to, motion.ball.radius}, motion.ball.center}, motion}};
+    std::array<bool, 3> found{};
+    tested_.contact(motions, prepared, found);
+    for (const bool each : found) expect(each == touches, "contact, in a batch");
+  }
+  void ask_batch(const Motion& motion, const Triangle& t, bool touches) {
+    const std::array<Triangle, 3> triangles{{t, {t.b, t.a, t.c}, {t.b, t.c, t.a}}};
+    std::array<bool, 3> found{};
+    tested_.contact(motion, triangles, found);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i] != touches)
+        differs("contact, in a batch", case_.ball, Polygon({triangles[i].a, triangles[i].b, triangles[i].c}));
+  }
+
+  void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
+    const Answer still = exact::answer(ball, polygon);
+    const auto truth =
+        to_ ? cases::PartialAnswer::of(exact::first_contact(Motion{ball, *to_}, polygon), still.off_plane, "")
+            : cases::PartialAnswer::of(still, "");
+    differences_.push_back(
+        {index_, cases::case_line(adversarial::name_of_case(seed_, index_), cases::Shapes{ball, polygon, to_},
+                                  {std::string(to_string(case_.family)), question}, truth)});
+  }
+
+  const SystemUnderTest& tested_;
+  std::uint64_t seed_, index_;
+  adversarial::Case case_;
+  std::optional<Eigen::Vector3d> to_;  // of a moving ball
+  Tally& tally_;
+  std::vector<Difference> differences_;
+};
+
+}  // namespace
+
+void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally) {
+  Comparison(tested, seed, index, tally).ask_all();
+}
+
+void compare_moving(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally) {
+  Comparison(tested, seed, index, tally).ask_all_moving();
+}
+
+std::string_view to_string(Way way) {
+  switch (way) {
+    case Way::Triangle: return "triangle";
+    case Way::Prepared: return "prepared";
+    case Way::Answer: return "answer";
+    case Way::MovingTriangle: return "moving-triangle";
+    case Way::MovingPrepared: break;
+  }
+  return "moving-prepared";
+}
+
+void Tally::add_case(std::vector<Difference> differences) {
+  ++cases_;
+  if (differences.empty()) return;
+  ++differing_;
+  std::move(differences.begin(), differences.end(), std::back_inserter(kept_));
+  keep_first();
+}
+
+Tally& Tally::operator+=(const Tally& other) {
+  run::add(outcomes_, other.outcomes_);
+  cases_ += other.cases_;
+  differing_ += other.differing_;
+  kept_.insert(kept_.end(), other.kept_.begin(), other.kept_.end());
+  keep_first();
+  return *this;
+}
+
+/// By index; those of one case stay in their order.
+void Tally::keep_first() {
+  std::stable_sort(kept_.begin(), kept_.end(),
+                   [](const Difference& a, const Difference& b) { return a.index < b.index; });
+  if (kept_.size() > kMostKept) kept_.resize(kMostKept);
+}
+
+std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
+                           const run::RunControl<Tally>& control, Tally& tally) {
+  constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core, 40 ms if balls move
+  return run::run_sweep(
+      settings.cases, settings.threads, control, Tally(), tally,
+      [&](std::uint64_t i, Tally& part) {
+        (settings.moving ? compare_moving : compare)(tested, settings.seed, settings.from + i, part);
+      },
+      kBlock);
+}
+
+}  // namespace touchstone::soak
