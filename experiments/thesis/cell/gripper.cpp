@@ -20,7 +20,6 @@
 namespace touchstone::cell {
 namespace {
 
-constexpr double kOverhang = 8;  // of the arm's cover, which does not matter here
 constexpr double kNear = 4;      // radii
 constexpr std::size_t kMostVertices = 16;
 
@@ -66,7 +65,7 @@ std::string lines_about(const std::string& id, const std::string& origin, const 
 
 std::string gripper_cases(const std::string& cell_file) {
   const cell::Cell cell = cell::read_cell(cell_file, std::nullopt, {});
-  const cell::Workcell workcell(cell, cell::build_model(cell), kOverhang);
+  const cell::Workcell workcell(cell, cell::build_model(cell));
   const cell::Process process = cell::simulate(workcell);
   const std::string name = std::filesystem::path(cell_file).stem().string();
 
