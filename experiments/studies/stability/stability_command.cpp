@@ -64,7 +64,8 @@ int run_stability(run::StudyRun& run, const Options& options) {
                                  }),
               .contractions = {},
               .areas = {}};
-  if (!run.first()) return 0;
+  const auto missing = std::accumulate(summary.missing.begin(), summary.missing.end(), std::uint64_t{0});
+  if (run.is_part()) return run.finish({.done = summary.samples(), .missing = missing});
   known.contractions = count_contractions(run.stopped() ? 0 : 50 * settings.samples, settings.seed);
   if (!run.stopped())
     for (const auto& outline : outlines())
@@ -74,8 +75,6 @@ int run_stability(run::StudyRun& run, const Options& options) {
   write_bounds(run.folder(), settings, summary);
   write_worst(run.folder(), summary);
   write_known(run.folder(), known);
-
-  const auto missing = std::accumulate(summary.missing.begin(), summary.missing.end(), std::uint64_t{0});
   return run.finish(
       {.done = summary.samples(),
        .missing = missing,

@@ -12,7 +12,7 @@
 namespace touchstone::tradeoff {
 
 // Each throws std::runtime_error, which names the file, if it cannot be written. Those of errors alone are the same
-// byte for byte for the same settings, whatever the threads and processes. tables() says what the
+// byte for byte for the same settings, whatever the threads. tables() says what the
 // tables hold.
 
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);

@@ -14,7 +14,7 @@ struct Settings {
   std::size_t vertices = 12;
   std::uint64_t samples = 1;  ///< passes, each by a ball of every radius
   std::uint64_t seed = 1;
-  unsigned threads = 1;  ///< of each process
+  unsigned threads = 1;
 };
 
 /// The contacts of the balls of one radius.

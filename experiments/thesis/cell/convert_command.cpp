@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/processes.h"
 #include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/convert.h"
@@ -101,7 +100,7 @@ run::Command convert_command() {
   command.json(options->json, "Print the counts as one JSON object, with the lowest and highest coordinates")
       .excludes("--quiet");
   command.example("cell convert part.stl part.obj --merge");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 
