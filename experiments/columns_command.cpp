@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/columns_command.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/processes.h"
+#include "experiments/commands.h"
 
 namespace touchstone::commands {
 namespace {
@@ -60,23 +58,21 @@ Command columns_command(const std::vector<Command>& commands) {
   command.example("columns near-edge");
   command.json(options->json, "Print them as a JSON array").excludes("--markdown");
   command.runs([options, commands] {
-    return run::run_alone([&] {
-      bool found = false;
-      nlohmann::ordered_json list = nlohmann::ordered_json::array();
-      for_each_table(commands, "", [&](const std::string& name, const TableDescription& table) {
-        if (!options->of.empty() && options->of != name && options->of != table.file) return;
-        if (options->json)
-          list.push_back(json(name, table));
-        else
-          fmt::print("{}{}", found && !options->markdown ? "\n" : "",
-                     options->markdown ? markdown(name, table) : plain(name, table));
-        found = true;
-      });
-      if (!found)
-        throw run::UsageError("NAME", "no command that writes tables, and no table, is called \"" + options->of + "\"");
-      if (options->json) fmt::print("{}\n", list.dump());
-      return 0;
+    bool found = false;
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for_each_table(commands, "", [&](const std::string& name, const TableDescription& table) {
+      if (!options->of.empty() && options->of != name && options->of != table.file) return;
+      if (options->json)
+        list.push_back(json(name, table));
+      else
+        fmt::print("{}{}", found && !options->markdown ? "\n" : "",
+                   options->markdown ? markdown(name, table) : plain(name, table));
+      found = true;
     });
+    if (!found)
+      throw run::UsageError("NAME", "no command that writes tables, and no table, is called \"" + options->of + "\"");
+    if (options->json) fmt::print("{}\n", list.dump());
+    return 0;
   });
   return command;
 }

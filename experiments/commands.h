@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "experiments/run/command.h"
 
 // The subcommands of `touchstone`. Each is defined beside what it runs.
@@ -27,5 +30,14 @@ namespace touchstone::commands {
 [[nodiscard]] run::Command corpus_command();
 [[nodiscard]] run::Command thesis_command();
 [[nodiscard]] run::Command show_command();
+
+/// Returns the command that describes the tables of the other commands.
+[[nodiscard]] run::Command columns_command(const std::vector<run::Command>& commands);
+/// Returns the commands that plan the parts of those studies that have them, and that merge parts.
+[[nodiscard]] std::vector<run::Command> parts_commands(const std::vector<run::Command>& commands);
+/// Returns the command that prints a completion script for a shell and the one that writes the manual pages. Both cover
+/// these commands and themselves. `about`: the text of the program; `heading`: under which it lists the two.
+[[nodiscard]] std::vector<run::Command> help_commands(const std::string& about, const std::string& heading,
+                                                      std::vector<run::Command> commands);
 
 }  // namespace touchstone::commands

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/help_commands.h"
-
 #include <fmt/core.h>
 
 #include <filesystem>
 #include <memory>
 
+#include "experiments/commands.h"
 #include "experiments/run/completion.h"
 #include "experiments/run/counted.h"
 #include "experiments/run/manual.h"
 #include "experiments/run/output_folder.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
 
@@ -45,20 +43,16 @@ std::vector<Command> help_commands(const std::string& about, const std::string& 
   commands.push_back(manual);
   const run::CommandDescription program = run::description_of(about, commands);
   completion.runs([shell, program] {
-    return run::run_alone([&] {
-      fmt::print("{}", *shell == "bash" ? run::bash_completion(program) : run::zsh_completion(program));
-      return 0;
-    });
+    fmt::print("{}", *shell == "bash" ? run::bash_completion(program) : run::zsh_completion(program));
+    return 0;
   });
   manual.runs([options, program] {
-    return run::run_alone([&] {
-      const run::OutputFolder folder(options->folder, options->line, {.force = options->force});
-      const std::string version = run::version_text().substr(0, run::version_text().find('\n'));
-      const auto pages = run::manual_pages(program, version);
-      for (const auto& [name, text] : pages) run::write_file(folder.path() / name, text);
-      fmt::print("{} in {}\n", run::counted(pages.size(), "page"), options->folder);
-      return 0;
-    });
+    const run::OutputFolder folder(options->folder, options->line, {.force = options->force});
+    const std::string version = run::version_text().substr(0, run::version_text().find('\n'));
+    const auto pages = run::manual_pages(program, version);
+    for (const auto& [name, text] : pages) run::write_file(folder.path() / name, text);
+    fmt::print("{} in {}\n", run::counted(pages.size(), "page"), options->folder);
+    return 0;
   });
   return {completion, manual};
 }

@@ -11,9 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/columns_command.h"
 #include "experiments/commands.h"
-#include "experiments/help_commands.h"
 #include "experiments/run/colour.h"
 #include "experiments/run/json/json_fault.h"
 #include "experiments/run/run_record.h"
@@ -76,6 +74,7 @@ int main(int argc, char** argv) {
                     tunnelling_command(), stability_command(), tradeoff_command(), bench_command(),
                     bench_scenes_command(), soak_command(), recorded_command()});
     add("The cell and the thesis", {cell_command(), thesis_command()});
+    add("Studies", parts_commands(commands));
     add("Tools", {columns_command(commands)});
     add("Tools", help_commands(kAbout, "Tools", commands));
     const int status = touchstone::run::run_program({kAbout, touchstone::run::version_text()}, commands, argc, argv);

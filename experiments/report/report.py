@@ -68,7 +68,7 @@ def made(found):
         run = study.run
         missing = f", {count(run['samples_missing'])} not found" if run["samples_missing"] else ""
         rows.append([f'<a href="#{name}">{escaped(CHAPTERS[name].TITLE)}</a>', f'<code class="call">{escaped(run["command"])}</code>', str(run["seed"]),
-                     f"{count(run['samples_done'])} of {count(run['samples_asked'])}{missing}", f"{rounded(run['seconds'])} s, {run['processes']} × {run['threads']}",
+                     f"{count(run['samples_done'])} of {count(run['samples_asked'])}{missing}", f"{rounded(run['seconds'])} s, {run['parts']} × {run['threads']}",
                      escaped(run["date"][:16].replace("T", " ")), f'<a href="{study.folder.name}/">{study.folder.name}/</a>'])
 
     def lines(key, shown=escaped):
@@ -76,7 +76,7 @@ def made(found):
 
     return ('<section><h2 id="made">How this was made</h2>'
             + folded("The commands, seeds and times", table("The studies, each by one command; the same seed gives the same data, times aside.",
-                                                            ["study", "command", "seed", "samples", "time, processes × threads", "at (UTC)", "data"], rows))
+                                                            ["study", "command", "seed", "samples", "time, parts × threads", "at (UTC)", "data"], rows))
             + f"<ul class=\"made\">{lines('commit', lambda c: 'commit ' + code(c))}{lines('compiler')}{lines('flags', code)}{lines('processor')}{lines('machine')}</ul></section>")
 
 
@@ -143,7 +143,7 @@ def reproducing(results):
 <p>Both can be interrupted and run again: finished studies are skipped, interrupted ones continue, and the page is the same
 (except for times). Each study can be run alone by the command below it. The same seed gives the same data, byte for byte,
 with any number of threads; for studies that run on many machines (<code>near-edge</code>, <code>stability</code>,
-<code>tradeoff</code>, <code>soak</code>), also with any number of processes. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page again.</p>
+<code>tradeoff</code>, <code>soak</code>), also by any number of parts. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page again.</p>
 <details><summary>Test your own engine</summary><p>An engine is any program that reads cases, one line of JSON each, and prints its answers:</p>
 <pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles are wrong
 touchstone judge --engine './engine' cases.jsonl            # compares its answers with the exact ones

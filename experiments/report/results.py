@@ -94,7 +94,7 @@ def is_date(value):
 
 
 RUN = {"command": is_text, "seed": is_natural, "samples_asked": is_natural, "samples_done": is_natural,
-       "samples_missing": is_natural, "processes": is_natural, "threads": is_natural, "seconds": is_duration, "date": is_date,
+       "samples_missing": is_natural, "parts": is_natural, "threads": is_natural, "seconds": is_duration, "date": is_date,
        "compiler": is_text, "flags": is_text, "processor": is_text, "cores": is_natural, "machine": is_text}
 
 

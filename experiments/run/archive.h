@@ -23,7 +23,7 @@ class DamagedArchive : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The values of a study's state as text, one after the other. Checkpoints hold such texts, and processes send them.
+/// The values of a study's state as text, one after the other. Checkpoints hold such texts.
 ///
 /// The same function writes and reads: `pass(value)` appends the value to a new archive, or takes it from an archive
 /// that was constructed from a text. It accepts numbers, enumerators, strings; optionals, arrays, vectors, maps, pairs

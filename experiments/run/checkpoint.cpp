@@ -18,6 +18,7 @@ namespace touchstone::run {
 void Checkpoint::write_text(std::uint64_t done, const std::string& state) const {
   nlohmann::ordered_json whole = {{"version", settings_.version}};
   for (const auto& [name, value] : settings_.options) whole[name] = value;
+  if (!settings_.part.empty()) whole["part"] = settings_.part;
   whole["done"] = done;
   whole["state"] = state;
   write_file(path_, whole.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -48,6 +49,10 @@ std::optional<std::string> Checkpoint::read_text() const {
       found += " --" + name + " " + held;
       wanted += " --" + name + " " + value;
     }
+    if (const std::string part = whole.value("part", ""); part != settings_.part) {
+      found += part.empty() ? " all items" : " --part " + part;
+      wanted += settings_.part.empty() ? " all items" : " --part " + settings_.part;
+    }
     if (!found.empty()) refuse("is of" + found + ", not of" + wanted);
     return whole.at("state").get<std::string>();
   } catch (const nlohmann::json::exception& error) {
@@ -57,6 +62,10 @@ std::optional<std::string> Checkpoint::read_text() const {
 
 void Checkpoint::refuse_more(std::uint64_t held, std::uint64_t asked) const {
   if (held > asked) refuse(fmt::format("holds {} items already, more than the {} asked for", held, asked));
+}
+
+void Checkpoint::refuse_fewer(std::uint64_t held, std::uint64_t wanted) const {
+  if (held < wanted) refuse(fmt::format("holds {} of {} items; --resume continues its run", held, wanted));
 }
 
 void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }

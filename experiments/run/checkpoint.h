@@ -17,6 +17,7 @@ namespace touchstone::run {
 struct ResultSettings {
   int version;
   std::vector<std::pair<std::string, std::string>> options;
+  std::string part{};  ///< of how many items; empty for a run of all
 };
 
 /// The state of a long run, in a file that always holds one complete state. A state is written as an Archive; a
@@ -46,6 +47,16 @@ class Checkpoint {
     }
   }
 
+  /// Returns the state of a run that has ended. Throws as `read` does, and std::runtime_error, which names the file, if
+  /// there is none or if the state does not cover this many items.
+  template <class State>
+  [[nodiscard]] State read_complete(State zero, std::uint64_t items) const {
+    auto state = read(std::move(zero));
+    if (!state) refuse("does not exist");
+    refuse_fewer(items_done(*state), items);
+    return std::move(*state);
+  }
+
   /// Renames an existing file to the same name with `.previous`: a new run overwrites no earlier one. Returns whether
   /// there was one. Throws std::runtime_error, which names the file, if that fails.
   bool set_aside() const;
@@ -58,6 +69,7 @@ class Checkpoint {
  private:
   void write_text(std::uint64_t done, const std::string& state) const;
   [[nodiscard]] std::optional<std::string> read_text() const;
+  void refuse_fewer(std::uint64_t held, std::uint64_t wanted) const;
   /// Throws std::runtime_error, which names the file and says why.
   [[noreturn]] void refuse(const std::string& why) const;
 

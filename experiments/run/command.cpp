@@ -111,6 +111,7 @@ struct CommandParts {
   std::string* kept_line = nullptr;
   std::vector<TableDescription>* kept_tables = nullptr;
   std::function<std::vector<std::pair<std::string, std::string>>()>* kept_result_options = nullptr;
+  std::vector<std::filesystem::path>* merged_parts = nullptr;
   std::vector<TableDescription> tables;
   std::vector<Command> subcommands;
   std::vector<std::vector<std::string>> groups;  ///< exactly one option of each is required
@@ -409,7 +410,11 @@ void Command::writes(const std::vector<TableDescription>& tables) {
   parts_->tables.insert(parts_->tables.end(), tables.begin(), tables.end());
 }
 
+void Command::merges(std::vector<std::filesystem::path>& parts) { parts_->merged_parts = &parts; }
+
 std::string Command::name() const { return app().get_name(); }
+
+bool Command::has_parts() const { return parts_->merged_parts != nullptr; }
 
 const std::vector<TableDescription>& Command::tables() const { return parts_->tables; }
 
@@ -456,6 +461,17 @@ int Command::operator()(std::vector<std::string> arguments) const {
   for (const Command& command : parts_->subcommands)
     if (command.app().parsed()) return command.parts_->status;
   return parts_->status;
+}
+
+int Command::merge(const std::vector<std::filesystem::path>& parts, const std::vector<std::string>& arguments) const {
+  *parts_->merged_parts = parts;
+  return (*this)(arguments);
+}
+
+void Command::check(const std::vector<std::string>& arguments) const {
+  const auto run = std::exchange(parts_->run, {});
+  (*this)(arguments);
+  parts_->run = run;
 }
 
 CommandDescription description_of(const std::string& about, const std::vector<Command>& commands) {

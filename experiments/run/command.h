@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -151,7 +152,13 @@ class Command {
   /// Adds tables to the description of what the command writes.
   void writes(const std::vector<TableDescription>& tables);
 
+  /// Declares that the command is a study that can run by parts, and sets the variable that tells it to add the parts
+  /// in these folders up instead.
+  void merges(std::vector<std::filesystem::path>& parts);
+
   [[nodiscard]] std::string name() const;
+  /// Returns whether the command is a study that can run by parts.
+  [[nodiscard]] bool has_parts() const;
   /// Returns the tables of the command, or of its subcommand.
   [[nodiscard]] const std::vector<TableDescription>& tables() const;
   [[nodiscard]] const std::vector<Command>& subcommands() const;
@@ -161,6 +168,10 @@ class Command {
   /// Parses the arguments after the name of the command and runs it. Returns the exit status. Throws UsageError, and
   /// the exceptions of the run.
   int operator()(std::vector<std::string> arguments) const;
+  /// Parses the arguments as above, and adds the parts in these folders up. Requires has_parts().
+  int merge(const std::vector<std::filesystem::path>& parts, const std::vector<std::string>& arguments) const;
+  /// Throws UsageError if the command does not take these arguments.
+  void check(const std::vector<std::string>& arguments) const;
 
  private:
   friend int run_program(const ProgramText& text, const std::vector<Command>& commands, int argc, char** argv);

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 #include "experiments/run/write_file.h"
 #include "touchstone_commit.h"
@@ -82,6 +83,25 @@ std::string shell_quoted(const std::string& word) {
   return quoted + "'";
 }
 
+std::vector<std::string> shell_words(const std::string& line) {
+  std::vector<std::string> words;
+  bool quoted = false, within = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (!quoted && line[i] == ' ') {
+      within = false;
+      continue;
+    }
+    if (!std::exchange(within, true)) words.emplace_back();
+    if (line[i] == '\'')
+      quoted = !quoted;
+    else if (!quoted && line[i] == '\\' && i + 1 < line.size())
+      words.back() += line[++i];
+    else
+      words.back() += line[i];
+  }
+  return words;
+}
+
 void write_run_record(const std::filesystem::path& folder, const Run& run) {
   utsname machine{};
   uname(&machine);
@@ -91,7 +111,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
       {"samples_asked", run.samples_asked},
       {"samples_done", run.samples_done},
       {"samples_missing", run.samples_missing},
-      {"processes", run.processes},
+      {"parts", run.parts},
       {"threads", run.threads},
       {"seconds", run.seconds},
       {"date", utc_now()},
@@ -103,6 +123,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
       {"cores", std::thread::hardware_concurrency()},
       {"machine", std::string(machine.sysname) + " " + machine.release + " " + machine.machine},
   };
+  if (!run.part.empty()) record["part"] = run.part;
   if (run.interrupted) record["interrupted"] = *run.interrupted;
   const auto path = folder / "run.json";
   write_file(path, record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");

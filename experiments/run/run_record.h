@@ -14,9 +14,10 @@ struct Run {
   std::string command;
   std::uint64_t seed = 0;
   std::uint64_t samples_asked = 0, samples_done = 0, samples_missing = 0;
-  unsigned threads = 1;  ///< of each process
-  double seconds = 0;
-  unsigned processes = 1;
+  unsigned threads = 1;
+  double seconds = 0;                 ///< with those of merged parts
+  std::string part{};                 ///< I/N, if the run was a part of a study
+  std::uint64_t parts = 1;            ///< that were merged; 1: none
   std::optional<bool> interrupted{};  ///< only for studies that report it
 };
 
@@ -29,6 +30,8 @@ void write_run_record(const std::filesystem::path& folder, const Run& run);
 [[nodiscard]] std::string utc_now();
 /// Quotes a text as one word of a shell command.
 [[nodiscard]] std::string shell_quoted(const std::string& word);
+/// Returns the words of a line of plain and quoted words, with what a shell would take of quotes and backslashes.
+[[nodiscard]] std::vector<std::string> shell_words(const std::string& line);
 /// Joins words with commas, as the value of an option.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 

@@ -6,7 +6,7 @@
 
 namespace touchstone::run {
 
-/// The signals that ask a process to end: its terminal is gone, Ctrl-C, and what `kill` and `mpirun` send.
+/// The signals that ask a process to end: its terminal is gone, Ctrl-C, and what `kill` sends.
 inline constexpr int kEndSignals[] = {SIGHUP, SIGINT, SIGTERM};
 
 /// Has `handler` handle these signals, except those that the process ignores, as under `nohup`: they stay ignored. A

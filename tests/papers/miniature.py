@@ -4,7 +4,7 @@ import csv
 import itertools
 import json
 
-RUN = {"seed": 7, "samples_asked": 4, "samples_done": 4, "samples_missing": 0, "processes": 1, "threads": 2, "seconds": 1.5,
+RUN = {"seed": 7, "samples_asked": 4, "samples_done": 4, "samples_missing": 0, "parts": 1, "threads": 2, "seconds": 1.5,
        "date": "2026-01-02T03:04:05Z", "commit": "0123456789abcdef", "compiler": "g++ 12", "flags": "-O3", "processor": "some_core",
        "cores": 2, "machine": "Linux", "interrupted": False,
        "engines": ["embree", "fcl", "libccd", "bullet", "ode", "bullet-float"]}

@@ -44,6 +44,8 @@ COMMANDS = {
     "cases": [["--samples", "3"]],
     "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--output", OUTPUT]],
     "bench-scenes": [["--max-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
+    "merge": [["part", "--output", OUTPUT]],
+    "plan": [[]],
     "soak": [["--samples", "5", "--output", OUTPUT], ["--samples", "5", "--print"]],
     "recorded": [["--methods", "fast", "--samples", "1", "--balls", "2", "--steps", "5", "--output", OUTPUT]],
     "tradeoff": [["--methods", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
@@ -72,12 +74,12 @@ COMMANDS = {
 
 # What prints no table: cases, pages, scripts, or a line that says what was written.
 WITHOUT_TABLE = ("cases", "show", "completion", "manual", "cell new", "cell export", "cell serve", "cell cases", "corpus make",
-                 "corpus check", "corpus shrink", "soak --samples 5 --print")
+                 "corpus check", "corpus shrink", "plan", "soak --samples 5 --print")
 WITHOUT_JSON = WITHOUT_TABLE + ("scenes",)  # its answers are lines of JSON already
 LISTS = ("methods", "columns")  # one JSON array; they print nothing else, so that --quiet would mean nothing
 ANSWERS = ("judge", "scenes mesh.obj --samples 2")  # on standard output, also with --quiet
 # These write a folder only if --output names one; all others write to results/NAME.
-WITHOUT_FOLDER = {"scenes", "regress", "cell show", "cell run"}
+WITHOUT_FOLDER = {"merge", "scenes", "regress", "cell show", "cell run"}
 
 
 def subcommands(*words):
@@ -130,6 +132,7 @@ class EveryCommand(unittest.TestCase):
         (SCRATCH / "case.jsonl").write_text(CASE)
         drawn = subprocess.run([TOUCHSTONE, "cases", "--samples", "1", "--failing", "thesis"], capture_output=True, text=True, check=True)
         (SCRATCH / "wrong.jsonl").write_text(drawn.stdout)
+        subprocess.run([TOUCHSTONE, "soak", "--samples", "5", "--part", "1/1", "--quiet", "--output", SCRATCH / "part"], check=True)
 
     def run_in(self, call, output, **options):
         words = [TOUCHSTONE, *(word.replace(OUTPUT, str(output)) for word in call)]
@@ -211,7 +214,7 @@ class EveryCommand(unittest.TestCase):
 
     def described(self, call, table):
         """The columns of the file as the program describes them, as a pattern."""
-        name = re.escape(" ".join(call[:2]) if call[0] == "cell" else call[0])
+        name = re.escape(" ".join(call[:2]) if call[0] == "cell" else "soak" if call[0] == "merge" else call[0])  # of the part
         described = self.run_in(["columns", table, "--markdown"], "", stdout=subprocess.PIPE).stdout
         section = re.search(rf"^## `{re.escape(table)}` \({name}\)\n(.*?)(?=^##|\Z)", described, re.M | re.S)
         self.assertTrue(section, described)
@@ -272,7 +275,7 @@ class EveryCommand(unittest.TestCase):
                         done = self.run_in(call, SCRATCH / f"{how}-{number}", stdout=out, **close)
                     self.assertEqual(done.returncode, 2, done.stderr)
                     self.assertIn("cannot be written: " + reason, done.stderr)
-                    self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["case.jsonl", "cells", "mesh.obj", "wrong.jsonl"])
+                    self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["case.jsonl", "cells", "mesh.obj", "part", "wrong.jsonl"])
 
     def test_fails_where_what_it_printed_is_lost(self):
         """A pipe without a reader takes no byte, and no command knows before it writes one."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: same_bytes.py TOUCHSTONE [TOGETHER MPIRUN]
+"""Usage: same_bytes.py TOUCHSTONE
 
-Data files depend on the settings alone. Runs each study in one process, then under MPIRUN in 1, 2 and 4, and
-interrupted (SIGINT) or killed (SIGKILL) behind a checkpoint and resumed, alone and under MPIRUN: all their data files
-must be the same. One process alone must say nothing of MPI; under MPIRUN, one's error must end all, and commands for
-one process must refuse to run in more. Exit status 1 otherwise.
+Data files depend on the settings alone. Runs each study at once; interrupted (SIGINT) or killed (SIGKILL) behind a
+checkpoint and resumed; and by parts, one of which is interrupted and one killed before they are moved and merged. All
+data files must be the same. Parts that do not belong together are an error that names their folder and the reason. Exit
+status 1 otherwise.
 """
 
 import json
@@ -29,7 +29,7 @@ STUDIES = {
     "stability": ["stability", "--methods", "fast,thesis", "--axes", "aspect,origin,mixed", "--seed", "5",
                   "--no-pictures", "--threads", "1", "--samples", "60"],
 }
-TIMES = {"timings.csv", "front.csv", "cost.csv"}  # which one process alone measures
+TIMES = {"timings.csv", "front.csv", "cost.csv"}
 PATIENCE = 60  # seconds, for what takes one or two
 
 
@@ -37,17 +37,8 @@ class Failure(Exception):
     pass
 
 
-def launcher(mpirun, processes):
-    return [mpirun, "--allow-run-as-root", "--oversubscribe", "-n", str(processes)] if processes else []
-
-
-def environment():
-    # Leaks of the MPI library are not ours.
-    return dict(os.environ, ASAN_OPTIONS="detect_leaks=0", OMPI_MCA_rmaps_base_oversubscribe="1")
-
-
 def run(command, expected=0):
-    done = subprocess.run(command, capture_output=True, text=True, env=environment(), timeout=4 * PATIENCE)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=4 * PATIENCE)
     if done.returncode != expected:
         raise Failure(f"{' '.join(command)}: exit status {done.returncode}\n{done.stdout[-300:]}{done.stderr[-900:]}")
     return done
@@ -68,24 +59,12 @@ def compare(what, wanted, folder):
             raise Failure(f"{what}: {name} differs")
 
 
-def processes_of(parent, program):
-    """Those of `program` that descend from a process."""
-    listed = subprocess.run(["ps", "-e", "-o", "pid=,ppid=,args="], check=True, capture_output=True, text=True).stdout
-    lines = [line.split(None, 2) for line in listed.splitlines()]
-    found, parents = [], {str(parent)}
-    while parents:
-        children = [line for line in lines if line[1] in parents]
-        found += [int(pid) for pid, _, arguments in children if arguments.split()[0] == program]
-        parents = {pid for pid, _, _ in children}
-    return found
-
-
-def end_behind_a_checkpoint(program, command, folder, end):
-    """Sends a signal to the last process of the program as soon as there is a checkpoint with something in it.
+def end_behind_a_checkpoint(command, folder, end):
+    """Sends a signal to the run as soon as there is a checkpoint with something in it.
 
     Returns the exit status and how much the checkpoint then holds."""
     checkpoint = pathlib.Path(folder) / "checkpoint.json"
-    running = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment())
+    running = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     deadline = time.monotonic() + PATIENCE
     while not (checkpoint.exists() and json.loads(checkpoint.read_text())["done"] > 0):
         if running.poll() is not None:
@@ -94,7 +73,7 @@ def end_behind_a_checkpoint(program, command, folder, end):
             running.kill()
             raise Failure(f"{' '.join(command)}: no checkpoint after {PATIENCE} s")
         os.sched_yield()
-    os.kill(running.pid if command[0] == program else processes_of(running.pid, program)[-1], end)
+    os.kill(running.pid, end)
     running.wait(PATIENCE)
     return running.returncode, json.loads(checkpoint.read_text())["done"]
 
@@ -105,76 +84,96 @@ def require_interrupted(what, folder, wanted):
         raise Failure(f"{what}: run.json says interrupted: {told}")
 
 
-def check(study, program, mpirun, folder):
+def end_and_resume(what, command, folder, end, share):
+    """Ends the run, which has so many items, by a signal, and resumes it."""
+    status, done = end_behind_a_checkpoint(command + ["--output", folder], folder, end)
+    what = f"{what}, ended by {end.name}"
+    if status != (130 if end == signal.SIGINT else -end):
+        raise Failure(f"{what}: exit status {status}")
+    if not 0 < done < share:
+        raise Failure(f"{what}: when {done} of {share} were done")
+    if end == signal.SIGINT:
+        require_interrupted(what, folder, True)
+    run(command + ["--output", folder, "--resume"])
+    require_interrupted(f"{what} and resumed", folder, False)
+    print(f"{what} at {done} of {share}: resumed")
+
+
+def check(study, program, folder):
     command = [program] + STUDIES[study]
-    asked = int(command[-1])
+    items = int(command[-1]) * (3 if study == "stability" else 1)  # blocks of three axes
     alone = run(command + ["--output", f"{folder}/alone"])
     if alone.stderr:
-        raise Failure(f"{study} alone says: {alone.stderr}")
+        raise Failure(f"{study} says: {alone.stderr}")
     wanted = data(f"{folder}/alone")
-    counts = [0, 1, 2, 4] if mpirun else [0]
-    for count in counts[1:]:
-        run(launcher(mpirun, count) + command + ["--output", f"{folder}/{count}"])
-        compare(f"{study} in {count} processes", wanted, f"{folder}/{count}")
-        record = json.loads(pathlib.Path(f"{folder}/{count}/run.json").read_text())
-        if record["processes"] != count:
-            raise Failure(f"{study} in {count} processes: run.json says {record['processes']}")
-    ends = [(0, signal.SIGINT, 130), (0, signal.SIGKILL, -signal.SIGKILL)] + ([(2, signal.SIGINT, None), (4, signal.SIGKILL, None)] if mpirun else [])
-    for number, (count, end, expected) in enumerate(ends):
-        part = f"{folder}/part-{number}"
-        what = f"{study}, ended by {end.name} in {count or 1} processes"
-        status, done = end_behind_a_checkpoint(program, launcher(mpirun, count) + command + ["--output", part], part,
-                                               end)
-        if status == 0 or expected not in (None, status):
-            raise Failure(f"{what}: exit status {status}")
-        if not 0 < done < asked * (3 if study == "stability" else 1):  # blocks of three axes
-            raise Failure(f"{what}: when {done} of {asked} were done")
-        if end == signal.SIGINT:
-            require_interrupted(what, part, True)
-        # Gone on with another number of processes than before.
-        run((launcher(mpirun, 2) if mpirun and count == 0 else []) + command + ["--output", part, "--resume"])
-        compare(f"{what} and resumed", wanted, part)
-        require_interrupted(f"{what} and resumed", part, False)
-        print(f"{what} at {done} of {asked}: resumed, the same bytes")
-    if mpirun:  # found out by the first process alone
-        refused = run(launcher(mpirun, 3) + command + ["--output", "/dev/null/folder"], expected=2)
-        if "process 0 of 3: /dev/null/folder: cannot be made" not in refused.stderr:
-            raise Failure(f"{study}: the error of one process is not told: {refused.stderr}")
+    for end in (signal.SIGINT, signal.SIGKILL):
+        end_and_resume(study, command, f"{folder}/{end.name}", end, items)
+        compare(f"{study}, ended by {end.name} and resumed", wanted, f"{folder}/{end.name}")
+    parts = [f"{folder}/part-{number}" for number in (1, 2, 3)]
+    for number, (part, end) in enumerate(zip(parts, (signal.SIGINT, signal.SIGKILL, None)), 1):
+        of_part = command + ["--part", f"{number}/3"]
+        if end:
+            end_and_resume(f"part {number} of {study}", of_part, part, end, items // 3)
+        else:
+            run(of_part + ["--output", part])
+    pathlib.Path(f"{folder}/elsewhere").mkdir()
+    os.rename(parts[0], f"{folder}/elsewhere/one")
+    run([program, "merge", parts[2], f"{folder}/elsewhere/one", parts[1], "--output", f"{folder}/merged", "--threads", "2"])
+    compare(f"{study}, merged", wanted, f"{folder}/merged")
+    record = json.loads(pathlib.Path(f"{folder}/merged/run.json").read_text())
+    if record["parts"] != 3 or record["samples_done"] != record["samples_asked"]:
+        raise Failure(f"{study}, merged: run.json says {record}")
 
 
-def check_processes(together, mpirun):
-    """What they tell each other; and one's error, in the middle of its work, ends all."""
-    told = run(launcher(mpirun, 3) + [together]).stdout
-    wanted = ("largest 4, first 7, first xxx, gathered 1000000 2000000\n"
-              "stopped, the first items, agreed\n")
-    if told != wanted:
-        raise Failure(f"three processes tell: {told}")
-    failed = run(launcher(mpirun, 4) + [together, "2"], expected=2)
-    if "process 2 of 4: item beyond 500" not in failed.stderr:
-        raise Failure(f"the error of one process is not told: {failed.stderr}")
+def check_refusals(program, folder):
+    """Parts that are missing, doubled, unfinished or foreign."""
+    def part(name, *options, study="soak", samples="900"):
+        run([program, study, "--samples", samples, "--seed", "5", "--output", f"{folder}/{name}", *options])
+
+    def refused(reason, *names, output="merged"):
+        said = run([program, "merge", *(f"{folder}/{name}" for name in names), "--output", f"{folder}/{output}", "--force"],
+                   expected=2).stderr
+        if said != f"touchstone: {reason.replace('FOLDER', folder)}\n":
+            raise Failure(f"merge of {names} says: {said}")
+        if pathlib.Path(f"{folder}/merged").exists():
+            raise Failure(f"merge of {names} has written something")
+
+    part("one", "--part", "1/2")
+    part("two", "--part", "2/2")
+    part("whole")
+    part("three", "--part", "3/3")
+    part("moving", "--part", "2/2", "--moving")
+    part("fewer", "--part", "2/2", samples="800")
+    part("other", "--part", "2/2", study="tunnelling")
+    refused("part 2/2 of soak is missing", "one")
+    refused("FOLDER/one: is part 1/2, as FOLDER/one is", "one", "two", "one")
+    refused("FOLDER/three: is part 3/3, unlike FOLDER/one, which is part 1/2", "three", "one")
+    refused("FOLDER/whole: is not of a part: its run.json names none", "one", "whole")
+    refused("FOLDER/none: has no run.json, so its part has not ended; --resume continues it", "one", "none")
+    refused("FOLDER/moving/checkpoint.json: is of --moving yes, not of --moving no", "one", "moving")
+    refused("FOLDER/fewer/checkpoint.json: is of --part 2/2 of 800 items, not of --part 2/2 of 900 items", "one", "fewer")
+    refused("FOLDER/other: is of tunnelling, unlike FOLDER/one, which is of soak", "one", "other")
+    refused("FOLDER/two: is a part, so it cannot be the output", "one", "two", output="two")
+    state = pathlib.Path(f"{folder}/two/checkpoint.json")
+    whole = state.read_text()
+    for text, reason in ((whole.replace('"version":', '"version":1'), "is of another version of this program"),
+                         (whole[:-9], "is not a checkpoint of this program: ")):
+        state.write_text(text)
+        said = run([program, "merge", f"{folder}/one", f"{folder}/two", "--output", f"{folder}/merged"], expected=2).stderr
+        if f"{folder}/two/checkpoint.json: {reason}" not in said:
+            raise Failure(f"merge of another checkpoint says: {said}")
+    state.write_text(whole)
+    run([program, "merge", f"{folder}/one", f"{folder}/two", "--output", f"{folder}/merged"])
+    compare("soak, merged", data(f"{folder}/whole"), f"{folder}/merged")
 
 
-def check_alone(program, mpirun, folder):
-    """Commands that know of no other processes refuse them, and write nothing."""
-    for command in ["meshes", "bench"]:
-        asked = ["no-such-mesh.stl"] if command == "meshes" else []
-        asked += ["--output", f"{folder}/{command}"]
-        refused = run(launcher(mpirun, 2) + [program, command] + asked, expected=2)
-        if "this command works in one process only" not in refused.stderr:
-            raise Failure(f"{command} in 2 processes says: {refused.stderr}")
-        if pathlib.Path(folder).exists():
-            raise Failure(f"{command} in 2 processes has begun")
-
-
-def main(program, together=None, mpirun=None):
+def main(program):
     signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background of a shell it is ignored, also by children
     with tempfile.TemporaryDirectory() as folder:
         try:
-            if mpirun:
-                check_processes(together, mpirun)
-                check_alone(program, mpirun, f"{folder}/alone")
+            check_refusals(program, f"{folder}/refusals")
             for study in STUDIES:
-                check(study, program, mpirun, f"{folder}/{study}")
+                check(study, program, f"{folder}/{study}")
         except Failure as failure:
             print(failure)
             return 1

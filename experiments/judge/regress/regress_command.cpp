@@ -17,7 +17,6 @@
 #include "experiments/run/counted.h"
 #include "experiments/run/output_folder.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/statistics/percent.h"
@@ -249,7 +248,7 @@ run::Command regress_command() {
   command.keep_tables(options->tables);
   command.writes({outcomes_csv().description()});
   command.example("regress --baseline tests/experiments/judge/regress/baseline.json --methods fast,thesis");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

@@ -20,7 +20,6 @@
 #include "experiments/run/input.h"
 #include "experiments/run/json/strict_json.h"
 #include "experiments/run/pictures.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
 
@@ -157,10 +156,8 @@ run::Command show_command() {
       "drawn, else 0.");
   command.example("show tests/corpus/edge.jsonl --samples 3 --html edge.html");
   command.runs([options] {
-    return run::run_alone([&] {
-      const methods::KillEngineOnSignal kill_engine_on_signal;
-      return show_cases(*options);
-    });
+    const methods::KillEngineOnSignal kill_engine_on_signal;
+    return show_cases(*options);
   });
   return command;
 }

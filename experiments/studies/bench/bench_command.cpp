@@ -13,7 +13,6 @@
 
 #include "experiments/run/command.h"
 #include "experiments/run/output_folder.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/standard_output.h"
@@ -202,9 +201,7 @@ run::Command bench_command() {
   command.quiet(options->quiet);
   command.json(options->json, "Print what bench.json holds").excludes("--quiet");
   command.example("bench --family near --samples 100");
-  command.runs([options] {
-    return run::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
-  });
+  command.runs([options] { return options->count.empty() ? measure_all(*options) : count(*options); });
   return command;
 }
 

@@ -12,7 +12,6 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/standard_output.h"
 #include "experiments/run/stop_signal.h"
@@ -147,7 +146,7 @@ run::Command bench_scenes_command() {
   run::declare_printing(command, *options);
   command.writes(tables());
   command.example("bench-scenes --max-faces 10000");
-  command.runs([options] { return run::run_alone([&] { return measure_scenes(*options); }); });
+  command.runs([options] { return measure_scenes(*options); });
   return command;
 }
 

@@ -12,7 +12,6 @@
 #include "experiments/run/command.h"
 #include "experiments/run/output_folder.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
@@ -135,7 +134,7 @@ run::Command merging_command() {
   run::declare_printing(command, *options);
   command.writes(tables());
   command.example("merging part.obj");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

@@ -13,7 +13,6 @@
 #include "experiments/run/counted.h"
 #include "experiments/run/output_folder.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
@@ -116,7 +115,7 @@ run::Command meshes_command() {
   run::declare_printing(command, *options);
   command.writes(tables());
   command.example("meshes part.obj --methods fast,filtered");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

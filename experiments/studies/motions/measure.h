@@ -71,7 +71,7 @@ struct Settings {
   std::size_t vertices = 12;
   std::uint64_t samples = 1;  ///< per stratum
   std::uint64_t seed = 1;
-  unsigned threads = 1;  ///< of each process
+  unsigned threads = 1;
 };
 
 /// Returns the selected methods, in this order. The name `all` stands for those that answer about moving balls. Throws
@@ -140,8 +140,8 @@ struct Errors {
 
 /// Asks every method about the balls of all samples that `errors` does not contain yet; `exact` says what is right.
 ///
-/// In the first process the result is a function of the settings and the number of samples done; threads, processes,
-/// stops and the other methods do not change it.
+/// The result is a function of the settings and the number of samples done; threads, stops and the other methods do not
+/// change it.
 void measure_errors(const Settings& settings, const run::RunControl<Errors>& control, Errors& errors);
 
 template <class Wanted>

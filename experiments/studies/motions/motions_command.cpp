@@ -26,7 +26,7 @@ int run_motions(run::StudyRun& run, const Options& options) {
                           options.threads};
   const Errors errors = run.phase("motions", "checkpoint.json", settings.samples, no_errors(settings),
                                   [&](const auto& control, Errors& sum) { measure_errors(settings, control, sum); });
-  if (!run.first()) return 0;
+  if (run.is_part()) return run.finish({.done = errors.samples, .missing = errors.missing});
   run.remove_files({"pass", "pass-scene"});
   write_errors(run.folder(), settings, errors);
   write_furthest(run.folder(), settings, errors);

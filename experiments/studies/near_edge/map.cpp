@@ -149,8 +149,6 @@ Scene draw_scene(Spot spot, Test test, double origin_distance, std::uint64_t see
 struct Sheet {
   std::vector<Map> maps;
 
-  auto members() { return std::tie(maps); }
-
   Sheet& operator+=(const Sheet& other) {
     for (std::size_t m = 0; m < maps.size(); ++m) {
       add(maps[m].truth, other.maps[m].truth);
@@ -240,15 +238,13 @@ std::string_view to_string(Spot spot) {
 std::uint64_t map_rows() { return kMaps * kSide; }
 
 std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed, unsigned threads,
-                           const run::Processes& processes, const std::atomic<bool>& stop,
-                           const run::Progress& progress) {
+                           const std::atomic<bool>& stop, const run::Progress& progress) {
   const Cartographer cartographer(methods, seed);
   Sheet sheet = cartographer.blank();
   const std::uint64_t done = run::run_sweep(
-      {map_rows(), 1, threads, processes, stop, progress},
+      {map_rows(), 1, threads, stop, progress},
       [&](std::uint64_t row, Sheet& part) { cartographer.draw_row(row, part); }, [](std::uint64_t, const Sheet&) {},
       cartographer.blank(), 0, sheet);
-  if (!processes.first()) return {};
   sheet.maps.resize(static_cast<std::size_t>(done) / kSide);
   return sheet.maps;
 }

@@ -45,18 +45,16 @@ struct Map {
   std::string truth;           ///< one letter per pixel, row by row: i(nside) b(oundary) o(utside), or c(ontact) n(one)
   std::vector<std::string> verdicts;  ///< for each method: = right, + wrongly in, - wrongly out, b boundary missed
 
-  auto members() { return std::tie(truth, verdicts); }
   friend bool operator==(const Map&, const Map&) = default;
 };
 
 inline constexpr double kOriginDistances[] = {0, 1e3, 1e6};
 
-/// Draws a map of either test at each spot and distance: in the first process a function of (methods, seed) alone;
-/// empty in the others. If stopped, returns the completed maps. `progress` receives the number of rows done, of
+/// Draws a map of either test at each spot and distance, a function of (methods, seed) alone. If stopped, returns the completed maps. `progress` receives the number of rows done, of
 /// map_rows(). Cost: about 30 us per pixel and four methods, so checkpoints are not needed.
 [[nodiscard]] std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed,
-                                         unsigned threads, const run::Processes& processes,
-                                         const std::atomic<bool>& stop, const run::Progress& progress);
+                                         unsigned threads, const std::atomic<bool>& stop,
+                                         const run::Progress& progress);
 
 [[nodiscard]] std::uint64_t map_rows();
 

@@ -29,7 +29,7 @@ constexpr int kVersion = 3;
 
 constexpr const char* kSearchCheckpoint = "search-checkpoint.json";
 
-/// The phases of one run; their results are those of the first process.
+/// The phases of one run.
 class Run {
  public:
   Run(run::StudyRun& run, const Options& options)
@@ -48,9 +48,9 @@ class Run {
   int operator()() {
     if (options_.search > 0) run_.require_resumable(kSearchCheckpoint, options_.search, no_onsets(settings_));
     const std::string pace = sample();
-    if (!options_.no_maps) draw();
+    if (!options_.no_maps && !run_.is_part()) draw();
     if (options_.search > 0) search();
-    if (!run_.first()) return 0;
+    if (run_.is_part()) return run_.finish({.done = result_.samples, .missing = result_.missing});
 
     std::string text = table(settings_, result_.counts) + pace;
     if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
@@ -74,7 +74,7 @@ class Run {
                            run_study(settings_, control, result);
                          });
     const double seconds = run_.seconds();
-    if (run_.first()) {
+    if (!run_.is_part()) {
       run_.remove_files({"map-", "maps", "rates-", "onset", "worst"});
       write_rates(run_.folder(), settings_, result_.counts);
       write_bands(run_.folder(), settings_, result_.counts);
@@ -91,19 +91,18 @@ class Run {
 
   void draw() {
     const auto maps = run_.phase<Map>("maps", map_rows(), [&](const auto& control) {
-      return draw_maps(settings_.methods, settings_.seed, settings_.threads, control.processes, control.stop,
-                       control.progress);
+      return draw_maps(settings_.methods, settings_.seed, settings_.threads, control.stop, control.progress);
     });
-    if (run_.first()) write_maps(run_.folder(), settings_, maps);
+    write_maps(run_.folder(), settings_, maps);
   }
 
   void search() {
     onsets_ = run_.phase(
         "search", kSearchCheckpoint, options_.search, no_onsets(settings_),
         [&](const auto& control, Onsets& onsets) { run_onsets(settings_, options_.search, control, onsets); });
+    if (run_.is_part()) return;
     run_.phase<WorstCases>("climbs", climb_count(settings_),
                            [&](const auto& control) { return run_climbs(settings_, control, onsets_, worst_); });
-    if (!run_.first()) return;
     write_onsets(run_.folder(), settings_, onsets_);
     write_worst(run_.folder(), settings_, onsets_, worst_);
   }

@@ -111,13 +111,6 @@ WorstCases no_worst_cases(const Settings& settings) {
   return {std::vector<Worst>(search_regions(settings.families).size() * settings.methods.size()), 0};
 }
 
-/// The first process's, at every process.
-Onsets shared(const run::Processes& processes, const Onsets& onsets) {
-  Onsets of_first;
-  run::restore(processes.of_first(processes.first() ? run::archived(onsets) : std::string()), of_first);
-  return of_first;
-}
-
 using workloads::Random;
 
 /// About one of the lower 32 bits of it, or as many doubles.
@@ -233,13 +226,12 @@ std::uint64_t climb_count(const Settings& settings) {
 std::uint64_t run_climbs(const Settings& settings, const run::RunControl<WorstCases>& control, const Onsets& onsets,
                          WorstCases& worst) {
   const Search search(settings);
-  const Onsets starts = shared(control.processes, onsets);
   worst = no_worst_cases(settings);
   return run::run_sweep(
-      {climb_count(settings), 1, settings.threads, control.processes, control.stop, control.progress},
+      {climb_count(settings), 1, settings.threads, control.stop, control.progress},
       [&](std::uint64_t i, WorstCases& part) {
         const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept, rank = i % Onset::kMostKept;
-        const std::vector<Find>& furthest = starts.all[where].furthest;
+        const std::vector<Find>& furthest = onsets.all[where].furthest;
         if (rank < furthest.size()) search.climb_from(where, furthest[rank], part);
       },
       [](std::uint64_t, const WorstCases&) {}, no_worst_cases(settings), 0, worst);

@@ -130,7 +130,6 @@ struct WorstCases {
   std::vector<Worst> all;          ///< [region][method]
   std::uint64_t wrong_truths = 0;  ///< truths that `exact` did not confirm: a defect of this program
 
-  auto members() { return std::tie(all, wrong_truths); }
   WorstCases& operator+=(const WorstCases& other);
 };
 
@@ -144,9 +143,8 @@ struct WorstCases {
 std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl<Onsets>& course,
                          Onsets& onsets);
 
-/// Climbs from the furthest samples of each region and method. In the first process the result is a function of
-/// settings and onsets, independent of processes and threads; `exact` confirms each case. `onsets` is that of the first
-/// process. Returns the number of climbs done, of climb_count(settings).
+/// Climbs from the furthest samples of each region and method. The result is a function of settings and onsets,
+/// independent of threads; `exact` confirms each case. Returns the number of climbs done, of climb_count(settings).
 std::uint64_t run_climbs(const Settings& settings, const run::RunControl<WorstCases>& course, const Onsets& onsets,
                          WorstCases& worst);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);

@@ -27,7 +27,7 @@ struct Settings {
   /// Per stratum; up to run::kMostSamples, indices of samples and of their redraws do not collide.
   std::uint64_t samples = 1;
   std::uint64_t seed = 1;
-  unsigned threads = 1;  ///< of each process
+  unsigned threads = 1;
   cases::Shape shape = {};
   /// The oracle that decides which answers are right. Unless it is `exact` itself, `exact` is also asked: about every
   /// ball of one sample in kCheckedOneIn, and about every ball for which a method seems wrong.
@@ -109,7 +109,7 @@ struct Result {
 /// Asks every method about every ball of every crossing that the result does not contain yet, and adds the answers to
 /// it.
 ///
-/// In the first process the result is a function of settings and the number of samples done. Threads, processes, stops
+/// The result is a function of settings and the number of samples done. Threads, stops
 /// and the other families and methods do not change the counts of one family and method. A run stopped after m samples
 /// equals a run of m samples. Returns that number, in every process.
 std::uint64_t run_study(const Settings& settings, const run::RunControl<Result>& course, Result& result);

@@ -227,7 +227,7 @@ int run_recorded(run::StudyRun& run, const Options& options) {
         run::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
                        [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
       });
-  if (!run.first()) return 0;
+  if (run.is_part()) return run.finish({.done = sum.samples});
   const auto rows = study.rows(sum);
   table().write(run.folder(), rows);
   near_table().write(run.folder(), Study::near_rows(sum));

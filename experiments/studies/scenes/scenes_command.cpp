@@ -24,7 +24,6 @@
 #include "experiments/run/counted.h"
 #include "experiments/run/output_folder.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
@@ -296,8 +295,14 @@ int run(const SceneOptions& options) {
   } else {
     const std::filesystem::path folder = options.output;
     run::write_file(folder / "left-out.txt", loaded->left_out);
-    run::write_run_record(folder, {options.line, options.seed, source.count, sums.balls, source.count - sums.balls,
-                                   options.threads, seconds, 1, interrupted});
+    run::write_run_record(folder, {.command = options.line,
+                                   .seed = options.seed,
+                                   .samples_asked = source.count,
+                                   .samples_done = sums.balls,
+                                   .samples_missing = source.count - sums.balls,
+                                   .threads = options.threads,
+                                   .seconds = seconds,
+                                   .interrupted = interrupted});
     options.print(text + fmt::format("Results: {}\n", io::all_legible(folder.string())), folder);
   }
   if (!interrupted) return 0;
@@ -351,7 +356,7 @@ run::Command scenes_command() {
   command.force(options->force);
   command.quiet(options->quiet, "Print no number of answers and no progress; without --output, the answers alone");
   command.example("scenes part.obj --samples 100 --nearest");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

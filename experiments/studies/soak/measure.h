@@ -98,14 +98,14 @@ struct Settings {
   std::uint64_t cases = 1'000'000;
   std::uint64_t seed = 1;
   std::uint64_t from = 0;  ///< the index of the first case
-  unsigned threads = 1;    ///< of each process
-  bool moving = false;     ///< the balls move
+  unsigned threads = 1;
+  bool moving = false;  ///< the balls move
 };
 
 /// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.
 ///
-/// In the first process the tally is a function of the system under test, seed, from and the number of cases that it
-/// contains; processes, threads, pauses and stops do not change it. Returns the number of cases done, in all processes.
+/// The tally is a function of the system under test, seed, from and the number of cases that it contains; threads,
+/// pauses and stops do not change it. Returns the number of cases done.
 std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
                            const run::RunControl<Tally>& control, Tally& tally);
 

@@ -52,7 +52,7 @@ int run_cases(run::StudyRun& run, const Options& options) {
     };
     run_campaign(settings, SystemUnderTest(), control, sum);
   });
-  if (!run.first()) return 0;
+  if (run.is_part()) return run.finish({.done = tally.cases()});
   write_counts(run.folder(), tally);
   write_differences(run.folder(), tally);
   const double seconds = run.seconds();
@@ -103,7 +103,7 @@ run::Command soak_command() {
   command.runs([options, compare] {
     if (options->from > std::numeric_limits<std::uint64_t>::max() - options->samples)
       throw std::invalid_argument("--from and --samples together go beyond 2^64 - 1");
-    return options->print ? run::run_alone([&] { return print_cases(*options); }) : compare();
+    return options->print ? print_cases(*options) : compare();
   });
   return command;
 }

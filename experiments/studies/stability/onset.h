@@ -64,8 +64,8 @@ class Onset {
 /// Returns an empty onset.
 [[nodiscard]] Onset no_onset(const std::vector<const cases::Method*>& methods);
 
-/// Measures the random triangles that the onset does not contain yet. In the first process the result is a function of
-/// (methods, triangles done, seed), independent of threads, processes and stops.
+/// Measures the random triangles that the onset does not contain yet. The result is a function of
+/// (methods, triangles done, seed), independent of threads and stops.
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
                 unsigned threads, const run::RunControl<Onset>& control, Onset& onset);
 

@@ -18,7 +18,7 @@ struct Known {
   std::vector<ContractionCount> contractions;
 };
 
-// Results only: byte for byte the same for the same settings, whatever the threads and processes. Each throws
+// Results only: byte for byte the same for the same settings, whatever the threads. Each throws
 // std::runtime_error, which names the file, if it cannot be written. tables() says what the tables
 // hold.
 

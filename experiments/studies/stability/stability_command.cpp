@@ -63,15 +63,14 @@ int run_stability(run::StudyRun& run, const Options& options) {
                                               onset);
                                  }),
               .contractions = {}};
-  if (!run.first()) return 0;
+  const auto missing = std::accumulate(summary.missing.begin(), summary.missing.end(), std::uint64_t{0});
+  if (run.is_part()) return run.finish({.done = summary.samples(), .missing = missing});
   known.contractions = count_contractions(run.stopped() ? 0 : 50 * settings.samples, settings.seed);
   write_failures(run.folder(), settings, summary);
   write_errors(run.folder(), settings, summary);
   write_bounds(run.folder(), settings, summary);
   write_worst(run.folder(), summary);
   write_known(run.folder(), known);
-
-  const auto missing = std::accumulate(summary.missing.begin(), summary.missing.end(), std::uint64_t{0});
   return run.finish(
       {.done = summary.samples(),
        .missing = missing,

@@ -15,7 +15,7 @@ struct Settings {
   std::vector<Axis> axes;
   std::uint64_t samples = 1;  ///< per level; fewer if Level::one_in is greater than 1
   std::uint64_t seed = 1;
-  unsigned threads = 1;     ///< of each process
+  unsigned threads = 1;
   double bound_factor = 1;  ///< the factor of every bound, with which a test plants wrong ones
 };
 

@@ -88,8 +88,8 @@ struct Summary {
 /// Returns an empty summary.
 [[nodiscard]] Summary no_summary(const Settings& settings);
 
-/// Computes the blocks that the summary does not contain yet and adds them. In the first process the result is a
-/// function of the settings and the number of its blocks, which are the first ones, independent of threads, processes
+/// Computes the blocks that the summary does not contain yet and adds them. The result is a
+/// function of the settings and the number of its blocks, which are the first ones, independent of threads
 /// and stops.
 void run_study(const Settings& settings, const run::RunControl<Summary>& course, Summary& summary);
 

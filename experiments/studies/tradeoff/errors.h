@@ -20,7 +20,7 @@ struct Settings {
   std::vector<workloads::Family> families;
   std::uint64_t samples = 1;  ///< per stratum
   std::uint64_t seed = 1;
-  unsigned threads = 1;  ///< of each process
+  unsigned threads = 1;
 };
 
 /// Slow methods are asked about the first of every kSlowStride samples only; the others about all.
@@ -95,11 +95,11 @@ struct Errors {
 /// Asks every method about the balls of all crossings (workloads) of those samples that `errors` does not contain yet,
 /// and about point and distance of those whose radius is at its threshold.
 ///
-/// In the first process the result is a function of the settings and the number of samples done; threads, processes,
+/// The result is a function of the settings and the number of samples done; threads,
 /// stops and the other families and methods do not change it. A run stopped after m samples equals a run of m samples.
 void measure_errors(const Settings& settings, const run::RunControl<Errors>& course, Errors& errors);
 
-// Results only: byte for byte the same for the same settings, whatever the threads and processes. Each throws
+// Results only: byte for byte the same for the same settings, whatever the threads. Each throws
 // std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.
 
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);

@@ -42,7 +42,7 @@ std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& famili
 // Raised when sample n of a seed changes, or the form of what is kept.
 constexpr int kVersion = 4;
 
-/// One run: all processes measure errors, one process alone measures times.
+/// One run. Parts measure errors; times are measured where the parts are merged.
 int run_tradeoff(run::StudyRun& run, const Options& options) {
   const Settings settings{options.methods.methods(), workloads::find_families(options.families), options.samples,
                           options.seed, options.threads};
@@ -50,35 +50,29 @@ int run_tradeoff(run::StudyRun& run, const Options& options) {
                              options.repetitions};
   const Errors errors = run.phase("errors", "checkpoint.json", settings.samples, no_errors(settings),
                                   [&](const auto& control, Errors& sum) { measure_errors(settings, control, sum); });
-  if (!run.first()) return 0;
+  if (run.is_part()) return run.finish({.done = errors.samples, .missing = errors.missing});
   // Files of an earlier run would belong to other data.
   run.remove_files({"timings.csv", "front.csv", "front-", "offsets-"});
   write_errors(run.folder(), settings, errors);
   write_bands(run.folder(), settings, errors);
   write_points(run.folder(), settings, errors);
   write_worst(run.folder(), settings, errors);
-  // Processes that wait for the first one keep the machine busy.
-  const bool alone = run.processes().count() == 1;
-  std::vector<Timing> timings;
-  if (alone) {
-    timings = run.phase<Timing>("times", list_count(timed), [&](const auto& control) {
-      return measure_timings(timed, control.stop, control.progress);
-    });
-    write_timings(run.folder(), timings);
-    if (!run.stopped()) write_front(run.folder(), settings, errors, timings);
-  }
+  const auto timings = run.phase<Timing>("times", list_count(timed), [&](const auto& control) {
+    return measure_timings(timed, control.stop, control.progress);
+  });
+  write_timings(run.folder(), timings);
+  if (!run.stopped()) write_front(run.folder(), settings, errors, timings);
   std::string text = table(settings, errors, timings);
   text += fmt::format(
       "\n{} samples of each family, placement and threshold ({} of all were not found), {} of {} lists of {} questions "
       "timed {} times.\n",
       errors.samples, errors.missing, timings.size(), list_count(timed), options.queries, options.repetitions);
-  if (!alone) text += "Times are measured in one process only: --resume without mpirun adds them and the pictures.\n";
-  return run.finish({.done = errors.samples, .missing = errors.missing, .text = std::move(text), .pictures = alone});
+  return run.finish({.done = errors.samples, .missing = errors.missing, .text = std::move(text)});
 }
 
 constexpr const char* kFooter =
-    "Errors are the same bytes for the same settings, whatever --threads and mpirun; timings.csv and front.csv hold "
-    "times, which one process alone measures. Other load on the machine makes times noisy: their quartiles are in both "
+    "Errors are the same bytes for the same settings, whatever --threads and --part; timings.csv and front.csv hold "
+    "times. Other load on the machine makes times noisy: their quartiles are in both "
     "files and drawn in the pictures, and the table marks methods that noise may have kept off the front.";
 
 }  // namespace
@@ -102,8 +96,7 @@ run::Command tradeoff_command() {
   const auto measure = run::study_runner("tradeoff", kVersion, *options,
                                          [options](run::StudyRun& run) { return run_tradeoff(run, *options); });
   command.example("tradeoff --methods fast,filtered --samples 20");
-  command.runs(
-      [options, measure] { return options->redraw ? run::run_alone([&] { return redraw(*options); }) : measure(); });
+  command.runs([options, measure] { return options->redraw ? redraw(*options) : measure(); });
   return command;
 }
 

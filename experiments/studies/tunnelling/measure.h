@@ -56,7 +56,7 @@ struct Settings {
   std::size_t vertices = 12;
   std::uint64_t samples = 1;  ///< passes, each by a ball of every radius
   std::uint64_t seed = 1;
-  unsigned threads = 1;  ///< of each process
+  unsigned threads = 1;
 };
 
 /// The contacts of the balls of one radius.
@@ -80,8 +80,8 @@ struct Misses {
 
 [[nodiscard]] inline std::uint64_t items_done(const Misses& misses) { return misses.samples; }
 
-/// Counts the passes that `misses` does not contain yet. In the first process the result is a function of the settings
-/// and the number of samples done.
+/// Counts the passes that `misses` does not contain yet. The result is a function of the settings and the
+/// number of samples done.
 void count_misses(const Settings& settings, const run::RunControl<Misses>& control, Misses& misses);
 
 struct CostSettings {

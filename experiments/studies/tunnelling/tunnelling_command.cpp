@@ -20,18 +20,16 @@ struct Options : run::StudyOptions {
 // Raised when sample n of a seed changes, or the form of what is kept.
 constexpr int kVersion = 1;
 
-/// One run: all processes count misses, one process alone measures times.
+/// One run. Parts count misses; times are measured where the parts are merged.
 int run_tunnelling(run::StudyRun& run, const Options& options) {
   const Settings settings{options.vertices, options.samples, options.seed, options.threads};
   const Misses misses = run.phase("passes", "checkpoint.json", settings.samples, Misses(),
                                   [&](const auto& control, Misses& sum) { count_misses(settings, control, sum); });
-  if (!run.first()) return 0;
+  if (run.is_part()) return run.finish({.done = misses.samples, .missing = misses.missing});
   run.remove_files({"cost.csv", "tunnelling"});
   write_misses(run.folder(), misses);
   std::string text = table(misses);
-  // Processes that wait for the first one keep the machine busy.
-  const bool alone = run.processes().count() == 1;
-  if (alone && !run.stopped()) {
+  if (!run.stopped()) {
     const CostSettings timed{.vertices = options.vertices, .seed = options.seed, .repetitions = options.repetitions};
     const auto cost = run.phase<timing::Result>("times", timed.repetitions, [&](const auto& control) {
       return measure_cost(timed, control.stop, control.progress);
@@ -39,12 +37,10 @@ int run_tunnelling(run::StudyRun& run, const Options& options) {
     write_cost(run.folder(), cost);
     text += "\n" + table(cost);
   }
-  if (!alone) text += "Times are measured in one process only: --resume without mpirun adds them and the picture.\n";
   return run.finish({.done = misses.samples,
                      .missing = misses.missing,
                      .text = text + fmt::format("\n{} passes, each by a ball of {} radii; {} were not found.\n",
-                                                misses.samples, kRadii.size(), misses.missing),
-                     .pictures = alone});
+                                                misses.samples, kRadii.size(), misses.missing)});
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
@@ -156,7 +155,7 @@ run::Command area_command() {
   run::declare_printing(command, *options);
   command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
   command.example("cell area experiments/thesis/cell/cells/aristo.json --angle-step 90 --length-step 2000");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/run/processes.h"
 #include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/browser/cell_json.h"
 #include "experiments/thesis/cell/browser/page.h"
@@ -54,7 +53,7 @@ run::Command export_command() {
   command.flag("--force", options->force, "Overwrite an existing file");
   add_run_options(command, options->run);
   command.example("cell export experiments/thesis/cell/cells/aristo.json cell.html");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

@@ -11,7 +11,6 @@
 #include "experiments/run/data.h"
 #include "experiments/run/input.h"
 #include "experiments/run/output_folder.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "geometry/io/detail/legible.h"
@@ -48,7 +47,7 @@ run::Command new_command() {
   command.force(options->force);
   command.keep_line(options->line);
   command.example("cell new mine && touchstone cell show mine/cell.json");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

@@ -14,7 +14,6 @@
 #include "experiments/run/command.h"
 #include "experiments/run/output_folder.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/cell_commands.h"
@@ -167,7 +166,7 @@ run::Command run_command() {
   run::declare_printing(command, *options);
   command.writes(run_tables());
   command.example("cell run experiments/thesis/cell/cells/aristo.json --methods fast,thesis");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "experiments/run/data.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/standard_output.h"
 #include "experiments/run/stop_signal.h"
 #include "experiments/thesis/cell/browser/http_server.h"
@@ -65,7 +64,7 @@ run::Command serve_command() {
       .takes("ADDRESS");
   add_run_options(command, options->run);
   command.example("cell serve experiments/thesis/cell/cells/aristo.json");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

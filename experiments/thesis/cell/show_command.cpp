@@ -12,7 +12,6 @@
 #include "experiments/run/command.h"
 #include "experiments/run/output_folder.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
@@ -78,7 +77,7 @@ run::Command show_command() {
   run::declare_printing(command, *options);
   command.writes(show_tables());
   command.example("cell show experiments/thesis/cell/cells/aristo.json");
-  command.runs([options] { return run::run_alone([&] { return run(*options); }); });
+  command.runs([options] { return run(*options); });
   return command;
 }
 

@@ -11,7 +11,6 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
@@ -99,7 +98,7 @@ run::Command thesis_command() {
   run::declare_printing(command, *options);
   command.writes(tables());
   command.example("thesis --quick");
-  command.runs([options] { return run::run_alone([&] { return run_thesis(*options); }); });
+  command.runs([options] { return run_thesis(*options); });
   return command;
 }
 

@@ -17,7 +17,6 @@
 namespace touchstone::run {
 namespace {
 
-using run_tests::kAlone;
 using run_tests::kNeverStop;
 
 TEST(Blocks, AreEachRunOnceByAThreadBelowTheCount) {
@@ -99,9 +98,8 @@ TEST(Sweep, TakesEveryItemOnce) {
     for (const std::uint64_t before : {0U, 1U, 99U, 100U}) {
       Items items = first_items(before);
       const std::uint64_t done = run_sweep(
-          {100, block, 3, kAlone, kNeverStop, [](std::uint64_t) {}},
-          [](std::uint64_t item, Items& part) { part.insert(item); }, [](std::uint64_t, const Items&) {}, Items(),
-          before, items);
+          {100, block, 3, kNeverStop, [](std::uint64_t) {}}, [](std::uint64_t item, Items& part) { part.insert(item); },
+          [](std::uint64_t, const Items&) {}, Items(), before, items);
       EXPECT_EQ(done, 100U);
       EXPECT_EQ(items.all, first_items(100).all) << block << " " << before;
     }
@@ -113,7 +111,7 @@ TEST(Sweep, AddsWhatEveryThreadFound) {
   std::atomic<unsigned> here = 0;
   Items items;
   run_sweep(
-      {kThreads, 1, kThreads, kAlone, kNeverStop, [](std::uint64_t) {}},
+      {kThreads, 1, kThreads, kNeverStop, [](std::uint64_t) {}},
       [&](std::uint64_t item, Items& part) {
         part.insert(item);
         ++here;
@@ -129,7 +127,7 @@ TEST(Sweep, AlwaysHoldsTheFirstItems) {
   Items items;
   int saves = 0;
   const std::uint64_t done = run_sweep(
-      {10'000, 3, 2, kAlone, stop, [&](std::uint64_t now) { stop = now >= 500; }},
+      {10'000, 3, 2, stop, [&](std::uint64_t now) { stop = now >= 500; }},
       [](std::uint64_t item, Items& part) { part.insert(item); },
       [&](std::uint64_t now, const Items& sum) {
         EXPECT_EQ(sum.all, first_items(now).all);

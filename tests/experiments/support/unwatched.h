@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 
-#include "experiments/run/processes.h"
 #include "experiments/run/run_control.h"
 
 /// The control of a run in one process that is never stopped and shows no progress.
@@ -12,6 +11,5 @@ namespace touchstone::run_tests {
 
 inline const std::atomic<bool> kNeverStop = false;
 inline const run::Progress kSilent = [](std::uint64_t) {};
-inline const run::Processes kAlone;
 
 }  // namespace touchstone::run_tests

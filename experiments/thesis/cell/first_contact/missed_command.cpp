@@ -9,7 +9,6 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
@@ -75,7 +74,7 @@ run::Command missed_command() {
   run::declare_printing(command, *options);
   command.writes(kinematics::missed_tables());
   command.example("cell missed --samples 100");
-  command.runs([options] { return run::run_alone([&] { return run_missed(*options); }); });
+  command.runs([options] { return run_missed(*options); });
   return command;
 }
 

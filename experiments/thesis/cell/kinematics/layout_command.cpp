@@ -9,7 +9,6 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
@@ -69,7 +68,7 @@ run::Command layout_command() {
   run::declare_printing(command, *options);
   command.writes(kinematics::layout_tables());
   command.example("cell layout --quick");
-  command.runs([options] { return run::run_alone([&] { return run_layout(*options); }); });
+  command.runs([options] { return run_layout(*options); });
   return command;
 }
 

@@ -28,7 +28,6 @@ namespace touchstone::motions {
 namespace {
 
 using cases::PartialAnswer;
-using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 using run_tests::Scratch;
@@ -138,7 +137,7 @@ MethodErrors measured(Changed::Change change, std::uint64_t samples = 2) {
   const Changed method(change);
   const Settings settings{.methods = {&method}, .vertices = 6, .samples = samples, .seed = 2};
   Errors errors = no_errors(settings);
-  measure_errors(settings, {kAlone, kNeverStop, kSilent}, errors);
+  measure_errors(settings, {kNeverStop, kSilent}, errors);
   EXPECT_EQ(errors.samples, samples);
   EXPECT_EQ(errors.disagreements, 0U);
   return errors.sum(0, [](const Kind&) { return true; });

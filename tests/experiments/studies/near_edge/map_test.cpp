@@ -16,12 +16,11 @@
 namespace touchstone::near_edge {
 namespace {
 
-using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
 TEST(NearEdgeMap, HoldsAllThatItShows) {
-  const auto maps = draw_maps(methods::find_methods({"exact", "thesis"}), 1, 1, kAlone, kNeverStop, kSilent);
+  const auto maps = draw_maps(methods::find_methods({"exact", "thesis"}), 1, 1, kNeverStop, kSilent);
   ASSERT_EQ(maps.size(), 21U);
   for (const Map& map : maps) {
     const std::string both = map.test == cases::Test::Foot ? "io" : "cn";
@@ -68,7 +67,7 @@ class Watching : public cases::Method {
 // Where the contact changes, it does at the feature that the map is about; about a reflex vertex at both of its edges.
 TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
   const Watching method;
-  const auto maps = draw_maps({&method}, 3, 1, kAlone, kNeverStop, kSilent);
+  const auto maps = draw_maps({&method}, 3, 1, kNeverStop, kSilent);
   method.seen.erase(method.seen.begin());  // the square that shows whether the method knows the word boundary
   ASSERT_EQ(maps.size(), method.seen.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
@@ -93,7 +92,7 @@ TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
 // Three quarters of the plane about a reflex vertex lie inside in the sum of all directions, one quarter about a
 // vertex of an L, half about an edge; the map shows it from straight above, except for a projection along an axis.
 TEST(NearEdgeMap, ShowsTheRegionAboutItsSpot) {
-  for (const Map& map : draw_maps(methods::find_methods({"exact"}), 2, 2, kAlone, kNeverStop, kSilent)) {
+  for (const Map& map : draw_maps(methods::find_methods({"exact"}), 2, 2, kNeverStop, kSilent)) {
     if (map.test != cases::Test::Foot || map.origin_distance > 0) continue;
     const double inside = static_cast<double>(std::count(map.truth.begin(), map.truth.end(), 'i')) /
                           static_cast<double>(map.truth.size());

@@ -28,7 +28,6 @@ using workloads::Family;
 using workloads::Placement;
 using Tested = cases::Test;  // within TEST, Test is GoogleTest's
 
-using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 const cases::Method& kExact = *methods::find_method("exact");
@@ -40,7 +39,7 @@ Settings settings(const std::vector<std::string>& methods, std::uint64_t samples
 /// What a whole run gives.
 Result whole(const Settings& settings) {
   Result result = no_result(settings);
-  run_study(settings, {.processes = kAlone, .stop = kNeverStop, .progress = kSilent}, result);
+  run_study(settings, {.stop = kNeverStop, .progress = kSilent}, result);
   return result;
 }
 
@@ -177,7 +176,7 @@ TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
     const Result result = whole(setting);
     write_rates(folder, setting, result.counts);
     write_bands(folder, setting, result.counts);
-    write_maps(folder, setting, draw_maps(setting.methods, setting.seed, threads, kAlone, kNeverStop, kSilent));
+    write_maps(folder, setting, draw_maps(setting.methods, setting.seed, threads, kNeverStop, kSilent));
   }
   int files = 0;
   for (const auto& file : fs::directory_iterator(scratch.path / "1")) {
@@ -192,9 +191,8 @@ TEST(NearEdgeStudy, AStoppedRunIsAShorterOne) {
   std::atomic<bool> stop = false;
   const auto longer = settings({"fast"}, 50), shorter = settings({"fast"}, 2);
   Result stopped = no_result(longer);
-  const std::uint64_t done = run_study(
-      longer, {.processes = kAlone, .stop = stop, .progress = [&](std::uint64_t samples) { stop = samples == 2; }},
-      stopped);
+  const std::uint64_t done =
+      run_study(longer, {.stop = stop, .progress = [&](std::uint64_t samples) { stop = samples == 2; }}, stopped);
   EXPECT_EQ(done, 2U);
   const Result two = whole(shorter);
   EXPECT_EQ(stopped.samples, 2U);
@@ -209,8 +207,7 @@ TEST(NearEdgeStudy, AKilledRunGoesOnFromItsLastCheckpoint) {
   std::string saved;
   Result lost = no_result(setting);
   run_study(setting,
-            {.processes = kAlone,
-             .stop = stop,
+            {.stop = stop,
              .progress = kSilent,
              .save =
                  [&](const Result& now) {
@@ -223,7 +220,7 @@ TEST(NearEdgeStudy, AKilledRunGoesOnFromItsLastCheckpoint) {
   run::restore(saved, result);
   EXPECT_GT(result.samples, 0U);
   EXPECT_LT(result.samples, 4U);
-  run_study(setting, {.processes = kAlone, .stop = kNeverStop, .progress = kSilent}, result);
+  run_study(setting, {.stop = kNeverStop, .progress = kSilent}, result);
   EXPECT_EQ(result, whole(setting));
 }
 

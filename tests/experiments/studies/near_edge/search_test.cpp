@@ -23,7 +23,6 @@ namespace {
 using workloads::Family;
 using workloads::Placement;
 
-using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
@@ -35,13 +34,13 @@ Settings settings(const std::vector<std::string>& names, std::vector<Family> fam
 
 Onsets onsets_of(const Settings& settings, std::uint64_t samples) {
   Onsets onsets = no_onsets(settings);
-  run_onsets(settings, samples, {kAlone, kNeverStop, kSilent}, onsets);
+  run_onsets(settings, samples, {kNeverStop, kSilent}, onsets);
   return onsets;
 }
 
 WorstCases climbed(const Settings& settings, const Onsets& onsets) {
   WorstCases worst;
-  run_climbs(settings, {kAlone, kNeverStop, kSilent}, onsets, worst);
+  run_climbs(settings, {kNeverStop, kSilent}, onsets, worst);
   return worst;
 }
 

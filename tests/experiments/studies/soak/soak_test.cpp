@@ -32,7 +32,6 @@ namespace fs = std::filesystem;
 using run_tests::Scratch;
 using run_tests::text_of;
 
-using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
@@ -43,13 +42,13 @@ run::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) 
 
 /// Returns the tally from which a run with these settings continues.
 Tally resumed(const run::Checkpoint& checkpoint, const Settings& settings) {
-  return run::begin(checkpoint, kAlone, true, settings.cases, Tally());
+  return run::begin(checkpoint, true, settings.cases, Tally());
 }
 
 /// Returns the tally of a whole run.
 Tally whole(const Settings& settings, const SystemUnderTest& tested = {}) {
   Tally tally;
-  run_campaign(settings, tested, {kAlone, kNeverStop, kSilent}, tally);
+  run_campaign(settings, tested, {kNeverStop, kSilent}, tally);
   return tally;
 }
 
@@ -337,8 +336,7 @@ TEST(Soak, AStoppedRunGoesOnAsIfItHadNot) {
     std::atomic<bool> stop = false;
     tally = resumed(checkpoint, settings);
     const std::uint64_t before = tally.cases();
-    const std::uint64_t done =
-        run_campaign(settings, wrong, {kAlone, stop, [&](std::uint64_t) { stop = true; }}, tally);
+    const std::uint64_t done = run_campaign(settings, wrong, {stop, [&](std::uint64_t) { stop = true; }}, tally);
     EXPECT_GT(tally.cases(), before);
     EXPECT_EQ(tally.cases(), done);
     checkpoint.write(tally);
@@ -358,8 +356,7 @@ TEST(Soak, AKilledRunGoesOnFromItsLastCheckpoint) {
   std::atomic<bool> stop = false, saved = false;
   Tally lost;
   run_campaign(settings, wrong,
-               {.processes = kAlone,
-                .stop = stop,
+               {.stop = stop,
                 .progress = kSilent,
                 .save =
                     [&](const Tally& now) {
@@ -371,7 +368,7 @@ TEST(Soak, AKilledRunGoesOnFromItsLastCheckpoint) {
   Tally tally = resumed(checkpoint, settings);
   EXPECT_GT(tally.cases(), 0U);
   EXPECT_LT(tally.cases(), 1500U);
-  run_campaign(settings, wrong, {kAlone, kNeverStop, kSilent}, tally);
+  run_campaign(settings, wrong, {kNeverStop, kSilent}, tally);
   EXPECT_EQ(tally, whole(settings, wrong));
 }
 

@@ -22,14 +22,14 @@ inline Settings settings(const std::vector<std::string>& methods, std::vector<Ax
 
 inline Summary whole(const Settings& settings) {
   Summary summary = no_summary(settings);
-  run_study(settings, {run_tests::kAlone, run_tests::kNeverStop, run_tests::kSilent}, summary);
+  run_study(settings, {run_tests::kNeverStop, run_tests::kSilent}, summary);
   return summary;
 }
 
 inline Onset onset_of(const std::vector<std::string>& methods, std::uint64_t triangles, unsigned threads) {
   const auto found = methods::find_methods(methods);
   Onset onset = no_onset(found);
-  find_onset(found, triangles, 3, threads, {run_tests::kAlone, run_tests::kNeverStop, run_tests::kSilent}, onset);
+  find_onset(found, triangles, 3, threads, {run_tests::kNeverStop, run_tests::kSilent}, onset);
   return onset;
 }
 

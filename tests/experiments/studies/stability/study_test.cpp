@@ -31,7 +31,6 @@ using run_tests::Scratch;
 using run_tests::text_of;
 using Tested = cases::Test;  // within TEST, Test is GoogleTest's
 
-using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
@@ -268,7 +267,7 @@ TEST(StabilityStudy, AStoppedRunIsAShorterOne) {
   const std::vector<Axis> axes{Axis::Aspect, Axis::Mixed};
   const auto longer = settings({"fast"}, axes, 50), shorter = settings({"fast"}, axes, 2);
   Summary stopped = no_summary(longer);
-  run_study(longer, {kAlone, stop, [&](std::uint64_t done) { stop = done == 4; }}, stopped);
+  run_study(longer, {stop, [&](std::uint64_t done) { stop = done == 4; }}, stopped);
   EXPECT_EQ(stopped.samples(), 2U);
   EXPECT_EQ(run::archived(stopped), run::archived(whole(shorter)));
 }

@@ -18,7 +18,7 @@ inline Settings settings(const std::vector<std::string>& names, std::uint64_t sa
 /// Returns the results of a whole run.
 inline Errors whole(const Settings& settings) {
   Errors errors = no_errors(settings);
-  measure_errors(settings, {run_tests::kAlone, run_tests::kNeverStop, run_tests::kSilent}, errors);
+  measure_errors(settings, {run_tests::kNeverStop, run_tests::kSilent}, errors);
   return errors;
 }
 

@@ -34,7 +34,6 @@ using run_tests::Scratch;
 using workloads::Family;
 using workloads::Placement;
 
-using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
@@ -217,7 +216,7 @@ TEST(Tradeoff, AStoppedRunIsAShorterOne) {
   std::atomic<bool> stop = false;
   const auto longer = settings({"fast", "exact"}, 50), shorter = settings({"fast", "exact"}, 2);
   Errors stopped = no_errors(longer);
-  measure_errors(longer, {kAlone, stop, [&](std::uint64_t done) { stop = done == 2; }}, stopped);
+  measure_errors(longer, {stop, [&](std::uint64_t done) { stop = done == 2; }}, stopped);
   const Errors shorter_one = whole(shorter);
   EXPECT_EQ(stopped.samples, 2U);
   EXPECT_EQ(table(longer, stopped, {}), table(shorter, shorter_one, {}));

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of studies: a plan that runs them, and the merge that adds them up.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "experiments/commands.h"
+#include "experiments/run/run_control.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/study.h"
+
+namespace touchstone::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using run::Command;
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
+  throw std::runtime_error(folder.string() + ": " + why);
+}
+
+/// A folder of a part, and how it was made.
+struct MadePart {
+  fs::path folder;
+  run::Part part;
+  std::string study;
+  std::vector<std::string> arguments;  ///< without what is not of the study alone
+};
+
+/// Reads the record of a part. Throws std::runtime_error, which names the folder.
+MadePart read_part(const fs::path& folder) {
+  std::ifstream file(folder / "run.json", std::ios::binary);
+  if (!file) refuse(folder, "has no run.json, so its part has not ended; --resume continues it");
+  const auto record = nlohmann::json::parse(file, nullptr, false);
+  const auto text = [&](const char* key) {
+    const auto found = record.is_object() ? record.find(key) : record.end();
+    return found != record.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  const auto part = run::Part::read(text("part"));
+  const auto words = run::shell_words(text("command"));
+  if (!part || words.size() < 2) refuse(folder, "is not of a part: its run.json names none");
+  MadePart made{folder, *part, words[1], {}};
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    if (words[i] == "--part" || words[i] == "--output" || words[i] == "--threads")
+      ++i;
+    else if (words[i] != "--resume" && words[i] != "--quiet")
+      made.arguments.push_back(words[i]);
+  }
+  return made;
+}
+
+/// Returns the parts in their order. Throws std::runtime_error unless they are all parts of one study, each once.
+std::vector<MadePart> read_parts(const std::vector<std::string>& folders) {
+  std::vector<MadePart> parts;
+  for (const std::string& folder : folders) parts.push_back(read_part(folder));
+  std::ranges::stable_sort(parts, {}, [](const MadePart& made) { return made.part.number; });
+  const MadePart& first = parts.front();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto& [folder, part, study, arguments] = parts[i];
+    if (study != first.study)
+      refuse(folder, fmt::format("is of {}, unlike {}, which is of {}", study, first.folder.string(), first.study));
+    if (part.of != first.part.of)
+      refuse(folder, fmt::format("is part {}, unlike {}, which is part {}", to_string(part), first.folder.string(),
+                                 to_string(first.part)));
+    if (i > 0 && part.number == parts[i - 1].part.number)
+      refuse(folder, fmt::format("is part {}, as {} is", to_string(part), parts[i - 1].folder.string()));
+    if (part.number != i + 1) break;
+  }
+  for (std::size_t i = 0; i < first.part.of; ++i)
+    if (i >= parts.size() || parts[i].part.number != i + 1)
+      throw std::runtime_error(fmt::format("part {}/{} of {} is missing", i + 1, first.part.of, first.study));
+  return parts;
+}
+
+/// Returns the study of this name. Throws UsageError if there is no such study with parts.
+const Command& find_study(const std::vector<Command>& commands, const std::string& name) {
+  std::vector<std::string> known;
+  for (const Command& command : commands) {
+    if (!command.has_parts()) continue;
+    if (command.name() == name) return command;
+    known.push_back(command.name());
+  }
+  throw run::UsageError("STUDY", "\"" + name + "\" is not one of " + run::joined(known));
+}
+
+struct MergeOptions : run::Printing {
+  std::vector<std::string> folders;
+  std::string output;
+  unsigned threads = run::all_threads();
+  bool force = false, no_pictures = false;
+};
+
+int merge(const MergeOptions& options, const std::vector<Command>& commands) {
+  std::vector<MadePart> parts = read_parts(options.folders);
+  std::vector<fs::path> folders;
+  for (const MadePart& made : parts) {
+    std::error_code none;
+    if (fs::equivalent(made.folder, options.output, none)) refuse(made.folder, "is a part, so it cannot be the output");
+    folders.push_back(made.folder);
+  }
+  std::vector<std::string> arguments = std::move(parts.front().arguments);
+  const auto add = [&](const std::string& flag, bool given) {
+    if (given && std::ranges::find(arguments, flag) == arguments.end()) arguments.push_back(flag);
+  };
+  arguments.insert(arguments.end(), {"--output", options.output, "--threads", std::to_string(options.threads)});
+  add("--force", options.force);
+  add("--no-pictures", options.no_pictures);
+  add("--quiet", options.quiet);
+  add("--json", options.json);
+  return find_study(commands, parts.front().study).merge(folders, arguments);
+}
+
+/// What Snakemake reads, after the names of the studies and the number of parts.
+constexpr const char* kRules = R"(
+wildcard_constraints:
+    study="|".join(STUDIES)
+
+
+rule all:
+    input:
+        expand("{study}/run.json", study=STUDIES),
+
+
+# A part that was killed continues where it was.
+rule part:
+    output:
+        "parts/{study}/{part}-of-" + str(PARTS) + "/run.json",
+    params:
+        options=lambda wildcards: STUDIES[wildcards.study],
+        folder=lambda wildcards, output: output[0][: -len("/run.json")],
+    shell:
+        "{PROGRAM} {wildcards.study} {params.options} --part {wildcards.part}/{PARTS}"
+        " --threads {threads} --quiet --resume --output {params.folder}"
+
+
+# Has the machine for itself, because some studies measure times here.
+rule merge:
+    input:
+        expand("parts/{{study}}/{part}-of-" + str(PARTS) + "/run.json", part=range(1, PARTS + 1)),
+    output:
+        "{study}/run.json",
+    threads: workflow.cores
+    params:
+        folders=lambda wildcards, input: [path[: -len("/run.json")] for path in input],
+    shell:
+        "{PROGRAM} merge {params.folders} --threads {threads} --quiet --force --output {wildcards.study}"
+)";
+
+struct PlanOptions {
+  std::vector<std::string> studies;
+  std::uint64_t parts = 2;
+};
+
+int plan(const PlanOptions& options, const std::vector<Command>& commands) {
+  std::vector<std::string> lines = options.studies;
+  if (lines.empty())
+    for (const Command& command : commands)
+      if (command.has_parts()) lines.push_back(command.name());
+  nlohmann::ordered_json studies = nlohmann::ordered_json::object();
+  for (const std::string& line : lines) {
+    auto words = run::shell_words(line);
+    const std::string name = words.empty() ? "" : words.front();
+    const Command& study = find_study(commands, name);
+    if (studies.contains(name)) throw run::UsageError("STUDY", "\"" + name + "\" is given twice");
+    words.erase(words.begin());
+    for (const char* word : {"--part", "--output", "--threads", "--resume", "--force", "--quiet", "--json"})
+      if (std::ranges::find(words, word) != words.end())
+        throw run::UsageError("STUDY", std::string("the plan sets ") + word + " of " + name + " itself");
+    study.check(words);
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + run::shell_quoted(word);
+    studies[name] = text;
+  }
+  fmt::print(
+      "# Written by `touchstone plan`. `snakemake --cores 2` runs it, and continues it after an end by force;\n"
+      "# `--config touchstone=PROGRAM` names the program.\n"
+      "PROGRAM = config.get(\"touchstone\", \"touchstone\")\nPARTS = {}\nSTUDIES = {}\n{}",
+      options.parts, studies.dump(4, ' ', true), kRules);
+  return 0;
+}
+
+}  // namespace
+
+std::vector<Command> parts_commands(const std::vector<Command>& commands) {
+  auto merged = std::make_shared<MergeOptions>();
+  Command merging("merge", "Add the parts of a study up to the results of one run");
+  merging.texts("FOLDER", merged->folders, "The folders of all parts, in any order").required();
+  merging.threads(merged->threads);
+  merging.output(merged->output, "The folder for tables and pictures").required();
+  merging.force(merged->force);
+  merging.no_pictures(merged->no_pictures);
+  run::declare_printing(merging, *merged);
+  merging.footer(
+      "A part is a run of a study with --part. The data are the same bytes as those of one run. What is not a sum over "
+      "samples, such as times and maps, is done here.");
+  merging.example(
+      "soak --samples 2000 --part 1/2 --output one && ./touchstone soak --samples 2000 --part 2/2 --output "
+      "two && ./touchstone merge one two --output all");
+  merging.runs([merged, commands] { return merge(*merged, commands); });
+
+  auto planned = std::make_shared<PlanOptions>();
+  Command planning("plan", "Print a Snakefile, with which Snakemake runs studies by parts and merges them");
+  planning.texts("STUDY", planned->studies, "Studies, each with its options as one argument; without any, all studies");
+  planning.whole("--parts", planned->parts, "The number of parts of each study", 1, run::kMostParts);
+  planning.footer("The folders of the studies and `parts` lie where Snakemake runs.");
+  planning.example("plan --parts 4 'soak --samples 100000' tunnelling > Snakefile");
+  planning.runs([planned, commands] { return plan(*planned, commands); });
+  return {merging, planning};
+}
+
+}  // namespace touchstone::commands
