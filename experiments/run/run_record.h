@@ -15,7 +15,7 @@ struct Run {
   std::uint64_t seed = 0;
   std::uint64_t samples_asked = 0, samples_done = 0, samples_missing = 0;
   unsigned threads = 1;
-  double seconds = 0;                 ///< with those of merged parts
+  double seconds = 0;                 ///< of a merge, its own
   std::string part{};                 ///< I/N, if the run was a part of a study
   std::uint64_t parts = 1;            ///< that were merged; 1: none
   std::optional<bool> interrupted{};  ///< only for studies that report it
