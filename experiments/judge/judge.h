@@ -56,8 +56,8 @@ enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 /// Each engine gets one case after the other. If it is late, ends, or prints anything except one line that is a verdict
 /// on the case, the judge reports this with the case, ends the engine and the processes that it has started, and
 /// restarts it for the next case. A case without a verdict is a complaint, and its line has no answer. Throws
-/// std::system_error if the verdicts cannot be written, and methods::EngineNotStarted if the command of an engine cannot
-/// be started. Commands must be UTF-8.
+/// std::system_error if the verdicts cannot be written, and methods::EngineNotStarted if the command of an engine
+/// cannot be started. Commands must be UTF-8.
 [[nodiscard]] Status judge(const Order& order);
 
 }  // namespace touchstone::judge

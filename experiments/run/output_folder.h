@@ -16,8 +16,8 @@ struct Existing {
 /// nothing was written.
 ///
 /// The lock is a lock of the operating system (flock) on the file `.lock` in the folder; the file names the holder. The
-/// lock ends with the process, however the process ends. Child processes do not hold it, unless `share` is called. Files
-/// that a killed run did not finish (see is_unfinished) are removed, and a folder that has nothing else is empty.
+/// lock ends with the process, however the process ends. Child processes do not hold it, unless `share` is called.
+/// Files that a killed run did not finish (see is_unfinished) are removed, and a folder that has nothing else is empty.
 class OutputFolder {
  public:
   /// Creates the folder if it does not exist. `command`: the description of this run for other runs.

@@ -57,9 +57,10 @@ std::uint64_t run_sweep(std::uint64_t items, unsigned threads, const RunControl<
       [&](std::uint64_t, const State& now) { control.save(now); }, zero, items_done(state), state);
 }
 
-/// Returns the state from which a run begins: `zero`, or what the checkpoint holds if `resume` is true, and writes it to
-/// the checkpoint. Without `resume` renames an existing checkpoint first, and says so on stderr. Throws as Checkpoint
-/// does, and std::runtime_error if the checkpoint holds more than `asked` items, as items_done(state) counts them.
+/// Returns the state from which a run begins: `zero`, or what the checkpoint holds if `resume` is true, and writes it
+/// to the checkpoint. Without `resume` renames an existing checkpoint first, and says so on stderr. Throws as
+/// Checkpoint does, and std::runtime_error if the checkpoint holds more than `asked` items, as items_done(state) counts
+/// them.
 template <class State>
 State begin(const Checkpoint& checkpoint, bool resume, std::uint64_t asked, State zero) {
   State state = std::move(zero);

@@ -44,8 +44,8 @@ void declare_study(Command& command, StudyOptions& options, const std::string& s
 /// One run of a study: its folder, its phases and its end.
 ///
 /// A run of a part runs its share of each phase that a checkpoint continues, and writes nothing but the checkpoints and
-/// run.json. A run that merges parts begins each of these phases with the sum of the parts', which are complete. So only
-/// whole runs and merging ones have something to write, and run other phases.
+/// run.json. A run that merges parts begins each of these phases with the sum of the parts', which are complete. So
+/// only whole runs and merging ones have something to write, and run other phases.
 class StudyRun {
  public:
   /// Locks the folder of the results. `study`: the name of the command. `version`: see ResultSettings. Throws as

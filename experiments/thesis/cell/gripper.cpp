@@ -20,7 +20,7 @@
 namespace touchstone::cell {
 namespace {
 
-constexpr double kNear = 4;      // radii
+constexpr double kNear = 4;  // radii
 constexpr std::size_t kMostVertices = 16;
 
 std::vector<Polygon> polygons_of(const scene::Faces& faces) {

@@ -22,8 +22,8 @@ namespace touchstone::cell::browser {
 [[nodiscard]] std::string cell_json(const Simulator& simulator);
 
 /// Returns the part of a run that the page shows:
-///   setting, labels; failure: text, empty if it completed; queries: the number of distances that were measured for obstacles;
-///   stuck: null, or where it ends early: {reason: a sentence, parts: that touch, links, sphere, material};
+///   setting, labels; failure: text, empty if it completed; queries: the number of distances that were measured for
+///   obstacles; stuck: null, or where it ends early: {reason: a sentence, parts: that touch, links, sphere, material};
 ///   times: seconds at each stop, empty if a speed is unknown; separation: {elements, tolerance, least: [{mover,
 ///   element, part, low, high, stop, seconds}], nearest: {mover: {here, low, element}: lists by stop}} as in
 ///   Separation; stations: {storage, machine}: poses; materials: {storage, machine}: poses; stand: the part

@@ -27,8 +27,8 @@ bool by_halves(const Clearance& part, const Judge& judge, const Measure& measure
 }
 
 /// Returns the first angle from which on two bodies may touch; none if they do not touch on all of the part. Guarantee:
-/// they do not touch at an earlier angle. It may name a miss by `finest` times `rate` and by what the measured bounds are
-/// below the distances.
+/// they do not touch at an earlier angle. It may name a miss by `finest` times `rate` and by what the measured bounds
+/// are below the distances.
 template <class Measure>
 std::optional<double> first_touch(const Clearance& part, double rate, double finest, const Measure& measure) {
   std::optional<double> first;
