@@ -32,14 +32,20 @@ def bash(script):
 
 
 class Table(unittest.TestCase):
+    def minutes_of(self, name):
+        return bash(f'echo "${{minutes[{name}]}}"')[0]
+
+    def seen(self):
+        return [name for name in NAMES[1:] if self.minutes_of(name) != "?"]
+
     def test_every_stage_has_commands(self):
         patterns = re.findall(r"^    ([a-z][^()]*)\)", (ROOT / ".ci/stages").read_text(), re.MULTILINE)
         branches = " ".join(f"{pattern}) echo $name ;;" for pattern in patterns)
         self.assertEqual(bash(f"for name in quick ${{stages[@]}}; do case $name in {branches} esac; done"), ["quick", *NAMES])
 
     def test_every_stage_is_short(self):
-        minutes = {name: int(bash(f"echo ${{minutes[{name}]}}")[0]) for name in NAMES}
-        longest = sorted(minutes[name] for name in NAMES[1:])
+        minutes = {name: int(self.minutes_of(name)) for name in ["tests", *self.seen()]}
+        longest = sorted([0, 0, *(minutes[name] for name in self.seen())])
         self.assertLessEqual(longest[-1], LONGEST)
         self.assertLessEqual(minutes["tests"] + longest[-1] + longest[-2], LONGEST_OF_CI)
 
@@ -52,11 +58,11 @@ class Table(unittest.TestCase):
         loops = re.findall(r"for folder in ([\w ]+); do test_in asan-ubsan", (ROOT / ".ci/stages").read_text())
         self.assertEqual(sorted(" ".join(loops).split()), sorted(folders))
 
-    def test_two_other_stages_are_drawn_and_each_sometimes(self):
+    def test_two_stages_that_were_seen_to_pass_are_drawn_and_each_sometimes(self):
         commits = [hashlib.sha1(str(i).encode()).hexdigest() for i in range(200)]
         draws = [line.split() for line in bash(f"for commit in {' '.join(commits)}; do drawn $commit; done")]
-        self.assertEqual({len(set(draw)) for draw in draws}, {2})
-        self.assertEqual({name for draw in draws for name in draw}, set(NAMES[1:]))
+        self.assertEqual({len(set(draw)) for draw in draws}, {min(2, len(self.seen()))})
+        self.assertEqual({name for draw in draws for name in draw}, set(self.seen()))
 
 
 class Check(unittest.TestCase):
