@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <string>
 
 #include "bindings/python/bindings.h"
@@ -25,12 +26,16 @@ using Indices = Numbers<std::int64_t>;
 
 [[noreturn]] void reject(const std::string& message) { throw Rejected({RejectionCode::MalformedCase, message}); }
 
-/// Returns whole numbers as an array of one or two dimensions; of other numbers NumPy would drop the fraction.
+/// Returns whole numbers as an array of one or two dimensions. Of other numbers NumPy would drop the fraction, and of
+/// large ones a bit.
 Indices indices_of(py::handle numbers, const std::string& name) {
   const py::array array = py::module_::import("numpy").attr("asarray")(numbers);
   const char kind = array.dtype().kind();
   if (array.size() > 0 && kind != 'i' && kind != 'u')
-    throw py::type_error(name + ": expected whole numbers, got " + py::str(array.dtype()).cast<std::string>());
+    throw py::type_error(name + ": expected whole numbers below 2**63, got " +
+                         py::str(array.dtype()).cast<std::string>());
+  if (array.size() > 0 && kind == 'u' && array.attr("max")() > py::int_(std::numeric_limits<std::int64_t>::max()))
+    reject(name + ": a vertex number is 2**63 or more");
   return Indices(array);
 }
 

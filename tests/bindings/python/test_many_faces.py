@@ -94,6 +94,7 @@ class Meshes(unittest.TestCase):
     def test_name_what_they_refuse(self):
         for words, code, faces in (("face 1 has vertex 8, but there are 8", "malformed-case", [[0, 1, 2], [0, 1, 8]]),
                                    ("face 0 has vertex -1", "malformed-case", np.array([[0, 1, -1]])),
+                                   ("faces: a vertex number is", "malformed-case", np.array([[0, 1, 2**63]], np.uint64)),
                                    ("face 2 has 2 vertices", "malformed-case", [[0, 1, 2], [0, 1, 2], [0, 1]]),
                                    ("n x k", "malformed-case", np.array([0, 1, 2]))):
             with self.assertRaisesRegex(touchstone.Rejected, words) as caught:
