@@ -16,7 +16,7 @@
 ///
 /// Every query is first evaluated in plain doubles with proved error bounds. Decisions that these bounds leave open are
 /// passed on, if they can still change the answer, to slower and more precise stages; the last stage decides every
-/// finite input. `point` and `distance` are correctly rounded, so they have the same bits on every machine.
+/// finite input. `point` and `distance` are correctly rounded: their bits depend on neither processor nor compiler.
 ///
 /// The answers do not depend on the caller's rounding mode or flush-to-zero setting. These are left as found, as are
 /// the INVALID, OVERFLOW and DIVBYZERO flags, whose traps may be unmasked. The first stage runs in the caller's state

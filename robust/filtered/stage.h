@@ -7,7 +7,7 @@
 
 namespace touchstone::filtered {
 
-/// The stages of a decision, each slower and more precise than the one before.
+/// The stages of a decision, from the fastest to the most precise. Short integers are tried before double-doubles.
 enum class Stage {
   Double,        ///< a whole query, in doubles with proved bounds
   Permanent,     ///< one sign, in doubles with a bound computed from the products

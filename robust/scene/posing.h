@@ -11,8 +11,8 @@
 /// Exact contact with many faces under poses.
 ///
 /// Posed vertices: every coordinate of R p + t is computed exactly and rounded once, to the nearest double, ties to
-/// even. The result has the same bits on every machine. It does not depend on the caller's rounding mode and
-/// flush-to-zero setting, which are left as found.
+/// even. Its bits depend on neither processor, compiler nor the caller's rounding mode and flush-to-zero setting, which
+/// are left as found.
 namespace touchstone::scene {
 
 /// Returns whether all numbers of the pose are finite.
