@@ -437,7 +437,7 @@ TEST(SoakCommand, PrintsMotionsThatItWouldAsk) {
   const auto ran = run_tests::run_captured(commands::soak_command,
                                            {"--seed", "2", "--from", "7", "--samples", "1", "--print", "--moving"});
   ASSERT_EQ(ran.status, 0) << ran.err;
-  const auto& shapes = std::get<cases::Shapes>(cases::read_case(ran.out.substr(0, ran.out.find('\n'))).content);
+  const auto shapes = std::get<cases::Shapes>(cases::read_case(ran.out.substr(0, ran.out.find('\n'))).content);
   const Motion drawn = adversarial::draw_motion(adversarial::draw_case(2, 7), 2, 7);
   ASSERT_TRUE(shapes.motion());
   EXPECT_EQ(shapes.motion()->ball.center, drawn.ball.center);
