@@ -1,43 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
+#include <cstddef>
 
 #include "robust/filtered/detail/numbers/double_double.h"
 
 namespace touchstone::bench {
 inline namespace TOUCHSTONE_TARGET {
 
-/// A sum of at most `capacity` doubles that do not overlap, in ascending order of magnitude: + - * are exact. No word
-/// is zero.
+/// A sum of doubles that do not overlap, in ascending order of magnitude: + - * are exact. No word is zero.
 ///
 /// Requires round to nearest, and neither overflow nor underflow of any word. Source: [shewchuk1997].
-template <int capacity>
 class Expansion {
  public:
   Expansion() = default;
   explicit Expansion(double value) { append(value); }
-  Expansion(const Expansion& other) : size_(other.size_) { std::copy_n(other.words_, size_, words_); }
-  Expansion& operator=(const Expansion& other) = delete;
-  ~Expansion() = default;
 
   void append(double word) {
-    if (word != 0) words_[size_++] = word;
+    if (word != 0) words_.push_back({word});
   }
-  [[nodiscard]] int size() const { return size_; }
-  [[nodiscard]] double word(int i) const { return words_[i]; }
-  [[nodiscard]] int sign() const { return size_ == 0 ? 0 : words_[size_ - 1] > 0 ? 1 : -1; }
+  [[nodiscard]] int size() const { return static_cast<int>(words_.size()); }
+  [[nodiscard]] double word(int i) const { return words_[static_cast<std::size_t>(i)].value; }
+  [[nodiscard]] int sign() const { return words_.empty() ? 0 : words_.back().value > 0 ? 1 : -1; }
 
  private:
-  int size_ = 0;
-  double words_[capacity];
+  struct Word {  // a type of this target, so that no other target shares the functions of the vector
+    double value;
+  };
+  boost::container::small_vector<Word, 64> words_;  // most fit, so that few queries allocate
 };
 
 /// Appends the sum of two expansions, the second times 1 or -1, to an empty one: fast_expansion_sum_zeroelim.
-template <int m, int n, int sum>
-void add_to(Expansion<sum>& result, const Expansion<m>& a, const Expansion<n>& b, double factor) {
-  static_assert(sum >= m + n);
+inline void add_to(Expansion& result, const Expansion& a, const Expansion& b, double factor) {
   int i = 0, j = 0;
   const auto next = [&] {
     const bool first = j == b.size() || (i < a.size() && std::abs(a.word(i)) < std::abs(b.word(j)));
@@ -53,22 +49,19 @@ void add_to(Expansion<sum>& result, const Expansion<m>& a, const Expansion<n>& b
   result.append(carried);
 }
 
-template <int m, int n>
-Expansion<m + n> operator+(const Expansion<m>& a, const Expansion<n>& b) {
-  Expansion<m + n> result;
+inline Expansion operator+(const Expansion& a, const Expansion& b) {
+  Expansion result;
   add_to(result, a, b, 1);
   return result;
 }
-template <int m, int n>
-Expansion<m + n> operator-(const Expansion<m>& a, const Expansion<n>& b) {
-  Expansion<m + n> result;
+inline Expansion operator-(const Expansion& a, const Expansion& b) {
+  Expansion result;
   add_to(result, a, b, -1);
   return result;
 }
 
 /// Appends words first..last of a times b to an empty expansion: scale_expansion_zeroelim, the products added in pairs.
-template <int m, int n, int product>
-void multiply_to(Expansion<product>& result, const Expansion<m>& a, const Expansion<n>& b, int first, int last) {
+inline void multiply_to(Expansion& result, const Expansion& a, const Expansion& b, int first, int last) {
   if (last - first == 1) {
     const double factor = a.word(first);
     double carried = 0;
@@ -84,17 +77,16 @@ void multiply_to(Expansion<product>& result, const Expansion<m>& a, const Expans
     return;
   }
   const int middle = first + (last - first) / 2;
-  Expansion<product> lower, upper;
+  Expansion lower, upper;
   multiply_to(lower, a, b, first, middle);
   multiply_to(upper, a, b, middle, last);
-  Expansion<2 * product> sum;
+  Expansion sum;
   add_to(sum, lower, upper, 1);
   for (int i = 0; i < sum.size(); ++i) result.append(sum.word(i));
 }
 
-template <int m, int n>
-Expansion<2 * m * n> operator*(const Expansion<m>& a, const Expansion<n>& b) {
-  Expansion<2 * m * n> result;
+inline Expansion operator*(const Expansion& a, const Expansion& b) {
+  Expansion result;
   if (a.size() == 0 || b.size() == 0) return result;
   // By the words of the shorter one.
   if (a.size() <= b.size())
@@ -105,18 +97,15 @@ Expansion<2 * m * n> operator*(const Expansion<m>& a, const Expansion<n>& b) {
 }
 
 /// Returns a - b.
-inline Expansion<2> exact_difference(double a, double b) {
+inline Expansion exact_difference(double a, double b) {
   const filtered::detail::DoubleDouble difference = filtered::detail::two_difference(a, b);
-  Expansion<2> result;
+  Expansion result;
   result.append(difference.low);
   result.append(difference.high);
   return result;
 }
 
-template <int capacity>
-int sign(const Expansion<capacity>& a) {
-  return a.sign();
-}
+inline int sign(const Expansion& a) { return a.sign(); }
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::bench

@@ -55,7 +55,7 @@ struct ExpansionView {
   const filtered::detail::BallTriangleView& view;
   int i;
 
-  using Vector = filtered::detail::Vector3<Expansion<2>>;
+  using Vector = filtered::detail::Vector3<Expansion>;
   static Vector difference(const double* a, const double* b) {
     return {exact_difference(a[0], b[0]), exact_difference(a[1], b[1]), exact_difference(a[2], b[2])};
   }
@@ -65,7 +65,7 @@ struct ExpansionView {
     return filtered::detail::signs::normal(difference(view.vertex[1], view.vertex[0]),
                                            difference(view.vertex[2], view.vertex[1]));
   }
-  [[nodiscard]] Expansion<1> radius() const { return Expansion<1>(view.radius()); }
+  [[nodiscard]] Expansion radius() const { return Expansion(view.radius()); }
 };
 
 inline int expansion_sign(SignKind kind, const ExpansionView& view) {

@@ -101,8 +101,9 @@ std::size_t vertices_within_edges(const Mesh& mesh, const Polygon& polygon) {
 
 // Guarantee (4). Faces of the meshes do not have it.
 TEST(Merge, HasEveryVertexOnItsEdges) {
+  constexpr std::uint64_t kMeshes = 50;  // fewer have no vertex on an edge of a hole
   std::size_t in_faces = 0, in_holes = 0;
-  for_each_random_mesh(TOUCHSTONE_SAMPLES / 2, [&](const Mesh& mesh, std::uint64_t, const std::string& what) {
+  for_each_random_mesh(kMeshes, [&](const Mesh& mesh, std::uint64_t, const std::string& what) {
     const MergedMesh merged = merge_faces(mesh);
     for (const MergedFace& face : merged.faces) {
       EXPECT_EQ(vertices_within_edges(mesh, face.polygon), 0U) << what;
