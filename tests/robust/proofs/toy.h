@@ -29,37 +29,37 @@ constexpr std::int64_t rounded(std::int64_t exact, int bits, Rounding rounding) 
   return negative ? -result : result;
 }
 
-/// A floating-point number of `Bits` significant bits without limits of the exponent, whose value is an integer.
-template <int Bits, Rounding Mode>
+/// A floating-point number of few significant bits without limits of the exponent, whose value is an integer. All are of
+/// the arithmetic that was set last: templates over it would take minutes to compile.
 struct Toy {
   std::int64_t value;
 
-  static constexpr Toy of(std::int64_t exact) { return {rounded(exact, Bits, Mode)}; }
-  friend constexpr Toy operator+(Toy a, Toy b) { return of(a.value + b.value); }
-  friend constexpr Toy operator-(Toy a, Toy b) { return of(a.value - b.value); }
-  friend constexpr Toy operator*(Toy a, Toy b) { return of(a.value * b.value); }
-  friend constexpr bool operator==(Toy a, Toy b) = default;
+  static Toy of(std::int64_t exact) { return {rounded(exact, bits, rounding)}; }
+  friend Toy operator+(Toy a, Toy b) { return of(a.value + b.value); }
+  friend Toy operator-(Toy a, Toy b) { return of(a.value - b.value); }
+  friend Toy operator*(Toy a, Toy b) { return of(a.value * b.value); }
+  friend bool operator==(Toy a, Toy b) = default;
+
+  static void set_arithmetic(int new_bits, Rounding new_rounding) { bits = new_bits, rounding = new_rounding; }
+
+ private:
+  static inline int bits = 0;
+  static inline Rounding rounding = Rounding::Nearest;
 };
 
-/// visit<Rounding>() for each rounding.
+/// Calls visit(rounding) for each rounding, with toys of so many bits.
 template <class Visit>
-void for_each_rounding(Visit visit) {
-  visit.template operator()<Rounding::Nearest>();
-  visit.template operator()<Rounding::Down>();
-  visit.template operator()<Rounding::Up>();
-  visit.template operator()<Rounding::TowardZero>();
+void for_each_rounding(int bits, Visit visit) {
+  for (const Rounding rounding : {Rounding::Nearest, Rounding::Down, Rounding::Up, Rounding::TowardZero}) {
+    Toy::set_arithmetic(bits, rounding);
+    visit(rounding);
+  }
 }
 
-/// visit<bits, Rounding>() for each toy.
+/// Calls visit(bits, rounding) for each toy arithmetic.
 template <class Visit>
-void for_each_toy(Visit visit) {
-  for_each_rounding([&]<Rounding Mode>() {
-    visit.template operator()<4, Mode>();
-    visit.template operator()<5, Mode>();
-    visit.template operator()<6, Mode>();
-    visit.template operator()<7, Mode>();
-    visit.template operator()<8, Mode>();
-  });
+void for_each_arithmetic(Visit visit) {
+  for (int bits = 4; bits <= 8; ++bits) for_each_rounding(bits, [&](Rounding rounding) { visit(bits, rounding); });
 }
 
 /// A number with its permanent, as numbers/permanent.h, over any number type.

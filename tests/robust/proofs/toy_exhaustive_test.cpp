@@ -40,8 +40,7 @@ struct Largest {
   double share = 0;
   std::vector<Exact> operands;
 
-  template <class Number>
-  void add(Number computed, Exact exact, double bound, std::initializer_list<Exact> of) {
+  void add(Toy computed, Exact exact, double bound, std::initializer_list<Exact> of) {
     const Exact error = std::abs(computed.value - exact);
     if (error == 0 || static_cast<double>(error) <= share * bound) return;
     share = static_cast<double>(error) / bound;
@@ -51,9 +50,9 @@ struct Largest {
 
 template <class Expression>
 void expect_within_bounds(Expression largest, double floor) {
-  for_each_rounding([&]<Rounding Mode>() {
-    const Largest found = largest.template operator()<Toy<kBits, Mode>>();
-    EXPECT_LE(found.share, 1) << "rounding " << static_cast<int>(Mode) << ", operands "
+  for_each_rounding(kBits, [&](Rounding rounding) {
+    const Largest found = largest();
+    EXPECT_LE(found.share, 1) << "rounding " << static_cast<int>(rounding) << ", operands "
                               << testing::PrintToString(found.operands);
     EXPECT_GT(found.share, floor);
   });
@@ -63,17 +62,17 @@ TEST(AllToys, VertexStaysWithinItsBound) {
   const double bound = bound_of("kVertex");
   const std::vector<Exact> numbers = all_up_to(35);
   expect_within_bounds(
-      [&]<class Number>() {
+      [&] {
         Largest largest;
         for (const Exact x : numbers)
           for (const Exact y : numbers)
             for (const Exact z : numbers) {
               const Vector3<Exact> from{x, y, z};
-              const auto from_computed = computed<Number>(from);
+              const auto from_computed = computed(from);
               const double m_from = largest_magnitude(from_computed);
               for (Exact r = 0; r <= 16; ++r) {
                 const double m_w = std::max(m_from, static_cast<double>(r));
-                largest.add(signs::vertex(from_computed, Number::of(r)), signs::vertex(from, r), bound * m_w * m_w,
+                largest.add(signs::vertex(from_computed, Toy::of(r)), signs::vertex(from, r), bound * m_w * m_w,
                             {x, y, z, r});
               }
             }
@@ -94,10 +93,10 @@ void for_each_pair_in_plane(const std::vector<Exact>& numbers, Visit visit) {
 TEST(AllToys, AlongStaysWithinItsBoundInThePlane) {
   const double bound = bound_of("kAlong");
   expect_within_bounds(
-      [&]<class Number>() {
+      [&] {
         Largest largest;
         for_each_pair_in_plane(all_up_to(19), [&](const Vector3<Exact>& from, const Vector3<Exact>& edge) {
-          const auto w = computed<Number>(from), e = computed<Number>(edge);
+          const auto w = computed(from), e = computed(edge);
           largest.add(signs::along(w, e), signs::along(from, edge), bound * largest_magnitude(w) * largest_magnitude(e),
                       {from.x, from.y, edge.x, edge.y});
         });
@@ -110,14 +109,14 @@ TEST(AllToys, LineStaysWithinItsBoundInThePlane) {
   const double bound = bound_of("kLine");
   const std::vector<Exact> numbers{-19, -17, -15, -13, -11, -9, -7, -4, -1, 0, 1, 4, 7, 9, 11, 13, 15, 17, 19};
   expect_within_bounds(
-      [&]<class Number>() {
+      [&] {
         Largest largest;
         for_each_pair_in_plane(numbers, [&](const Vector3<Exact>& from, const Vector3<Exact>& edge) {
-          const auto w = computed<Number>(from), e = computed<Number>(edge);
+          const auto w = computed(from), e = computed(edge);
           const double m_from = largest_magnitude(w), m_e = largest_magnitude(e);
           for (const Exact r : {0, 1, 5, 9, 11, 13, 15}) {
             const double m_w = std::max(m_from, static_cast<double>(r));
-            largest.add(signs::line(w, e, Number::of(r)), signs::line(from, edge, r), bound * m_w * m_w * m_e * m_e,
+            largest.add(signs::line(w, e, Toy::of(r)), signs::line(from, edge, r), bound * m_w * m_w * m_e * m_e,
                         {from.x, from.y, edge.x, edge.y, r});
           }
         });

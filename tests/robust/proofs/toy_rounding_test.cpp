@@ -28,23 +28,22 @@ struct Verdicts {
   int sure = 0, wrong = 0, wrong_for_exact = 0;
 };
 
-/// Highs are all numbers of `Bits` bits between two powers of two, both included; below the lower one numbers are
+/// Highs are all numbers of `bits` bits between two powers of two, both included; below the lower one numbers are
 /// closer together. Rounding is monotone: if both ends of an interval round to `high`, so does all of it.
-template <int Bits>
-Verdicts verdicts_of(double least_error) {
-  using Number = Toy<Bits, Rounding::Nearest>;
-  constexpr std::int64_t ulp = std::int64_t{1} << (Bits + 4);
-  const auto nearest = [](std::int64_t exact) { return Number::of(exact).value; };
-  const std::vector<std::int64_t> tails = numbers_up_to(ulp / 2, Bits), errors = numbers_up_to(ulp, Bits);
+Verdicts verdicts_of(int bits, double least_error) {
+  Toy::set_arithmetic(bits, Rounding::Nearest);
+  const std::int64_t ulp = std::int64_t{1} << (bits + 4);
+  const auto nearest = [](std::int64_t exact) { return Toy::of(exact).value; };
+  const std::vector<std::int64_t> tails = numbers_up_to(ulp / 2, bits), errors = numbers_up_to(ulp, bits);
   Verdicts verdicts;
-  for (std::int64_t high = (std::int64_t{1} << (Bits - 1)) * ulp; high <= (std::int64_t{1} << Bits) * ulp; high += ulp)
+  for (std::int64_t high = (std::int64_t{1} << (bits - 1)) * ulp; high <= (std::int64_t{1} << bits) * ulp; high += ulp)
     for (const std::int64_t tail : tails)
       for (const std::int64_t low : {tail, -tail}) {
         if (nearest(high + low) != high) continue;
         for (const std::int64_t error : errors) {
-          const double smallest = least_error * static_cast<double>(tail) / (1 << Bits);
+          const double smallest = least_error * static_cast<double>(tail) / (1 << bits);
           if (error != 0 && static_cast<double>(error) < smallest) continue;
-          if (!surely_nearest(Number{high}, Number{low}, Number{error})) continue;
+          if (!surely_nearest(Toy{high}, Toy{low}, Toy{error})) continue;
           ++verdicts.sure;
           const bool is_right = nearest(high + low - error) == high && nearest(high + low + error) == high;
           (error == 0 ? verdicts.wrong_for_exact : verdicts.wrong) += !is_right;
@@ -53,34 +52,28 @@ Verdicts verdicts_of(double least_error) {
   return verdicts;
 }
 
-template <class Visit>
-void for_each_width(Visit visit) {
-  visit.template operator()<3>();
-  visit.template operator()<4>();
-  visit.template operator()<5>();
-  visit.template operator()<6>();
-}
+constexpr int kWidths[] = {3, 4, 5, 6};
 
 TEST(ToyRounding, IsSureOfNoWrongDouble) {
-  for_each_width([]<int Bits>() {
-    const Verdicts verdicts = verdicts_of<Bits>(2);
-    EXPECT_GT(verdicts.sure, 0) << Bits << " bits";
-    EXPECT_EQ(verdicts.wrong, 0) << Bits << " bits";
-    EXPECT_EQ(verdicts.wrong_for_exact, 0) << Bits << " bits";
-  });
+  for (const int bits : kWidths) {
+    const Verdicts verdicts = verdicts_of(bits, 2);
+    EXPECT_GT(verdicts.sure, 0) << bits << " bits";
+    EXPECT_EQ(verdicts.wrong, 0) << bits << " bits";
+    EXPECT_EQ(verdicts.wrong_for_exact, 0) << bits << " bits";
+  }
 }
 
 // Half of u |low| is the most for which twice the error may be lost in the tail.
 TEST(ToyRounding, IsSureOfWrongDoublesWhereErrorsMayBeAFifthOfThat) {
-  for_each_width([]<int Bits>() { EXPECT_GT(verdicts_of<Bits>(0.4).wrong, 0) << Bits << " bits"; });
+  for (const int bits : kWidths) EXPECT_GT(verdicts_of(bits, 0.4).wrong, 0) << bits << " bits";
 }
 
 // The test would be of no use if it were seldom sure. Half a unit in the last place of `high` is 512.
 TEST(ToyRounding, IsSureWhereTwiceTheErrorLeavesTheNearestDouble) {
-  using Number = Toy<6, Rounding::Nearest>;
+  Toy::set_arithmetic(6, Rounding::Nearest);
   for (const std::int64_t low : numbers_up_to(400, 6))
     for (const std::int64_t error : numbers_up_to((500 - low) / 2, 6))
-      EXPECT_TRUE(surely_nearest(Number{40 << 10}, Number{low}, Number{error})) << low << " +- " << error;
+      EXPECT_TRUE(surely_nearest(Toy{40 << 10}, Toy{low}, Toy{error})) << low << " +- " << error;
 }
 
 }  // namespace

@@ -34,10 +34,9 @@ inline Operands draw_operands(workloads::Random& random) {
 }
 
 /// Exact inputs of every expression, their computed counterparts and the maxima of these.
-template <class Number>
 struct ToySample {
   Inputs<Exact> exact;
-  Inputs<Number> computed;
+  Inputs<Toy> computed;
   std::array<double, kMaxima> maxima;
 
   [[nodiscard]] double product(const std::vector<Maximum>& of) const {
@@ -47,26 +46,22 @@ struct ToySample {
   }
 };
 
-template <class Number>
-Vector3<Number> computed(const Vector3<Exact>& exact) {
-  return {Number::of(exact.x), Number::of(exact.y), Number::of(exact.z)};
+inline Vector3<Toy> computed(const Vector3<Exact>& exact) {
+  return {Toy::of(exact.x), Toy::of(exact.y), Toy::of(exact.z)};
 }
 
-template <class Number>
-double largest_magnitude(std::initializer_list<Number> numbers) {
+inline double largest_magnitude(std::initializer_list<Toy> numbers) {
   Exact result = 0;
-  for (const Number& number : numbers) result = std::max(result, std::abs(number.value));
+  for (const Toy& number : numbers) result = std::max(result, std::abs(number.value));
   return static_cast<double>(result);
 }
-template <class Number>
-double largest_magnitude(const Vector3<Number>& vector) {
+inline double largest_magnitude(const Vector3<Toy>& vector) {
   return largest_magnitude({vector.x, vector.y, vector.z});
 }
 
 /// The exact inputs that operands stand for. The radius is known exactly; starts lie within twice the polygon's size,
 /// as far out as feet do.
-template <class Number>
-Inputs<Exact> exact_inputs(const Operands& operands) {
+inline Inputs<Exact> exact_inputs(const Operands& operands) {
   std::size_t next = 0;
   Inputs<Exact> exact{};
   for (auto vector :
@@ -75,7 +70,7 @@ Inputs<Exact> exact_inputs(const Operands& operands) {
     exact.*vector = {operands[next], operands[next + 1], operands[next + 2]};
     next += 3;
   }
-  exact.radius = Number::of(operands[next++]).value;
+  exact.radius = Toy::of(operands[next++]).value;
   exact.normal = signs::normal(exact.first_edge, exact.second_edge);
   const Vector3<Exact> other_axis{exact.axis.y, exact.axis.z, exact.axis.x};
   exact.foot_x = frame::coordinate(exact.axis, exact.from_origin);
@@ -84,7 +79,7 @@ Inputs<Exact> exact_inputs(const Operands& operands) {
   exact.start_y = operands[next++] * kLargestOperand * 2;
   exact.direction_x = operands[next++];
   exact.direction_y = operands[next++];
-  const auto rounded = [](Exact value) { return Number::of(value).value; };
+  const auto rounded = [](Exact value) { return Toy::of(value).value; };
   exact.first_exact = {rounded(exact.axis.x), rounded(exact.axis.y), rounded(exact.axis.z)};
   exact.second_exact = {rounded(exact.direction_x), rounded(exact.direction_y), rounded(exact.axis.x)};
   exact.lane_vertex = {exact.start_x, exact.start_y, exact.start_x};
@@ -95,30 +90,29 @@ Inputs<Exact> exact_inputs(const Operands& operands) {
 }
 
 /// Inputs as the filters have them: differences rounded, the normal and the foot computed.
-template <class Number>
-ToySample<Number> sample_of(const Inputs<Exact>& exact) {
-  ToySample<Number> sample{exact, {}, {}};
-  Inputs<Number>& c = sample.computed;
-  c.to_center = computed<Number>(exact.to_center);
-  c.ahead = computed<Number>(exact.ahead);
-  c.edge = computed<Number>(exact.edge);
-  c.velocity = computed<Number>(exact.velocity);
-  c.radius = Number::of(exact.radius);
-  c.first_edge = computed<Number>(exact.first_edge);
-  c.second_edge = computed<Number>(exact.second_edge);
+inline ToySample sample_of(const Inputs<Exact>& exact) {
+  ToySample sample{exact, {}, {}};
+  Inputs<Toy>& c = sample.computed;
+  c.to_center = computed(exact.to_center);
+  c.ahead = computed(exact.ahead);
+  c.edge = computed(exact.edge);
+  c.velocity = computed(exact.velocity);
+  c.radius = Toy::of(exact.radius);
+  c.first_edge = computed(exact.first_edge);
+  c.second_edge = computed(exact.second_edge);
   c.normal = signs::normal(c.first_edge, c.second_edge);
-  c.axis = computed<Number>(exact.axis);
-  c.from_origin = computed<Number>(exact.from_origin);
+  c.axis = computed(exact.axis);
+  c.from_origin = computed(exact.from_origin);
   c.foot_x = frame::coordinate(c.axis, c.from_origin);
   c.foot_y = frame::coordinate(Vector3{c.axis.y, c.axis.z, c.axis.x}, c.from_origin);
-  c.start_x = Number::of(exact.start_x);
-  c.start_y = Number::of(exact.start_y);
-  c.direction_x = Number::of(exact.direction_x);
-  c.direction_y = Number::of(exact.direction_y);
-  c.first_exact = computed<Number>(exact.first_exact);
-  c.second_exact = computed<Number>(exact.second_exact);
+  c.start_x = Toy::of(exact.start_x);
+  c.start_y = Toy::of(exact.start_y);
+  c.direction_x = Toy::of(exact.direction_x);
+  c.direction_y = Toy::of(exact.direction_y);
+  c.first_exact = computed(exact.first_exact);
+  c.second_exact = computed(exact.second_exact);
   c.lane_vertex = {c.start_x, c.start_y, c.start_x};
-  c.lane_edge = computed<Number>(exact.lane_edge);
+  c.lane_edge = computed(exact.lane_edge);
   c.first_weight = c.first_exact.x;
   c.second_weight = c.first_exact.y;
 

@@ -45,8 +45,8 @@ class Shares {
 };
 
 /// The share of its bound that the error of one sample takes.
-template <class Number, class Expression>
-double share_of(const ToySample<Number>& sample, const Claim& claim, const Expression& expression, double bound) {
+template <class Expression>
+double share_of(const ToySample& sample, const Claim& claim, const Expression& expression, double bound) {
   const Exact error = std::abs(expression(sample.computed).value - expression(sample.exact));
   if (error == 0) return 0;
   return static_cast<double>(error) / (bound * sample.product(claim.maxima));
@@ -65,17 +65,16 @@ TEST(Toy, RoundsAsAFloatingPointNumberDoes) {
 }
 
 TEST(Toy, RandomErrorsStayWithinTheBounds) {
-  for_each_toy([]<int Bits, Rounding Mode>() {
-    const std::vector<double> bounds = bounds_at(std::ldexp(1.0, 1 - Bits));
+  for_each_arithmetic([](int bits, Rounding rounding) {
+    const std::vector<double> bounds = bounds_at(std::ldexp(1.0, 1 - bits));
     for (std::uint64_t index = 0; index < kSamples; ++index) {
       Random random(kSeed, index);
-      using Number = Toy<Bits, Mode>;
-      const auto sample = sample_of<Number>(exact_inputs<Number>(draw_operands(random)));
+      const auto sample = sample_of(exact_inputs(draw_operands(random)));
       std::size_t i = 0;
       for_each_claim([&](const Claim& claim, const auto& expression) {
         ASSERT_LE(share_of(sample, claim, expression, bounds[i++]), 1)
-            << claim.constant << " " << claim.instance << ": " << Bits << " bits, rounding " << static_cast<int>(Mode)
-            << ", sample " << index;
+            << claim.constant << " " << claim.instance << ": " << bits << " bits, rounding "
+            << static_cast<int>(rounding) << ", sample " << index;
       });
     }
   });
@@ -84,23 +83,22 @@ TEST(Toy, RandomErrorsStayWithinTheBounds) {
 // Operands are drawn again one by one; what makes the error smaller is taken back.
 TEST(Toy, ErrorsThatAreDrivenUpStayWithinTheBoundsAndShowThemNotLoose) {
   Shares shares;
-  for_each_toy([&]<int Bits, Rounding Mode>() {
-    const std::vector<double> bounds = bounds_at(std::ldexp(1.0, 1 - Bits));
+  for_each_arithmetic([&](int bits, Rounding rounding) {
+    const std::vector<double> bounds = bounds_at(std::ldexp(1.0, 1 - bits));
     std::uint64_t i = 0;
     for_each_claim([&](const Claim& claim, const auto& expression) {
       Random random(kSeed, i, 1);
       const double bound = bounds[i++];
-      using Number = Toy<Bits, Mode>;
       Operands operands = draw_operands(random);
       double largest = 0;
       for (std::uint64_t step = 0; step < kSteps; ++step) {
         Operands other = operands;
         for (Exact count = random.integer(1, 3); count > 0; --count)
           other[static_cast<std::size_t>(random.integer(0, other.size() - 1))] = draw_operand(random);
-        const auto sample = sample_of<Number>(exact_inputs<Number>(other));
+        const auto sample = sample_of(exact_inputs(other));
         const double share = share_of(sample, claim, expression, bound);
-        ASSERT_LE(share, 1) << claim.constant << " " << claim.instance << ": " << Bits << " bits, rounding "
-                            << static_cast<int>(Mode) << ", step " << step;
+        ASSERT_LE(share, 1) << claim.constant << " " << claim.instance << ": " << bits << " bits, rounding "
+                            << static_cast<int>(rounding) << ", step " << step;
         if (share < largest) continue;
         largest = share;
         operands = other;
