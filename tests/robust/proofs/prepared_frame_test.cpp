@@ -25,7 +25,7 @@ using workloads::Random;
 using namespace filtered::detail;
 using Rationals = std::array<mpq_class, 3>;
 
-constexpr std::uint64_t kPolygons = std::uint64_t{40} * TOUCHSTONE_SAMPLES;
+constexpr std::uint64_t kPolygons = std::uint64_t{40} * std::max(TOUCHSTONE_SAMPLES, 30);  // fewer err by less
 constexpr mp_bitcnt_t kBits = 512;
 
 mpf_class real(const mpq_class& value) { return mpf_class(value, kBits); }
