@@ -49,6 +49,11 @@ std::vector<std::string> tags(const Workload& workload) {
 
 }  // namespace
 
+std::variant<Ball, Motion> Sample::question() const {
+  if (to) return Motion{ball, *to};
+  return ball;
+}
+
 Sample sample(const Workload& workload, std::uint64_t seed, std::uint64_t index) {
   check(workload);
   PlacedOutline placed = draw_placed_outline(workload, seed, index);

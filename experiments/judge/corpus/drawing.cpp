@@ -25,9 +25,10 @@ Stream workload_stream(const workloads::Workload& workload, std::size_t count) {
   return {.draw =
               [workload](std::uint64_t index) {
                 workloads::Sample sample = workloads::sample(workload, kSeed, index);
-                return CorpusCase{std::move(sample.id),        sample.ball,
-                                  std::move(sample.polygon),   std::move(sample.tags),
-                                  command_of(workload, index), sample.to};
+                return CorpusCase{std::move(sample.id),
+                                  {sample.question(), std::move(sample.polygon)},
+                                  std::move(sample.tags),
+                                  command_of(workload, index)};
               },
           .count = count};
 }
@@ -37,8 +38,7 @@ Stream soak_stream(adversarial::Family family, std::size_t count) {
             adversarial::Case drawn = adversarial::draw_case(kSeed, index);
             if (drawn.family != family) return std::nullopt;
             return CorpusCase{adversarial::name_of_case(kSeed, index),
-                              drawn.ball,
-                              std::move(drawn.polygon),
+                              {drawn.ball, std::move(drawn.polygon)},
                               {std::string(to_string(family))},
                               fmt::format("touchstone soak --seed {} --from {} --samples 1 --print", kSeed, index)};
           },
@@ -52,8 +52,8 @@ std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
     for (std::uint64_t index = 0; found < stream.count && index < stream.most; ++index) {
       const auto drawn = stream.draw(index);
       if (!drawn) continue;
-      const cases::PartialAnswer truth = exact_answer(drawn->shapes());
-      if (!kind(*drawn, truth) || failing_witnesses(drawn->shapes(), truth).empty()) continue;
+      const cases::PartialAnswer truth = exact_answer(drawn->shapes);
+      if (!kind(*drawn, truth) || failing_witnesses(drawn->shapes, truth).empty()) continue;
       const std::string line = line_of(*drawn, truth);
       if (line.size() > kLongestLine) continue;
       text += line;

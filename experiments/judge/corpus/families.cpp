@@ -75,10 +75,10 @@ Vector3d normal_of(const Polygon& polygon, std::size_t loop) {
 
 /// Returns whether the interior angle at the vertex nearest to the foot is greater than 180 degrees. In doubles.
 bool is_reflex_near_foot(const CorpusCase& drawn, const PartialAnswer&) {
-  const Polygon& polygon = drawn.polygon;
-  const Vector3d normal = normal_of(polygon, 0);
-  const Vector3d from = drawn.ball.center - polygon.vertex(0);
-  const Vector3d foot = drawn.ball.center - from.dot(normal) / normal.squaredNorm() * normal;
+  const Polygon& polygon = drawn.shapes.polygon;
+  const Vector3d normal = normal_of(polygon, 0), center = drawn.shapes.ball().center;
+  const Vector3d from = center - polygon.vertex(0);
+  const Vector3d foot = center - from.dot(normal) / normal.squaredNorm() * normal;
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < polygon.vertex_count(); ++i)
     if ((polygon.vertex(i) - foot).squaredNorm() < (polygon.vertex(nearest) - foot).squaredNorm()) nearest = i;
@@ -151,7 +151,7 @@ std::string off_plane() {
   return drawn_text({soak_stream(adversarial::Family::Outline, 190)},
                     [](const CorpusCase& drawn, const PartialAnswer& truth) {
                       const double off = *truth.off_plane;
-                      return std::isfinite(off) && off > 0x1p-30 * workloads::extent_of(drawn.polygon);
+                      return std::isfinite(off) && off > 0x1p-30 * workloads::extent_of(drawn.shapes.polygon);
                     });
 }
 
@@ -161,7 +161,7 @@ std::string holes() {
     for (const std::size_t holes : {std::size_t{1}, std::size_t{2}})
       add_outlines(streams, {.ball = place, .vertices = 7, .holes = holes}, holes == 1 ? 2 : 1);
   return drawn_text(streams, [](const CorpusCase& drawn, const PartialAnswer& truth) {
-    return !is_nearest(truth, Feature::Kind::Face) && truth.nearest->index >= drawn.polygon.loop_end(0);
+    return !is_nearest(truth, Feature::Kind::Face) && truth.nearest->index >= drawn.shapes.polygon.loop_end(0);
   });
 }
 

@@ -26,14 +26,14 @@ std::string completed(const std::string& text, const std::string& name) {
       throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, read.expected->texts.at("error")));
     return text + "\n";
   }
-  const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
-  const cases::PartialAnswer truth = exact_answer({ball, polygon, to});
+  const auto& shapes = std::get<cases::Shapes>(read.content);
+  const cases::PartialAnswer truth = exact_answer(shapes);
   if (read.expected)
     for (const cases::Difference& difference : cases::differences(*read.expected, truth))
       throw std::runtime_error(to_string(difference));
   Labels labels = labels_of(text);
   if (std::ranges::find(labels.tags, name) == labels.tags.end()) labels.tags.insert(labels.tags.begin(), name);
-  return line_of({*read.id, ball, polygon, labels.tags, labels.origin.empty() ? "by hand" : labels.origin, to}, truth);
+  return line_of({*read.id, shapes, labels.tags, labels.origin.empty() ? "by hand" : labels.origin}, truth);
 }
 
 }  // namespace

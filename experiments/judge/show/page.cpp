@@ -60,10 +60,11 @@ std::string table_of(const CaseView& view) {
 std::string section_of(const CaseView& view) {
   std::string tags;
   for (const std::string& tag : view.tags) tags.append(tags.empty() ? "" : ", ").append(tag);
-  const Ball& ball = view.shapes.ball;
+  const Ball& ball = view.shapes.ball();
   std::string about = fmt::format("{} Centre ({}, {}, {}), radius {}", margin_text(view), ball.center.x(),
                                   ball.center.y(), ball.center.z(), ball.radius);
-  if (const auto& to = view.shapes.to) about += fmt::format(", moving to ({}, {}, {})", to->x(), to->y(), to->z());
+  if (const Motion* motion = view.shapes.motion())
+    about += fmt::format(", moving to ({}, {}, {})", motion->to.x(), motion->to.y(), motion->to.z());
   const Polygon& polygon = view.shapes.polygon;
   about += fmt::format("; a polygon of {} vertices", polygon.vertex_count());
   if (polygon.loop_count() > 1) about += fmt::format(" with {} holes", polygon.loop_count() - 1);

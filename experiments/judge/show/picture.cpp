@@ -243,7 +243,7 @@ Svg picture(const CaseView& view) {
   Svg svg(kWidth, height);
   svg.rectangle({0, 0}, {kWidth, height}, {.fill = "#fff"});
   svg.text({kGap, 18}, io::legible(view.id, 90), 14);
-  const bool moves = view.shapes.to.has_value();
+  const bool moves = view.shapes.motion() != nullptr;
   if (const auto flat = flat_case(view)) {
     draw_plan(svg, *flat, moves);
     draw_section(svg, *flat, moves);

@@ -46,24 +46,24 @@ std::vector<std::int64_t> offsets_to(std::optional<std::int64_t> change) {
 }  // namespace
 
 double Radii::radius(const cases::Shapes& shapes, std::size_t i) const {
-  return workloads::move_radius_by_doubles(shapes.ball.radius, offsets[i]);
+  return workloads::move_radius_by_doubles(shapes.ball().radius, offsets[i]);
 }
 
 Radii radii_around(const cases::Shapes& shapes) {
   const exact::PreparedPolygon polygon(shapes.polygon);
   const auto touches = [&](double radius) {
-    const Ball ball{shapes.ball.center, radius};
-    return shapes.to ? exact::contact(Motion{ball, *shapes.to}, polygon) : exact::contact(ball, polygon);
+    return std::visit([&](const auto& asked) { return exact::contact(asked, polygon); },
+                      with_radius(shapes.question, radius));
   };
-  const std::int64_t own = workloads::ordinal(shapes.ball.radius);
+  const std::int64_t own = workloads::ordinal(shapes.ball().radius);
   const auto first = least(kLast, [&](std::int64_t rank) { return touches(workloads::from_ordinal(rank)); });
   Radii radii;
   std::optional<std::int64_t> change;
   if (first) {
     if (*first > 0) change = *first - own;  // else even a point touches
     radii.margin = own - *first;
-    const Ball ball{shapes.ball.center, workloads::from_ordinal(*first)};
-    radii.exactly_touching = !shapes.to && exact::relation(ball, polygon) == Relation::Touching;
+    const Ball ball{shapes.ball().center, workloads::from_ordinal(*first)};
+    radii.exactly_touching = shapes.motion() == nullptr && exact::relation(ball, polygon) == Relation::Touching;
   }
   for (const std::int64_t offset : offsets_to(change)) {
     if (own + offset < 0 || offset > kLast - own) continue;

@@ -72,10 +72,7 @@ int print_cases(const Options& options) {
   for (std::uint64_t index = options.from; index < options.from + options.samples; ++index) {
     const adversarial::Case drawn = adversarial::draw_case(options.seed, index);
     cases::Shapes shapes{drawn.ball, drawn.polygon};
-    if (options.moving) {
-      const Motion motion = adversarial::draw_motion(drawn, options.seed, index);
-      shapes = {motion.ball, drawn.polygon, motion.to};
-    }
+    if (options.moving) shapes.question = adversarial::draw_motion(drawn, options.seed, index);
     fmt::print("{}", cases::case_line(adversarial::name_of_case(options.seed, index), shapes,
                                       {std::string(to_string(drawn.family))}));
   }

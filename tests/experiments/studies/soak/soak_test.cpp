@@ -240,8 +240,8 @@ void expect_found(const SystemUnderTest& wrong, const std::string& question, boo
     EXPECT_EQ(read.id, "soak-s9-i" + std::to_string(difference.index));
     EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
     const auto& shapes = std::get<cases::Shapes>(read.content);
-    const Answer still = exact::answer(shapes.ball, shapes.polygon);
-    EXPECT_EQ(shapes.motion().has_value(), moving) << difference.line;
+    const Answer still = exact::answer(shapes.ball(), shapes.polygon);
+    EXPECT_EQ(shapes.motion() != nullptr, moving) << difference.line;
     const auto truth =
         moving ? cases::PartialAnswer::of(exact::first_contact(*shapes.motion(), shapes.polygon), still.off_plane, "")
                : cases::PartialAnswer::of(still, "");
@@ -426,8 +426,8 @@ TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
     const adversarial::Case drawn = adversarial::draw_case(2, index);
     EXPECT_EQ(read.id, "soak-s2-i" + std::to_string(index));
     const auto& shapes = std::get<cases::Shapes>(read.content);
-    EXPECT_EQ(shapes.ball.center, drawn.ball.center);
-    EXPECT_EQ(shapes.ball.radius, drawn.ball.radius);
+    EXPECT_EQ(shapes.ball().center, drawn.ball.center);
+    EXPECT_EQ(shapes.ball().radius, drawn.ball.radius);
     EXPECT_EQ(shapes.polygon, drawn.polygon);
   }
   EXPECT_FALSE(std::getline(lines, line));
