@@ -148,7 +148,7 @@ class Shrinker {
     if (std::abs(margin_) > kMostMargin || !is_usable(shapes)) return false;
     const double threshold = threshold_of(shapes);
     if (!std::isfinite(threshold)) return false;
-    shapes.question = with_radius(shapes.question, workloads::move_by_doubles(threshold, margin_));
+    shapes.question = cases::with_radius(shapes.question, workloads::move_by_doubles(threshold, margin_));
     return take(shapes);
   } catch (const Rejected&) {
     return false;

@@ -33,9 +33,10 @@ Verdict verdict_of(const CaseView& view, const cases::Method& method) {
     }
     verdict.answer = cases::stated(*answer);
     for (std::size_t i = 0; i < view.radii.offsets.size(); ++i)
-      verdict.contact.push_back(prepared->answer(with_radius(view.shapes.question, view.radii.radius(view.shapes, i)))
-                                    .value_or(cases::PartialAnswer{})
-                                    .contact);
+      verdict.contact.push_back(
+          prepared->answer(cases::with_radius(view.shapes.question, view.radii.radius(view.shapes, i)))
+              .value_or(cases::PartialAnswer{})
+              .contact);
   } catch (const std::exception& error) {
     verdict.fault = error.what();
     verdict.contact.clear();

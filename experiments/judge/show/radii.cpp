@@ -53,7 +53,7 @@ Radii radii_around(const cases::Shapes& shapes) {
   const exact::PreparedPolygon polygon(shapes.polygon);
   const auto touches = [&](double radius) {
     return std::visit([&](const auto& asked) { return exact::contact(asked, polygon); },
-                      with_radius(shapes.question, radius));
+                      cases::with_radius(shapes.question, radius));
   };
   const std::int64_t own = workloads::ordinal(shapes.ball().radius);
   const auto first = least(kLast, [&](std::int64_t rank) { return touches(workloads::from_ordinal(rank)); });
