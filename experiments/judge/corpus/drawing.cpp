@@ -33,11 +33,11 @@ Stream workload_stream(const workloads::Workload& workload, std::size_t count) {
           .count = count};
 }
 
-Stream soak_stream(adversarial::Family family, std::size_t count) {
+Stream soak_stream(workloads::adversarial::Family family, std::size_t count) {
   return {.draw = [family](std::uint64_t index) -> std::optional<CorpusCase> {
-            adversarial::Case drawn = adversarial::draw_case(kSeed, index);
+            workloads::adversarial::Case drawn = workloads::adversarial::draw_case(kSeed, index);
             if (drawn.family != family) return std::nullopt;
-            return CorpusCase{adversarial::name_of_case(kSeed, index),
+            return CorpusCase{workloads::adversarial::name_of_case(kSeed, index),
                               {drawn.ball, std::move(drawn.polygon)},
                               {std::string(to_string(family))},
                               fmt::format("touchstone soak --seed {} --from {} --samples 1 --print", kSeed, index)};

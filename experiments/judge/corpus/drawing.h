@@ -24,7 +24,7 @@ struct Stream {
 /// Returns the cases of a workload, seed 1.
 [[nodiscard]] Stream workload_stream(const workloads::Workload& workload, std::size_t count);
 /// Returns the cases of one family of `soak`, seed 1.
-[[nodiscard]] Stream soak_stream(adversarial::Family family, std::size_t count);
+[[nodiscard]] Stream soak_stream(workloads::adversarial::Family family, std::size_t count);
 
 /// A predicate: whether the case, given its answer, is of the kind of the family.
 using Kind = std::function<bool(const CorpusCase&, const cases::PartialAnswer& truth)>;

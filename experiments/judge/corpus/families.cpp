@@ -46,21 +46,21 @@ std::vector<Stream> outlines_near(BallPlace place, std::size_t count) {
 
 std::string face() {
   auto streams = outlines_near(BallPlace::NearFace, 2);
-  streams.push_back(soak_stream(adversarial::Family::General, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
   return drawn_text(
       streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Face); });
 }
 
 std::string edge() {
   auto streams = outlines_near(BallPlace::NearEdge, 2);
-  streams.push_back(soak_stream(adversarial::Family::General, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
   return drawn_text(
       streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Edge); });
 }
 
 std::string vertex() {
   auto streams = outlines_near(BallPlace::NearVertex, 2);
-  streams.push_back(soak_stream(adversarial::Family::General, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
   return drawn_text(
       streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Vertex); });
 }
@@ -103,7 +103,7 @@ std::string foot_on_edge() {
     for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
       add_outlines(streams, {.ball = BallPlace::FootNearEdge, .vertices = vertices, .holes = holes},
                    vertices == 12 ? 1 : 3);
-  streams.push_back(soak_stream(adversarial::Family::Foot, 100));
+  streams.push_back(soak_stream(workloads::adversarial::Family::Foot, 100));
   return drawn_text(streams, any_kind);
 }
 
@@ -122,33 +122,34 @@ std::string tangent_lattice() {
     add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 12, .holes = holes}, 1);
   for (const int doubles : {-1, 0, 1})
     add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 6, .doubles = doubles}, 3);
-  streams.push_back(soak_stream(adversarial::Family::Lattice, 80));
-  streams.push_back(soak_stream(adversarial::Family::Tangent, 80));
+  streams.push_back(soak_stream(workloads::adversarial::Family::Lattice, 80));
+  streams.push_back(soak_stream(workloads::adversarial::Family::Tangent, 80));
   return drawn_text(streams, any_kind);
 }
 
-std::string sliver() { return drawn_text({soak_stream(adversarial::Family::Needle, 320)}, any_kind); }
+std::string sliver() { return drawn_text({soak_stream(workloads::adversarial::Family::Needle, 320)}, any_kind); }
 
 std::string far() {
   std::vector<Stream> streams;
   for (const double distance : {0x1p10, 0x1p18, 0x1p25})
     for (const BallPlace place : {BallPlace::NearFace, BallPlace::NearEdge, BallPlace::FootNearEdge})
       add_outlines(streams, {.ball = place, .vertices = 5, .origin_distance = distance}, 1);
-  streams.push_back(soak_stream(adversarial::Family::FarAway, 60));
-  streams.push_back(soak_stream(adversarial::Family::Grazing, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::FarAway, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::Grazing, 60));
   return drawn_text(streams, any_kind);
 }
 
 std::string exponents() {
-  return drawn_text({soak_stream(adversarial::Family::Exponents, 110), soak_stream(adversarial::Family::Scaled, 110),
-                     soak_stream(adversarial::Family::Close, 60)},
+  return drawn_text({soak_stream(workloads::adversarial::Family::Exponents, 110),
+                     soak_stream(workloads::adversarial::Family::Scaled, 110),
+                     soak_stream(workloads::adversarial::Family::Close, 60)},
                     any_kind);
 }
 
-std::string point() { return drawn_text({soak_stream(adversarial::Family::Point, 250)}, any_kind); }
+std::string point() { return drawn_text({soak_stream(workloads::adversarial::Family::Point, 250)}, any_kind); }
 
 std::string off_plane() {
-  return drawn_text({soak_stream(adversarial::Family::Outline, 190)},
+  return drawn_text({soak_stream(workloads::adversarial::Family::Outline, 190)},
                     [](const CorpusCase& drawn, const PartialAnswer& truth) {
                       const double off = *truth.off_plane;
                       return std::isfinite(off) && off > 0x1p-30 * workloads::extent_of(drawn.shapes.polygon);

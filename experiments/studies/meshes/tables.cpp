@@ -11,7 +11,7 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/cases/workloads/meshes/face_polygon.h"
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/run/statistics/clopper_pearson.h"
 #include "experiments/run/statistics/percent.h"
 #include "experiments/run/table.h"

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/cases/workloads/adversarial/motions.h"
+#include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
@@ -23,7 +23,11 @@ constexpr std::uint64_t kWholeOneIn = 16;
 class Comparison {
  public:
   Comparison(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally)
-      : tested_(tested), seed_(seed), index_(index), case_(adversarial::draw_case(seed, index)), tally_(tally) {}
+      : tested_(tested),
+        seed_(seed),
+        index_(index),
+        case_(workloads::adversarial::draw_case(seed, index)),
+        tally_(tally) {}
 
   void ask_all() {
     const exact::PreparedPolygon truth(case_.polygon);
@@ -42,7 +46,7 @@ class Comparison {
   }
 
   void ask_all_moving() {
-    const Motion motion = adversarial::draw_motion(case_, seed_, index_);
+    const Motion motion = workloads::adversarial::draw_motion(case_, seed_, index_);
     case_.ball = motion.ball;
     to_ = motion.to;
     const FirstContact truth = exact::first_contact(motion, case_.polygon);
@@ -170,13 +174,13 @@ class Comparison {
     cases::Shapes shapes{ball, polygon};
     if (to_) shapes.question = Motion{ball, *to_};
     differences_.push_back(
-        {index_, cases::case_line(adversarial::name_of_case(seed_, index_), shapes,
+        {index_, cases::case_line(workloads::adversarial::name_of_case(seed_, index_), shapes,
                                   {std::string(to_string(case_.family)), question}, exact_answer(shapes))});
   }
 
   const SystemUnderTest& tested_;
   std::uint64_t seed_, index_;
-  adversarial::Case case_;
+  workloads::adversarial::Case case_;
   std::optional<Eigen::Vector3d> to_;  // of a moving ball
   Tally& tally_;
   std::vector<Difference> differences_;
