@@ -15,8 +15,7 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/methods/process/engine_signals.h"
-#include "experiments/methods/process/supervised_engine.h"
+#include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {

@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/corpus/families.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/cases/workloads/loops.h"
-#include "experiments/judge/corpus/drawing.h"
-#include "experiments/judge/corpus/given.h"
+#include "experiments/cases/workloads/workload.h"
+#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/run/data.h"
+#include "experiments/run/input.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -18,6 +31,113 @@ using Eigen::Vector3d;
 using workloads::BallPlace;
 using workloads::Placement;
 using workloads::Workload;
+
+/// Throws std::runtime_error with the fault of the line.
+std::string completed(const std::string& text, const std::string& name) {
+  const cases::Case read = cases::read_case(text);
+  if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
+    const auto code = std::string(to_string(rejection->code));
+    if (!read.expected || !read.expected->rejects())
+      throw std::runtime_error(fmt::format("rejected: {}: {}", code, rejection->message));
+    if (!cases::differences(*read.expected, cases::stated(*rejection)).empty())
+      throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, read.expected->texts.at("error")));
+    return text + "\n";
+  }
+  const auto& shapes = std::get<cases::Shapes>(read.content);
+  const cases::PartialAnswer truth = exact_answer(shapes);
+  if (read.expected)
+    for (const cases::Difference& difference : cases::differences(*read.expected, truth))
+      throw std::runtime_error(to_string(difference));
+  Labels labels = labels_of(text);
+  if (std::ranges::find(labels.tags, name) == labels.tags.end()) labels.tags.insert(labels.tags.begin(), name);
+  return line_of({*read.id, shapes, labels.tags, labels.origin.empty() ? "by hand" : labels.origin}, truth);
+}
+
+/// Returns the cases of experiments/judge/corpus/given/NAME.jsonl, each with its whole answer. They were made by hand,
+/// or found once and cannot be drawn again: in files that are not part of the sources, or in programs with planted
+/// bugs. A line with an expected rejection is kept byte for byte; every expectation of a line must hold. Throws
+/// std::runtime_error, which names file and line.
+std::string given_text(const std::string& name) {
+  const auto file = run::data("experiments/judge/corpus/given/" + name + ".jsonl");
+  std::ifstream stream = run::open_file(file);
+  std::string text, line;
+  for (std::size_t number = 1; std::getline(stream, line); ++number) try {
+      text += completed(line, name);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}: line {}: {}", file.string(), number, error.what()));
+    }
+  return text;
+}
+
+/// A sequence of cases to draw.
+struct Stream {
+  /// Draws case number `index`; nothing if it does not belong to this stream.
+  std::function<std::optional<CorpusCase>(std::uint64_t index)> draw;
+  std::size_t count;            ///< the number of cases wanted
+  std::uint64_t most = 20'000;  ///< the maximal number of indices to try
+};
+
+/// A predicate: whether the case, given its answer, is of the kind of the family.
+using Kind = std::function<bool(const CorpusCase&, const cases::PartialAnswer& truth)>;
+
+constexpr std::uint64_t kSeed = 1;
+constexpr std::size_t kLongestLine = 2'400;
+
+std::string command_of(const workloads::Workload& w, std::uint64_t index) {
+  std::string command =
+      fmt::format("touchstone cases --family {} --placement {} --ball {} --vertices {} --holes {}", to_string(w.family),
+                  to_string(w.placement), to_string(w.ball), w.vertices, w.holes);
+  if (w.doubles != 0) command += fmt::format(" --ulps {}", w.doubles);
+  if (w.way != workloads::Way::Static) command += fmt::format(" --way {}", to_string(w.way));
+  if (w.origin_distance != 0) command += fmt::format(" --origin-distance {}", w.origin_distance);
+  return command + fmt::format(" --seed {} --first {} --samples 1", kSeed, index);
+}
+
+/// Returns the cases of a workload, seed 1.
+Stream workload_stream(const workloads::Workload& workload, std::size_t count) {
+  return {.draw =
+              [workload](std::uint64_t index) {
+                workloads::Sample sample = workloads::sample(workload, kSeed, index);
+                return CorpusCase{std::move(sample.id),
+                                  {sample.question(), std::move(sample.polygon)},
+                                  std::move(sample.tags),
+                                  command_of(workload, index)};
+              },
+          .count = count};
+}
+
+/// Returns the cases of one family of `soak`, seed 1.
+Stream soak_stream(workloads::adversarial::Family family, std::size_t count) {
+  return {.draw = [family](std::uint64_t index) -> std::optional<CorpusCase> {
+            workloads::adversarial::Case drawn = workloads::adversarial::draw_case(kSeed, index);
+            if (drawn.family != family) return std::nullopt;
+            return CorpusCase{workloads::adversarial::name_of_case(kSeed, index),
+                              {drawn.ball, std::move(drawn.polygon)},
+                              {std::string(to_string(family))},
+                              fmt::format("touchstone soak --seed {} --from {} --samples 1 --print", kSeed, index)};
+          },
+          .count = count};
+}
+
+/// Returns, one per line, the first cases of each stream that are of that kind and that a witness gets wrong. Skips
+/// long lines, because people read the cases.
+std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
+  std::string text;
+  for (const Stream& stream : streams) {
+    std::size_t found = 0;
+    for (std::uint64_t index = 0; found < stream.count && index < stream.most; ++index) {
+      const auto drawn = stream.draw(index);
+      if (!drawn) continue;
+      const cases::PartialAnswer truth = exact_answer(drawn->shapes);
+      if (!kind(*drawn, truth) || failing_witnesses(drawn->shapes, truth).empty()) continue;
+      const std::string line = line_of(*drawn, truth);
+      if (line.size() > kLongestLine) continue;
+      text += line;
+      ++found;
+    }
+  }
+  return text;
+}
 
 bool any_kind(const CorpusCase&, const PartialAnswer&) { return true; }
 

@@ -7,8 +7,6 @@
 #include "experiments/judge/show/case_view.h"
 #include "experiments/judge/show/flat_case.h"
 #include "experiments/judge/show/page.h"
-#include "experiments/judge/show/picture.h"
-#include "experiments/judge/show/radii.h"
 #include "experiments/methods/registry.h"
 
 namespace touchstone::show {
