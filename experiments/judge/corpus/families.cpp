@@ -185,18 +185,10 @@ std::string vertex() {
       streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Vertex); });
 }
 
-Vector3d normal_of(const Polygon& polygon, std::size_t loop) {
-  Vector3d normal = Vector3d::Zero();
-  const Vector3d origin = polygon.vertex(polygon.loop_begin(loop));
-  for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
-    normal += (polygon.vertex(i) - origin).cross(polygon.vertex(polygon.next(i)) - origin);
-  return normal;
-}
-
 /// Returns whether the interior angle at the vertex nearest to the foot is greater than 180 degrees. In doubles.
 bool is_reflex_near_foot(const CorpusCase& drawn, const PartialAnswer&) {
   const Polygon& polygon = drawn.shapes.polygon;
-  const Vector3d normal = normal_of(polygon, 0), center = drawn.shapes.ball().center;
+  const Vector3d normal = workloads::normal_of(polygon, 0), center = drawn.shapes.ball().center;
   const Vector3d from = center - polygon.vertex(0);
   const Vector3d foot = center - from.dot(normal) / normal.squaredNorm() * normal;
   std::size_t nearest = 0;
@@ -206,7 +198,7 @@ bool is_reflex_near_foot(const CorpusCase& drawn, const PartialAnswer&) {
   const Vector3d corner = polygon.vertex(nearest);
   const Vector3d turn =
       (corner - polygon.vertex(polygon.previous(nearest))).cross(polygon.vertex(polygon.next(nearest)) - corner);
-  const bool convex_in_loop = turn.dot(normal_of(polygon, loop)) > 0;
+  const bool convex_in_loop = turn.dot(workloads::normal_of(polygon, loop)) > 0;
   return convex_in_loop == (loop != 0);  // a convex corner of a hole is a reflex corner of the face
 }
 

@@ -106,7 +106,7 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
     for (const auto& [n, tags] : cases) {
       const auto sample = draw_case(settings, group, n);
       const auto answer = cases::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
-      text += cases::case_line(sample.id, sample.ball, sample.polygon, tags, answer);
+      text += cases::case_line(sample.id, {sample.ball, sample.polygon}, tags, answer);
     }
   }
   return text;
