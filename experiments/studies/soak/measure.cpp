@@ -15,6 +15,7 @@
 namespace touchstone::soak {
 namespace {
 
+namespace adversarial = workloads::adversarial;
 using filtered::StageCounts;
 
 constexpr std::uint64_t kWholeOneIn = 16;
@@ -23,11 +24,7 @@ constexpr std::uint64_t kWholeOneIn = 16;
 class Comparison {
  public:
   Comparison(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally)
-      : tested_(tested),
-        seed_(seed),
-        index_(index),
-        case_(workloads::adversarial::draw_case(seed, index)),
-        tally_(tally) {}
+      : tested_(tested), seed_(seed), index_(index), case_(adversarial::draw_case(seed, index)), tally_(tally) {}
 
   void ask_all() {
     const exact::PreparedPolygon truth(case_.polygon);
@@ -46,7 +43,7 @@ class Comparison {
   }
 
   void ask_all_moving() {
-    const Motion motion = workloads::adversarial::draw_motion(case_, seed_, index_);
+    const Motion motion = adversarial::draw_motion(case_, seed_, index_);
     case_.ball = motion.ball;
     to_ = motion.to;
     const FirstContact truth = exact::first_contact(motion, case_.polygon);
@@ -174,13 +171,13 @@ class Comparison {
     cases::Shapes shapes{ball, polygon};
     if (to_) shapes.question = Motion{ball, *to_};
     differences_.push_back(
-        {index_, cases::case_line(workloads::adversarial::name_of_case(seed_, index_), shapes,
+        {index_, cases::case_line(adversarial::name_of_case(seed_, index_), shapes,
                                   {std::string(to_string(case_.family)), question}, exact_answer(shapes))});
   }
 
   const SystemUnderTest& tested_;
   std::uint64_t seed_, index_;
-  workloads::adversarial::Case case_;
+  adversarial::Case case_;
   std::optional<Eigen::Vector3d> to_;  // of a moving ball
   Tally& tally_;
   std::vector<Difference> differences_;
