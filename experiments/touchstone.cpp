@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/methods/registry.h"
 #include "experiments/run/colour.h"
 #include "experiments/run/json/json_fault.h"
 #include "experiments/run/run_record.h"
@@ -65,7 +64,7 @@ int main(int argc, char** argv) {
   std::set_terminate(end_out_of_memory);
   try {
     using namespace touchstone::commands;
-    touchstone::methods::add_methods(touchstone::convex::add_methods);
+    touchstone::convex::add_methods();
     std::vector<touchstone::run::Command> commands;
     const auto add = [&](const std::string& heading, std::vector<touchstone::run::Command> some) {
       for (auto& command : some) command.heading(heading);

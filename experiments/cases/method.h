@@ -15,7 +15,7 @@
 
 namespace touchstone::cases {
 
-/// What is asked about a polygon: a ball at a place, or one that moves.
+/// A question about a polygon: a ball at a place, or one that moves.
 using Question = std::variant<Ball, Motion>;
 /// Returns the ball; of one that moves, at its start.
 [[nodiscard]] inline const Ball& ball_of(const Question& question) {

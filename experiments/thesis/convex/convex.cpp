@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "experiments/cases/method.h"
+#include "experiments/methods/registry.h"
 #include "experiments/methods/triangulate.h"
 #include "geometry/contact/fast.h"
 #include "geometry/detail/floating_point_state.h"
@@ -153,11 +154,13 @@ std::vector<Polygon> convex_parts(const Polygon& polygon) {
   return polygons;
 }
 
-void add_methods(methods::MethodList& list) {
-  list.push_back(std::make_unique<Convex>("hull", "fast on the polygon's convex hull, which fills notches and holes",
-                                          [](const Polygon& polygon) { return std::vector{convex_hull(polygon)}; }));
-  list.push_back(std::make_unique<Convex>("convex-parts", "fast on convex parts of the polygon, joined from triangles",
-                                          convex_parts));
+void add_methods() {
+  methods::add_methods([](methods::MethodList& list) {
+    list.push_back(std::make_unique<Convex>("hull", "fast on the polygon's convex hull, which fills notches and holes",
+                                            [](const Polygon& polygon) { return std::vector{convex_hull(polygon)}; }));
+    list.push_back(std::make_unique<Convex>(
+        "convex-parts", "fast on convex parts of the polygon, joined from triangles", convex_parts));
+  });
 }
 
 }  // namespace touchstone::convex

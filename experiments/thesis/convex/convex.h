@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/methods/add_methods.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::convex {
@@ -21,7 +20,7 @@ namespace touchstone::convex {
 /// Cost: O(n^2 log n). Source: Hertel and Mehlhorn (1983).
 [[nodiscard]] std::vector<Polygon> convex_parts(const Polygon& polygon);
 
-/// Adds the methods `hull` and `convex-parts`, which ask `fast` about them.
-void add_methods(methods::MethodList& list);
+/// Adds the methods `hull` and `convex-parts`, which ask `fast` about them, as methods::add_methods does.
+void add_methods();
 
 }  // namespace touchstone::convex

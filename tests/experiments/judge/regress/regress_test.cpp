@@ -268,9 +268,8 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   const auto judged = cases::read_case(worse);
   const auto& shapes = std::get<cases::Shapes>(judged.content);
   EXPECT_EQ(judged.expected->values.contact, exact::contact(shapes.ball(), shapes.polygon));
-  EXPECT_NE(
-      methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball(), cases::QueryKind::Contact).contact,
-      judged.expected->values.contact);
+  EXPECT_NE(methods::find_method("thesis")->prepare(shapes.polygon)->answer(shapes.question)->contact,
+            judged.expected->values.contact);
 }
 
 }  // namespace

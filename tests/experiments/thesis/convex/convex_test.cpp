@@ -84,7 +84,7 @@ TEST(Convex, HullsContainAndPartsCover) {
 // In the notch of a U the hull touches what is not there; parts answer as the polygon does.
 TEST(Convex, TheHullFillsANotchAndPartsDoNot) {
   const Polygon u({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {6, 9, 0}, {6, 3, 0}, {3, 3, 0}, {3, 9, 0}, {0, 9, 0}});
-  methods::add_methods(add_methods);
+  add_methods();
   const auto hull = methods::find_method("hull")->prepare(u), parts = methods::find_method("convex-parts")->prepare(u);
   const auto says = [](const auto& method, const Ball& ball) {
     return method->ask(ball, cases::QueryKind::Contact).contact.value();
