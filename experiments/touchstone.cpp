@@ -16,6 +16,7 @@
 #include "experiments/run/json/json_fault.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/standard_output.h"
+#include "experiments/thesis/convex/convex.h"
 #include "geometry/io/detail/legible.h"
 
 namespace {
@@ -63,6 +64,7 @@ int main(int argc, char** argv) {
   std::set_terminate(end_out_of_memory);
   try {
     using namespace touchstone::commands;
+    touchstone::convex::add_methods();
     std::vector<touchstone::run::Command> commands;
     const auto add = [&](const std::string& heading, std::vector<touchstone::run::Command> some) {
       for (auto& command : some) command.heading(heading);

@@ -15,6 +15,8 @@
 #include "experiments/run/input.h"
 #include "experiments/run/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::cases {
@@ -78,20 +80,12 @@ class Reader {
       throw Rejected({RejectionCode::NotFinite, expected_.infinite + " has a number beyond the finite doubles"});
   }
 
-  [[nodiscard]] Ball ball() const {
-    const json& ball = member(text_.value, "ball", "the case");
-    if (!ball.is_object()) malformed("ball is not an object");
-    const json& radius = member(ball, "radius", "ball");
-    if (!radius.is_number()) malformed("ball.radius is not a number");
-    return {point(member(ball, "center", "ball"), "ball.center"), radius.get<double>()};
-  }
-
-  /// Returns the end of the centre's way; nothing if the ball does not move.
-  [[nodiscard]] std::optional<Eigen::Vector3d> to() const {
+  [[nodiscard]] Question question() const {
+    const Ball ball = this->ball();
     const auto motion = text_.value.find("motion");
-    if (motion == text_.value.end()) return std::nullopt;
+    if (motion == text_.value.end()) return ball;
     if (!motion->is_object()) malformed("motion is not an object");
-    return point(member(*motion, "to", "motion"), "motion.to");
+    return Motion{ball, point(member(*motion, "to", "motion"), "motion.to")};
   }
 
   [[nodiscard]] std::vector<Loop> loops() const {
@@ -109,6 +103,14 @@ class Reader {
  private:
   [[noreturn]] static void malformed(const std::string& message) {
     throw Rejected({RejectionCode::MalformedCase, message});
+  }
+
+  [[nodiscard]] Ball ball() const {
+    const json& ball = member(text_.value, "ball", "the case");
+    if (!ball.is_object()) malformed("ball is not an object");
+    const json& radius = member(ball, "radius", "ball");
+    if (!radius.is_number()) malformed("ball.radius is not a number");
+    return {point(member(ball, "center", "ball"), "ball.center"), radius.get<double>()};
   }
 
   static const json& member(const json& object, const char* key, const char* owner) {
@@ -145,18 +147,17 @@ class Reader {
 
 Shapes read_shapes(const Reader& reader) {
   reader.check_form();
-  const Ball ball = reader.ball();
-  const auto to = reader.to();
+  Question question = reader.question();
   const std::vector<Loop> loops = reader.loops();
   reader.check_expected_is_finite();
 
-  const auto fault = find_fault(Motion{ball, to.value_or(ball.center)});
+  const auto fault = std::visit([](const auto& asked) { return find_fault(asked); }, question);
   if (fault && fault->code == RejectionCode::NotFinite) throw Rejected(*fault);
   try {
     Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
     if (fault) throw Rejected(*fault);
     if (const auto rejection = exact::validate(polygon)) throw Rejected(*rejection);
-    return {ball, std::move(polygon), to};
+    return {std::move(question), std::move(polygon)};
   } catch (const Rejected& rejected) {
     // In the order of rejections, a negative radius precedes every fault of the loops except numbers that are not
     // finite.
@@ -191,6 +192,14 @@ bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& b
 }
 
 }  // namespace
+
+PartialAnswer exact_answer(const Shapes& shapes) {
+  const exact::PreparedPolygon polygon(shapes.polygon);
+  const Answer answer = exact::answer(shapes.ball(), polygon);
+  if (const Motion* motion = shapes.motion())
+    return PartialAnswer::of(exact::first_contact(*motion, polygon), answer.off_plane, "");
+  return PartialAnswer::of(answer, "");
+}
 
 Case read_case(std::string_view line) {
   const run::StrictJson text = run::read_strict_json(line);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,8 +11,6 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/run/json/not_json.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
 
@@ -21,12 +18,17 @@ namespace touchstone::cases {
 
 /// A valid ball, at a place or moving, and a valid polygon: input for every method.
 struct Shapes {
-  Ball ball;
+  Question question;
   Polygon polygon;
-  std::optional<Eigen::Vector3d> to{};  ///< the end of the centre's way, if the ball moves
 
-  [[nodiscard]] std::optional<Motion> motion() const { return to ? std::optional(Motion{ball, *to}) : std::nullopt; }
+  /// Returns the ball; of one that moves, at its start.
+  [[nodiscard]] const Ball& ball() const { return ball_of(question); }
+  /// Returns nothing for a ball at a place.
+  [[nodiscard]] const Motion* motion() const { return std::get_if<Motion>(&question); }
 };
+
+/// Returns the exact answer with all its keys.
+[[nodiscard]] PartialAnswer exact_answer(const Shapes& shapes);
 
 /// One line of a file of cases, read according to the contract.
 struct Case {

@@ -5,6 +5,12 @@
 
 namespace touchstone::cases {
 
+Question with_radius(Question question, double radius) {
+  auto* motion = std::get_if<Motion>(&question);
+  (motion ? motion->ball : std::get<Ball>(question)).radius = radius;
+  return question;
+}
+
 PartialAnswer PartialAnswer::of(const Answer& answer, std::string_view stage) {
   PartialAnswer all;
   all.plane = answer.plane;
@@ -37,6 +43,11 @@ PartialAnswer PartialAnswer::of(const FirstContact& first, double off_plane, std
 }
 
 std::optional<PartialAnswer> PreparedMethod::ask_moving(const Motion&) const { return std::nullopt; }
+
+std::optional<PartialAnswer> PreparedMethod::answer(const Question& question) const {
+  if (const auto* motion = std::get_if<Motion>(&question)) return ask_moving(*motion);
+  return ask(std::get<Ball>(question), QueryKind::Answer);
+}
 
 bool is_null(const PartialAnswer& answer, const Key& key) {
   if (!answer.first || has(answer, key)) return false;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "geometry/contact/answer.h"
@@ -13,6 +14,16 @@
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::cases {
+
+/// A question about a polygon: a ball at a place, or one that moves.
+using Question = std::variant<Ball, Motion>;
+/// Returns the ball; of one that moves, at its start.
+[[nodiscard]] inline const Ball& ball_of(const Question& question) {
+  const auto* motion = std::get_if<Motion>(&question);
+  return motion ? motion->ball : std::get<Ball>(question);
+}
+/// Returns the question about a ball with another radius.
+[[nodiscard]] Question with_radius(Question question, double radius);
 
 /// The kinds of queries: a single test of the contract, or all keys of the answer.
 enum class QueryKind { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
@@ -51,6 +62,8 @@ class PreparedMethod {
   [[nodiscard]] virtual PartialAnswer ask(const Ball& ball, QueryKind kind) const = 0;
   /// Returns all keys about a moving ball that the method computes, or nothing if it cannot answer about moving balls.
   [[nodiscard]] virtual std::optional<PartialAnswer> ask_moving(const Motion& motion) const;
+  /// Returns all keys that the method computes, likewise.
+  [[nodiscard]] std::optional<PartialAnswer> answer(const Question& question) const;
 };
 
 /// A way to answer queries: one of ours, a historical one, or a third-party engine. Each method has its own file.

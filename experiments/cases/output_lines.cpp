@@ -58,9 +58,4 @@ std::string case_line(const std::string& id, const Shapes& shapes, const std::ve
   return to_line(case_of(id, shapes, tags, expected ? object_of(*expected) : Verdict(nullptr)));
 }
 
-std::string case_line(const std::string& id, const Ball& ball, const Polygon& polygon,
-                      const std::vector<std::string>& tags, const std::optional<PartialAnswer>& expected) {
-  return case_line(id, Shapes{ball, polygon}, tags, expected);
-}
-
 }  // namespace touchstone::cases

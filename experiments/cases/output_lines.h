@@ -26,9 +26,5 @@ namespace touchstone::cases {
 /// Returns a case in the form of the contract; without an expectation, it has no `expected`.
 [[nodiscard]] std::string case_line(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
                                     const std::optional<PartialAnswer>& expected = std::nullopt);
-/// Returns the same for a ball at a place.
-[[nodiscard]] std::string case_line(const std::string& id, const Ball& ball, const Polygon& polygon,
-                                    const std::vector<std::string>& tags,
-                                    const std::optional<PartialAnswer>& expected = std::nullopt);
 
 }  // namespace touchstone::cases

@@ -212,8 +212,8 @@ Verdict case_of(const std::string& id, const Shapes& shapes, const std::vector<s
                 const Verdict& expected) {
   Verdict object = Verdict::object();
   object["id"] = id;
-  object["ball"] = object_of(shapes.ball);
-  if (shapes.to) object["motion"] = object_of(*shapes.motion());
+  object["ball"] = object_of(shapes.ball());
+  if (const Motion* motion = shapes.motion()) object["motion"] = object_of(*motion);
   object["polygon"] = object_of(shapes.polygon);
   if (!expected.is_null()) object["expected"] = expected;
   object["tags"] = tags;

@@ -34,22 +34,16 @@ struct CasesOptions {
   methods::Selection failing;
 };
 
-/// Returns no key if the sample moves and the method cannot answer about moving balls.
-cases::PartialAnswer ask(const cases::Method& method, const workloads::Sample& sample) {
-  const auto prepared = method.prepare(sample.polygon);
-  if (sample.to) return prepared->ask_moving({sample.ball, *sample.to}).value_or(cases::PartialAnswer{});
-  return prepared->ask(sample.ball, cases::QueryKind::Answer);
-}
-
 /// Returns whether one of the methods gives a wrong value for a key, apart from rounding errors of lengths and times.
-bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sample& sample,
+bool fails(const std::vector<const cases::Method*>& methods, const cases::Shapes& shapes,
            const cases::PartialAnswer& truth) {
   const cases::PartialAnswer looked_at =
       only(truth, {key_of(&PartialAnswer::foot), key_of(&PartialAnswer::edges_hit), key_of(&PartialAnswer::relation),
                    key_of(&PartialAnswer::contact), key_of(&PartialAnswer::nearest), key_of(&PartialAnswer::first),
                    key_of(&PartialAnswer::momentary), key_of(&PartialAnswer::feature)});
   return std::ranges::any_of(methods, [&](const cases::Method* method) {
-    return !cases::differing_keys(looked_at, ask(*method, sample)).empty();
+    const auto answer = method->prepare(shapes.polygon)->answer(shapes.question);
+    return answer && !cases::differing_keys(looked_at, *answer).empty();
   });
 }
 
@@ -59,19 +53,18 @@ bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sa
 
 void print(const CasesOptions& options) {
   const auto failing = options.failing.methods();
-  const cases::Method& exact = *methods::find_method("exact");
   std::uint64_t printed = 0;
   for (std::uint64_t index = options.first; printed < options.count; ++index) {
     const workloads::Sample sample = workloads::sample(options.workload, options.seed, index);
+    const cases::Shapes shapes{sample.question(), sample.polygon};
     std::optional<cases::PartialAnswer> truth;
-    if (options.expected || !failing.empty()) truth = ask(exact, sample);
-    if (!failing.empty() && !fails(failing, sample, *truth)) {
+    if (options.expected || !failing.empty()) truth = exact_answer(shapes);
+    if (!failing.empty() && !fails(failing, shapes, *truth)) {
       if (index - options.first >= kMostSamplesPerCase * options.count) break;
       continue;
     }
     ++printed;
-    const std::string line = cases::case_line(sample.id, cases::Shapes{sample.ball, sample.polygon, sample.to},
-                                              sample.tags, options.expected ? truth : std::nullopt);
+    const std::string line = cases::case_line(sample.id, shapes, sample.tags, options.expected ? truth : std::nullopt);
     if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size()) cannot_write();
   }
   if (std::fflush(stdout) != 0) cannot_write();

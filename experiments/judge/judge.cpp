@@ -15,8 +15,7 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/methods/process/engine_signals.h"
-#include "experiments/methods/process/supervised_engine.h"
+#include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
@@ -98,13 +97,11 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
     return;
   }
   const auto& shapes = std::get<cases::Shapes>(given.content);
-  const auto motion = shapes.motion();
   for (const auto* method : order_.methods) {
     std::optional<cases::PartialAnswer> answered = cases::PartialAnswer{};
     std::string fault;
     try {
-      const auto prepared = method->prepare(shapes.polygon);
-      answered = motion ? prepared->ask_moving(*motion) : prepared->ask(shapes.ball, cases::QueryKind::Answer);
+      answered = method->prepare(shapes.polygon)->answer(shapes.question);
     } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
       fault = fmt::format("ended with: {}", error.what());
       complain(fmt::format("{}: method {}: {}", name(line), method->name(), fault));
@@ -122,7 +119,7 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
     }
     const cases::StatedAnswer answer = cases::stated(*answered);
     print(cases::verdict_line(*given.id, method->name(), answer,
-                              order_.explain ? std::optional(shapes.ball.radius) : std::nullopt));
+                              order_.explain ? std::optional(shapes.ball().radius) : std::nullopt));
     compare(line, method->name(), answer, fault);
   }
 }
@@ -219,7 +216,7 @@ Status judge(const Order& order) {
   };
   cases::read_lines(order.files, [&](cases::Line&& line) {
     const auto* shapes = line.read ? std::get_if<cases::Shapes>(&line.read->content) : nullptr;
-    if (order.at_rest && shapes != nullptr && shapes->to) return true;
+    if (order.at_rest && shapes != nullptr && shapes->motion() != nullptr) return true;
     complain_of_surplus();
     if (line.read)
       reporter.report_own_methods(line);

@@ -13,7 +13,7 @@
 #include "experiments/cases/key.h"
 #include "experiments/judge/judge.h"
 #include "experiments/judge/report.h"
-#include "experiments/methods/process/engine_signals.h"
+#include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/colour.h"

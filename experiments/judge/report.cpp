@@ -203,7 +203,7 @@ void Report::add(const Judged& judged) {
       judged.differences, [&](const auto& difference) { return is_wrong(difference) && difference.key == "contact"; });
   const auto& distance = given.expected->values.distance;
   const std::int64_t doubles =
-      distance && std::isfinite(*distance) ? workloads::doubles_between(*distance, shapes.ball.radius) : 0;
+      distance && std::isfinite(*distance) ? workloads::doubles_between(*distance, shapes.ball().radius) : 0;
   auto& worst = worst_[std::string(judged.method)];
   const auto before = [](const Wrong& a, const Wrong& b) {
     return std::tuple(a.contact, size(a.doubles)) > std::tuple(b.contact, size(b.doubles));

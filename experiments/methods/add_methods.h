@@ -16,7 +16,6 @@ using cases::QueryKind;
 using MethodList = std::vector<std::unique_ptr<Method>>;
 
 void add_cgal_kernels(MethodList& list);
-void add_convex(MethodList& list);
 void add_engines(MethodList& list);
 void add_exact(MethodList& list);
 void add_fast(MethodList& list);

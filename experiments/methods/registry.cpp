@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/registry.h"
 
+#include <cassert>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <stdexcept>
 
-#include "experiments/methods/add_methods.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
 
-const std::vector<std::unique_ptr<Method>>& all_methods() {
-  static const std::vector<std::unique_ptr<Method>> methods = [] {
-    std::vector<std::unique_ptr<Method>> list;
+namespace {
+
+struct Added {
+  std::vector<void (*)(MethodList& list)> functions;
+  bool called = false;
+};
+
+Added& added() {
+  static Added added;
+  return added;
+}
+
+}  // namespace
+
+void add_methods(void (*add)(MethodList& list)) {
+  assert(!added().called);
+  added().functions.push_back(add);
+}
+
+const MethodList& all_methods() {
+  static const MethodList methods = [] {
+    MethodList list;
     add_exact(list);
     add_filtered(list);
     add_fast(list);
@@ -21,7 +40,8 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
     add_plain(list);
     add_cgal_kernels(list);
     add_thesis(list);
-    add_convex(list);
+    for (const auto add : added().functions) add(list);
+    added().called = true;
     add_engines(list);
     return list;
   }();

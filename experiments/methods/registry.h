@@ -6,15 +6,17 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/cases/method.h"
+#include "experiments/methods/add_methods.h"
 #include "experiments/methods/process/engine.h"
 
 namespace touchstone::methods {
 
-using cases::Method;
+/// Adds the methods of a room above this one, which all_methods has before the engines. Call it at the start of the
+/// program: requires that nothing has asked for a method.
+void add_methods(void (*add)(MethodList& list));
 
 /// Returns every method of this build, in the order of `touchstone methods`.
-[[nodiscard]] const std::vector<std::unique_ptr<Method>>& all_methods();
+[[nodiscard]] const MethodList& all_methods();
 
 /// Returns the method of that name, one of this build or an engine that add_engine has added, or nullptr.
 [[nodiscard]] const Method* find_method(std::string_view name);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/shapes/polygon.h"
@@ -19,5 +21,16 @@ namespace touchstone::methods {
 
 /// Returns the triangles of the polygon: the polygon itself if it is a triangle, else those of `triangulate`.
 [[nodiscard]] std::vector<Triangle> triangles_of(const Polygon& polygon);
+
+/// Triangles, and the same as numbers of vertices, in the two forms that libraries take. Vertices of equal coordinates
+/// are one vertex, in the order of their first use.
+struct Mesh {
+  /// The triangles must outlive the mesh.
+  explicit Mesh(std::span<const Triangle> all);
+
+  std::span<const Triangle> triangles;
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<std::int32_t, 3>> corners;  ///< the vertices of each triangle, by number
+};
 
 }  // namespace touchstone::methods

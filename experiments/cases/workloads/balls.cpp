@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/cases/workloads/streams.h"
+#include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 

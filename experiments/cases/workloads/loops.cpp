@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cases/workloads/loops.h"
 
+#include <Eigen/Geometry>
+
 namespace touchstone::workloads {
 
 std::vector<Loop> loops_of(const Polygon& polygon) {
@@ -18,6 +20,14 @@ double extent_of(const Polygon& polygon) {
     high = high.cwiseMax(polygon.vertex(i));
   }
   return (high - low).maxCoeff();
+}
+
+Eigen::Vector3d normal_of(const Polygon& polygon, std::size_t loop) {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d origin = polygon.vertex(polygon.loop_begin(loop));
+  for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
+    normal += (polygon.vertex(i) - origin).cross(polygon.vertex(polygon.next(i)) - origin);
+  return normal;
 }
 
 Polygon polygon_of(const std::vector<Loop>& loops) { return Polygon(loops[0], {loops.begin() + 1, loops.end()}); }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "experiments/cases/workloads/outline.h"
-#include "experiments/cases/workloads/streams.h"
+#include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::workloads {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -38,6 +39,18 @@ namespace touchstone::workloads {
 [[nodiscard]] constexpr double move_radius_by_doubles(double radius, std::int64_t steps) {
   constexpr std::int64_t kLast = ordinal(std::numeric_limits<double>::max());
   return from_ordinal(std::clamp<std::int64_t>(ordinal(radius) + steps, 0, kLast));
+}
+
+/// Returns the finite double nearest to x; an overflow becomes the largest double of its sign. Requires that x is not a
+/// NaN.
+[[nodiscard]] inline double finite(double x) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  return std::clamp(x, -kLargest, kLargest);
+}
+
+/// The same for each coordinate.
+[[nodiscard]] inline Eigen::Vector3d finite(const Eigen::Vector3d& point) {
+  return {finite(point.x()), finite(point.y()), finite(point.z())};
 }
 
 }  // namespace touchstone::workloads

@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::workloads {
@@ -69,6 +71,9 @@ struct Sample {
   Polygon polygon;
   std::vector<std::string> tags;
   std::optional<Eigen::Vector3d> to{};  ///< the end of the centre's way, unless the ball is static
+
+  /// Returns the ball, or its motion.
+  [[nodiscard]] std::variant<Ball, Motion> question() const;
 };
 
 /// Draws sample number `index` of a workload: a function of (workload, seed, index) alone. `exact::validate` accepts

@@ -49,17 +49,18 @@ void check_rejection(const cases::Case& read, const std::string& line, std::vect
 }
 
 void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
-  const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
+  const auto& shapes = std::get<cases::Shapes>(read.content);
+  const Polygon& polygon = shapes.polygon;
   if (const auto fault = find_rational_fault(polygon))
     faults.push_back(fmt::format("error: exact finds nothing, rational arithmetic \"{}\"", to_string(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
-  for (const cases::Difference& difference : cases::differences(*read.expected, exact_answer({ball, polygon, to})))
+  for (const cases::Difference& difference : cases::differences(*read.expected, exact_answer(shapes)))
     faults.push_back(to_string(difference) + ", by exact");
   if (read.expected->rejects()) return;
-  if (to) {
+  if (const Motion* motion = shapes.motion()) {
     const filtered::PreparedPolygon prepared(polygon);
-    const auto filtered = cases::PartialAnswer::of(filtered::first_contact({ball, *to}, prepared),
-                                                   filtered::answer(ball, prepared).off_plane, "");
+    const auto filtered = cases::PartialAnswer::of(filtered::first_contact(*motion, prepared),
+                                                   filtered::answer(motion->ball, prepared).off_plane, "");
     for (const cases::Difference& difference : cases::differences(*read.expected, filtered))
       faults.push_back(to_string(difference) + ", by filtered");
     for (const cases::Key& key : cases::kKeys)
@@ -68,7 +69,7 @@ void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
         faults.push_back(name + ": is missing");
     return;
   }
-  for (const std::string& difference : rational_differences(ball, polygon, *read.expected))
+  for (const std::string& difference : rational_differences(shapes.ball(), polygon, *read.expected))
     faults.push_back(difference);
 }
 

@@ -8,31 +8,18 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/registry.h"
 #include "experiments/run/json/strict_json.h"
-#include "robust/exact/exact.h"
-#include "robust/exact/motion.h"
 
 namespace touchstone::corpus {
 
 using cases::Key;
 using cases::PartialAnswer;
 
-PartialAnswer exact_answer(const cases::Shapes& shapes) {
-  const exact::PreparedPolygon polygon(shapes.polygon);
-  const Answer answer = exact::answer(shapes.ball, polygon);
-  const auto motion = shapes.motion();
-  if (motion) return PartialAnswer::of(exact::first_contact(*motion, polygon), answer.off_plane, "");
-  return PartialAnswer::of(answer, "");
-}
-
 bool is_decisive(const Key& key) { return !key.holds_doubles(); }
 
 WrongAnswer wrong_answer(const cases::Method& method, const cases::Shapes& shapes, const PartialAnswer& truth) {
   WrongAnswer wrong;
-  const auto motion = shapes.motion();
   try {
-    const auto prepared = method.prepare(shapes.polygon);
-    wrong.answer = motion ? prepared->ask_moving(*motion).value_or(PartialAnswer{})
-                          : prepared->ask(shapes.ball, cases::QueryKind::Answer);
+    wrong.answer = method.prepare(shapes.polygon)->answer(shapes.question).value_or(PartialAnswer{});
     wrong.keys = differing_keys(truth, wrong.answer);
   } catch (const methods::EngineNotStarted&) {
     throw;
@@ -61,9 +48,9 @@ std::vector<const cases::Method*> failing_witnesses(const cases::Shapes& shapes,
 std::string line_of(const CorpusCase& given, const PartialAnswer& truth) {
   std::vector<std::string> tags = given.tags;
   std::erase_if(tags, [](const std::string& tag) { return tag.starts_with("fails:"); });
-  for (const auto* method : failing_witnesses(given.shapes(), truth))
+  for (const auto* method : failing_witnesses(given.shapes, truth))
     tags.push_back("fails:" + std::string(method->name()));
-  cases::Verdict object = cases::case_of(given.id, given.shapes(), tags, cases::object_of(truth));
+  cases::Verdict object = cases::case_of(given.id, given.shapes, tags, cases::object_of(truth));
   object["origin"] = given.origin;
   return cases::to_line(object);
 }

@@ -12,17 +12,10 @@ namespace touchstone::corpus {
 /// A valid ball, at a place or moving, and a valid polygon, and their origin.
 struct CorpusCase {
   std::string id;
-  Ball ball;
-  Polygon polygon;
+  cases::Shapes shapes;
   std::vector<std::string> tags;
   std::string origin;  ///< the command that draws it again, or the reason why it was made
-  std::optional<Eigen::Vector3d> to{};
-
-  [[nodiscard]] cases::Shapes shapes() const { return {ball, polygon, to}; }
 };
-
-/// Returns the exact answer with all its keys.
-[[nodiscard]] cases::PartialAnswer exact_answer(const cases::Shapes& shapes);
 
 /// Returns whether the value of the key is yes or no, a choice or a count. Inexact methods nearly always miss the last
 /// bit of `point`, `distance` and `time`.

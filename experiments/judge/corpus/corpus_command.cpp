@@ -97,8 +97,7 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
           fmt::format("touchstone corpus shrink --{} {}{}: {}; from: {}", method.through_pipe() ? "engine" : "method",
                       method.name(), key ? " --key " + *key : "", run::joined(keys), from);
     }
-    return corpus::line_of({id, small.ball, small.polygon, labels.tags, labels.origin, small.to},
-                           corpus::exact_answer(small));
+    return corpus::line_of({id, small, labels.tags, labels.origin}, exact_answer(small));
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "touchstone: case {}: {}\n", io::legible(id), error.what());
     return std::nullopt;

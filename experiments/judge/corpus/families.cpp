@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/corpus/families.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/cases/workloads/loops.h"
-#include "experiments/judge/corpus/drawing.h"
-#include "experiments/judge/corpus/given.h"
+#include "experiments/cases/workloads/workload.h"
+#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/run/data.h"
+#include "experiments/run/input.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -18,6 +31,113 @@ using Eigen::Vector3d;
 using workloads::BallPlace;
 using workloads::Placement;
 using workloads::Workload;
+
+/// Throws std::runtime_error with the fault of the line.
+std::string completed(const std::string& text, const std::string& name) {
+  const cases::Case read = cases::read_case(text);
+  if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
+    const auto code = std::string(to_string(rejection->code));
+    if (!read.expected || !read.expected->rejects())
+      throw std::runtime_error(fmt::format("rejected: {}: {}", code, rejection->message));
+    if (!cases::differences(*read.expected, cases::stated(*rejection)).empty())
+      throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, read.expected->texts.at("error")));
+    return text + "\n";
+  }
+  const auto& shapes = std::get<cases::Shapes>(read.content);
+  const cases::PartialAnswer truth = exact_answer(shapes);
+  if (read.expected)
+    for (const cases::Difference& difference : cases::differences(*read.expected, truth))
+      throw std::runtime_error(to_string(difference));
+  Labels labels = labels_of(text);
+  if (std::ranges::find(labels.tags, name) == labels.tags.end()) labels.tags.insert(labels.tags.begin(), name);
+  return line_of({*read.id, shapes, labels.tags, labels.origin.empty() ? "by hand" : labels.origin}, truth);
+}
+
+/// Returns the cases of experiments/judge/corpus/given/NAME.jsonl, each with its whole answer. They were made by hand,
+/// or found once and cannot be drawn again: in files that are not part of the sources, or in programs with planted
+/// bugs. A line with an expected rejection is kept byte for byte; every expectation of a line must hold. Throws
+/// std::runtime_error, which names file and line.
+std::string given_text(const std::string& name) {
+  const auto file = run::data("experiments/judge/corpus/given/" + name + ".jsonl");
+  std::ifstream stream = run::open_file(file);
+  std::string text, line;
+  for (std::size_t number = 1; std::getline(stream, line); ++number) try {
+      text += completed(line, name);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}: line {}: {}", file.string(), number, error.what()));
+    }
+  return text;
+}
+
+/// A sequence of cases to draw.
+struct Stream {
+  /// Draws case number `index`; nothing if it does not belong to this stream.
+  std::function<std::optional<CorpusCase>(std::uint64_t index)> draw;
+  std::size_t count;            ///< the number of cases wanted
+  std::uint64_t most = 20'000;  ///< the maximal number of indices to try
+};
+
+/// A predicate: whether the case, given its answer, is of the kind of the family.
+using Kind = std::function<bool(const CorpusCase&, const cases::PartialAnswer& truth)>;
+
+constexpr std::uint64_t kSeed = 1;
+constexpr std::size_t kLongestLine = 2'400;
+
+std::string command_of(const workloads::Workload& w, std::uint64_t index) {
+  std::string command =
+      fmt::format("touchstone cases --family {} --placement {} --ball {} --vertices {} --holes {}", to_string(w.family),
+                  to_string(w.placement), to_string(w.ball), w.vertices, w.holes);
+  if (w.doubles != 0) command += fmt::format(" --ulps {}", w.doubles);
+  if (w.way != workloads::Way::Static) command += fmt::format(" --way {}", to_string(w.way));
+  if (w.origin_distance != 0) command += fmt::format(" --origin-distance {}", w.origin_distance);
+  return command + fmt::format(" --seed {} --first {} --samples 1", kSeed, index);
+}
+
+/// Returns the cases of a workload, seed 1.
+Stream workload_stream(const workloads::Workload& workload, std::size_t count) {
+  return {.draw =
+              [workload](std::uint64_t index) {
+                workloads::Sample sample = workloads::sample(workload, kSeed, index);
+                return CorpusCase{std::move(sample.id),
+                                  {sample.question(), std::move(sample.polygon)},
+                                  std::move(sample.tags),
+                                  command_of(workload, index)};
+              },
+          .count = count};
+}
+
+/// Returns the cases of one family of `soak`, seed 1.
+Stream soak_stream(workloads::adversarial::Family family, std::size_t count) {
+  return {.draw = [family](std::uint64_t index) -> std::optional<CorpusCase> {
+            workloads::adversarial::Case drawn = workloads::adversarial::draw_case(kSeed, index);
+            if (drawn.family != family) return std::nullopt;
+            return CorpusCase{workloads::adversarial::name_of_case(kSeed, index),
+                              {drawn.ball, std::move(drawn.polygon)},
+                              {std::string(to_string(family))},
+                              fmt::format("touchstone soak --seed {} --from {} --samples 1 --print", kSeed, index)};
+          },
+          .count = count};
+}
+
+/// Returns, one per line, the first cases of each stream that are of that kind and that a witness gets wrong. Skips
+/// long lines, because people read the cases.
+std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
+  std::string text;
+  for (const Stream& stream : streams) {
+    std::size_t found = 0;
+    for (std::uint64_t index = 0; found < stream.count && index < stream.most; ++index) {
+      const auto drawn = stream.draw(index);
+      if (!drawn) continue;
+      const cases::PartialAnswer truth = exact_answer(drawn->shapes);
+      if (!kind(*drawn, truth) || failing_witnesses(drawn->shapes, truth).empty()) continue;
+      const std::string line = line_of(*drawn, truth);
+      if (line.size() > kLongestLine) continue;
+      text += line;
+      ++found;
+    }
+  }
+  return text;
+}
 
 bool any_kind(const CorpusCase&, const PartialAnswer&) { return true; }
 
@@ -46,39 +166,31 @@ std::vector<Stream> outlines_near(BallPlace place, std::size_t count) {
 
 std::string face() {
   auto streams = outlines_near(BallPlace::NearFace, 2);
-  streams.push_back(soak_stream(adversarial::Family::General, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
   return drawn_text(
       streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Face); });
 }
 
 std::string edge() {
   auto streams = outlines_near(BallPlace::NearEdge, 2);
-  streams.push_back(soak_stream(adversarial::Family::General, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
   return drawn_text(
       streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Edge); });
 }
 
 std::string vertex() {
   auto streams = outlines_near(BallPlace::NearVertex, 2);
-  streams.push_back(soak_stream(adversarial::Family::General, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
   return drawn_text(
       streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Vertex); });
 }
 
-Vector3d normal_of(const Polygon& polygon, std::size_t loop) {
-  Vector3d normal = Vector3d::Zero();
-  const Vector3d origin = polygon.vertex(polygon.loop_begin(loop));
-  for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
-    normal += (polygon.vertex(i) - origin).cross(polygon.vertex(polygon.next(i)) - origin);
-  return normal;
-}
-
 /// Returns whether the interior angle at the vertex nearest to the foot is greater than 180 degrees. In doubles.
 bool is_reflex_near_foot(const CorpusCase& drawn, const PartialAnswer&) {
-  const Polygon& polygon = drawn.polygon;
-  const Vector3d normal = normal_of(polygon, 0);
-  const Vector3d from = drawn.ball.center - polygon.vertex(0);
-  const Vector3d foot = drawn.ball.center - from.dot(normal) / normal.squaredNorm() * normal;
+  const Polygon& polygon = drawn.shapes.polygon;
+  const Vector3d normal = workloads::normal_of(polygon, 0), center = drawn.shapes.ball().center;
+  const Vector3d from = center - polygon.vertex(0);
+  const Vector3d foot = center - from.dot(normal) / normal.squaredNorm() * normal;
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < polygon.vertex_count(); ++i)
     if ((polygon.vertex(i) - foot).squaredNorm() < (polygon.vertex(nearest) - foot).squaredNorm()) nearest = i;
@@ -86,7 +198,7 @@ bool is_reflex_near_foot(const CorpusCase& drawn, const PartialAnswer&) {
   const Vector3d corner = polygon.vertex(nearest);
   const Vector3d turn =
       (corner - polygon.vertex(polygon.previous(nearest))).cross(polygon.vertex(polygon.next(nearest)) - corner);
-  const bool convex_in_loop = turn.dot(normal_of(polygon, loop)) > 0;
+  const bool convex_in_loop = turn.dot(workloads::normal_of(polygon, loop)) > 0;
   return convex_in_loop == (loop != 0);  // a convex corner of a hole is a reflex corner of the face
 }
 
@@ -103,7 +215,7 @@ std::string foot_on_edge() {
     for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
       add_outlines(streams, {.ball = BallPlace::FootNearEdge, .vertices = vertices, .holes = holes},
                    vertices == 12 ? 1 : 3);
-  streams.push_back(soak_stream(adversarial::Family::Foot, 100));
+  streams.push_back(soak_stream(workloads::adversarial::Family::Foot, 100));
   return drawn_text(streams, any_kind);
 }
 
@@ -122,36 +234,37 @@ std::string tangent_lattice() {
     add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 12, .holes = holes}, 1);
   for (const int doubles : {-1, 0, 1})
     add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 6, .doubles = doubles}, 3);
-  streams.push_back(soak_stream(adversarial::Family::Lattice, 80));
-  streams.push_back(soak_stream(adversarial::Family::Tangent, 80));
+  streams.push_back(soak_stream(workloads::adversarial::Family::Lattice, 80));
+  streams.push_back(soak_stream(workloads::adversarial::Family::Tangent, 80));
   return drawn_text(streams, any_kind);
 }
 
-std::string sliver() { return drawn_text({soak_stream(adversarial::Family::Needle, 320)}, any_kind); }
+std::string sliver() { return drawn_text({soak_stream(workloads::adversarial::Family::Needle, 320)}, any_kind); }
 
 std::string far() {
   std::vector<Stream> streams;
   for (const double distance : {0x1p10, 0x1p18, 0x1p25})
     for (const BallPlace place : {BallPlace::NearFace, BallPlace::NearEdge, BallPlace::FootNearEdge})
       add_outlines(streams, {.ball = place, .vertices = 5, .origin_distance = distance}, 1);
-  streams.push_back(soak_stream(adversarial::Family::FarAway, 60));
-  streams.push_back(soak_stream(adversarial::Family::Grazing, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::FarAway, 60));
+  streams.push_back(soak_stream(workloads::adversarial::Family::Grazing, 60));
   return drawn_text(streams, any_kind);
 }
 
 std::string exponents() {
-  return drawn_text({soak_stream(adversarial::Family::Exponents, 110), soak_stream(adversarial::Family::Scaled, 110),
-                     soak_stream(adversarial::Family::Close, 60)},
+  return drawn_text({soak_stream(workloads::adversarial::Family::Exponents, 110),
+                     soak_stream(workloads::adversarial::Family::Scaled, 110),
+                     soak_stream(workloads::adversarial::Family::Close, 60)},
                     any_kind);
 }
 
-std::string point() { return drawn_text({soak_stream(adversarial::Family::Point, 250)}, any_kind); }
+std::string point() { return drawn_text({soak_stream(workloads::adversarial::Family::Point, 250)}, any_kind); }
 
 std::string off_plane() {
-  return drawn_text({soak_stream(adversarial::Family::Outline, 190)},
+  return drawn_text({soak_stream(workloads::adversarial::Family::Outline, 190)},
                     [](const CorpusCase& drawn, const PartialAnswer& truth) {
                       const double off = *truth.off_plane;
-                      return std::isfinite(off) && off > 0x1p-30 * workloads::extent_of(drawn.polygon);
+                      return std::isfinite(off) && off > 0x1p-30 * workloads::extent_of(drawn.shapes.polygon);
                     });
 }
 
@@ -161,7 +274,7 @@ std::string holes() {
     for (const std::size_t holes : {std::size_t{1}, std::size_t{2}})
       add_outlines(streams, {.ball = place, .vertices = 7, .holes = holes}, holes == 1 ? 2 : 1);
   return drawn_text(streams, [](const CorpusCase& drawn, const PartialAnswer& truth) {
-    return !is_nearest(truth, Feature::Kind::Face) && truth.nearest->index >= drawn.polygon.loop_end(0);
+    return !is_nearest(truth, Feature::Kind::Face) && truth.nearest->index >= drawn.shapes.polygon.loop_end(0);
   });
 }
 

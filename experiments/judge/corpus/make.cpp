@@ -5,19 +5,113 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/families.h"
-#include "experiments/judge/corpus/page.h"
 #include "experiments/run/blocks.h"
 #include "experiments/run/json/strict_json.h"
 
 namespace touchstone::corpus {
 namespace {
+
+/// The facts about a file that the page lists.
+struct FileCounts {
+  std::string file, subject;
+  std::size_t cases, bytes;
+  std::vector<std::pair<std::string, std::size_t>> failed_by;  ///< cases in which a witness gets a decisive key wrong
+};
+
+constexpr const char* kPage = R"(# The corpus
+
+Version {version}: {cases} cases in the contract's format, each with its exact answer or the error that it must produce.
+`touchstone corpus make tests/corpus --force` generates all `.jsonl` files of this folder, `corpus.json` (version and
+counts) and this page, always with the same bytes. `touchstone corpus check` derives every answer twice, by `exact` and by a
+separate implementation over GMP's rationals, which shares no arithmetic, rounding or sweep with it. The second program
+for moving balls is `filtered`, which asks `exact` where doubles decide nothing. The test of the corpus compares every
+answer with a third program, the independent checker in `tests/system/independent`.
+
+{table}
+The columns of the methods count the cases on which each is wrong in a decisive key, one that is not a rounded number:
+plain doubles (`fast`), floats, double-doubles, the thesis's method, and CGAL's kernel of doubles. The last two cannot
+answer about moving balls. These cases carry the
+tag `fails:METHOD`. CGAL's kernel answers without the lift, so it fails on polygons that are not planar.
+
+Besides the keys of the contract, a case has `tags` and an `origin`: the command that draws it again, or the place where
+it was found. `rejections` keeps its lines exactly as they were written, because they test how cases are written. Drawn
+cases are a selection: the first of their kind on which one of the methods above is wrong. Cases that cannot be drawn
+again lie in `experiments/judge/corpus/given`. Add a new case there, and `make` completes it. If you add, change or remove a
+case, raise the version in `experiments/judge/corpus/families.h`.
+
+## Judging an engine of your own
+
+    touchstone judge --engine './my-engine' tests/corpus/*.jsonl
+
+sends every case to a program that reads lines of JSON and writes verdicts. The exit status is 0 if all expectations are
+met. `docs/engines.md` has engines of ten lines to start from. `touchstone judge --methods NAME` judges a
+method of this program.
+
+To make a case small on which a method fails, from this folder or any other, run
+
+    touchstone corpus shrink CASE --method NAME
+
+It reduces the numbers of loops and vertices, the lengths of the numbers and their exponents. The small case still fails
+in all the decisive keys in which the original failed (with `--key KEY`, in that key), with the same wrong words. If
+only `point`, `distance` or `off_plane` were wrong, the small case fails in those and in no decisive key.
+)";
+
+std::size_t sum(const std::vector<FileCounts>& files, auto of) {
+  return std::accumulate(files.begin(), files.end(), std::size_t{0},
+                         [&](std::size_t before, const FileCounts& file) { return before + of(file); });
+}
+
+std::string table(const std::vector<FileCounts>& files) {
+  std::string head = "| file | what it tests | cases |", rule = "|---|---|--:|";
+  std::string total = fmt::format("| all | | {} |", sum(files, [](const auto& file) { return file.cases; }));
+  for (std::size_t i = 0; i < files.front().failed_by.size(); ++i) {
+    head += fmt::format(" `{}` |", files.front().failed_by[i].first);
+    rule += "--:|";
+    total += fmt::format(" {} |", sum(files, [i](const auto& file) { return file.failed_by[i].second; }));
+  }
+  std::string text = head + "\n" + rule + "\n";
+  for (const FileCounts& file : files) {
+    text += fmt::format("| `{}` | {} | {} |", file.file, file.subject, file.cases);
+    for (const auto& [method, count] : file.failed_by) text += fmt::format(" {} |", count);
+    text += "\n";
+  }
+  return text + total + "\n";
+}
+
+void replace(std::string& text, const std::string& mark, const std::string& by) {
+  text.replace(text.find(mark), mark.size(), by);
+}
+
+/// Returns the page of the corpus, in Markdown.
+std::string page_text(const std::vector<FileCounts>& files) {
+  std::string text = kPage;
+  replace(text, "{version}", std::to_string(kVersion));
+  replace(text, "{cases}", std::to_string(sum(files, [](const auto& file) { return file.cases; })));
+  replace(text, "{table}", table(files));
+  return text;
+}
+
+/// Returns the same counts, and the version, as JSON for programs.
+std::string manifest_text(const std::vector<FileCounts>& files) {
+  nlohmann::ordered_json json{{"version", kVersion}};
+  for (const FileCounts& file : files) {
+    nlohmann::ordered_json entry{{"file", file.file}, {"cases", file.cases}, {"bytes", file.bytes}};
+    for (const auto& [method, count] : file.failed_by) entry["failed_by"][method] = count;
+    json["files"].push_back(std::move(entry));
+  }
+  return json.dump(1) + "\n";
+}
 
 std::size_t occurrences(const std::string& text, const std::string& of) {
   std::size_t count = 0;

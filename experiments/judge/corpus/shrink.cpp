@@ -69,14 +69,14 @@ std::vector<double> simpler(double x) {
 }
 
 bool is_usable(const Shapes& shapes) {
-  const auto motion = shapes.motion();
-  return !(motion ? find_fault(*motion) : find_fault(shapes.ball)) && !exact::validate(shapes.polygon).has_value();
+  const auto fault = std::visit([](const auto& asked) { return find_fault(asked); }, shapes.question);
+  return !fault && !exact::validate(shapes.polygon).has_value();
 }
 
 /// Returns the radius from which on the ball touches, rounded. Requires usable shapes.
 double threshold_of(const Shapes& shapes) {
-  const auto motion = shapes.motion();
-  if (!motion) return exact::answer(shapes.ball, shapes.polygon).distance;
+  const Motion* motion = shapes.motion();
+  if (!motion) return exact::answer(shapes.ball(), shapes.polygon).distance;
   const filtered::PreparedPolygon polygon(shapes.polygon);
   return workloads::grazing_radius(*motion,
                                    [&polygon](const Motion& asked) { return filtered::contact(asked, polygon); });
@@ -127,13 +127,16 @@ class Shrinker {
   };
 
   static Shapes shapes_of(const Candidate& candidate) {
-    return {candidate.ball, workloads::polygon_of(candidate.loops), candidate.to};
+    Polygon polygon = workloads::polygon_of(candidate.loops);
+    if (candidate.to) return {Motion{candidate.ball, *candidate.to}, std::move(polygon)};
+    return {candidate.ball, std::move(polygon)};
   }
 
   void accept(const Shapes& shapes) {
-    now_ = {shapes.ball, shapes.to, workloads::loops_of(shapes.polygon)};
+    const Motion* motion = shapes.motion();
+    now_ = {shapes.ball(), motion ? std::optional(motion->to) : std::nullopt, workloads::loops_of(shapes.polygon)};
     size_ = size_of(shapes);
-    margin_ = workloads::doubles_between(threshold_of(shapes), shapes.ball.radius);
+    margin_ = workloads::doubles_between(threshold_of(shapes), now_.ball.radius);
   }
 
   /// Accepts the candidate if it is smaller and fails in the same way, if necessary with the radius as near to the
@@ -145,7 +148,7 @@ class Shrinker {
     if (std::abs(margin_) > kMostMargin || !is_usable(shapes)) return false;
     const double threshold = threshold_of(shapes);
     if (!std::isfinite(threshold)) return false;
-    shapes.ball.radius = workloads::move_by_doubles(threshold, margin_);
+    shapes.question = cases::with_radius(shapes.question, workloads::move_by_doubles(threshold, margin_));
     return take(shapes);
   } catch (const Rejected&) {
     return false;
@@ -302,9 +305,10 @@ class Shrinker {
 }  // namespace
 
 Size size_of(const Shapes& shapes) {
-  const auto& [ball, polygon, to] = shapes;
-  Size size{polygon.loop_count(), polygon.vertex_count(), bits_of(ball.radius) + bits_of(ball.center)};
-  if (to) size.bits += bits_of(*to);
+  const Polygon& polygon = shapes.polygon;
+  Size size{polygon.loop_count(), polygon.vertex_count(),
+            bits_of(shapes.ball().radius) + bits_of(shapes.ball().center)};
+  if (const Motion* motion = shapes.motion()) size.bits += bits_of(motion->to);
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) size.bits += bits_of(polygon.vertex(i));
   return size;
 }

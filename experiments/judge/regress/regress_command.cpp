@@ -24,7 +24,6 @@
 #include "experiments/run/table.h"
 #include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
-#include "robust/exact/exact.h"
 
 namespace touchstone::commands {
 namespace {
@@ -105,8 +104,8 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
         for (const std::size_t n : change.worse) cases[n].push_back("fails:" + change.method);
     for (const auto& [n, tags] : cases) {
       const auto sample = draw_case(settings, group, n);
-      const auto answer = cases::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
-      text += cases::case_line(sample.id, sample.ball, sample.polygon, tags, answer);
+      const cases::Shapes shapes{sample.question(), sample.polygon};
+      text += cases::case_line(sample.id, shapes, tags, exact_answer(shapes));
     }
   }
   return text;

@@ -3,7 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <exception>
+#include <limits>
+#include <set>
 
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/run/counted.h"
@@ -13,6 +16,37 @@
 namespace touchstone::show {
 namespace {
 
+constexpr std::int64_t kLast = workloads::ordinal(std::numeric_limits<double>::max());
+constexpr std::int64_t kNear = 20, kAround = 8;
+
+/// Returns the least number from 0 to `last` for which the rising predicate holds, or nothing.
+template <class Holds>
+std::optional<std::int64_t> least(std::int64_t last, const Holds& holds) {
+  if (!holds(last)) return std::nullopt;
+  std::int64_t low = -1;  // does not hold
+  while (last - low > 1) {
+    const std::int64_t middle = low + (last - low) / 2;
+    (holds(middle) ? last : low) = middle;
+  }
+  return last;
+}
+
+/// Returns the offsets to show, where the answer first is yes at `change`.
+std::vector<std::int64_t> offsets_to(std::optional<std::int64_t> change) {
+  std::set<std::int64_t> offsets{0};
+  if (!change || std::abs(*change) <= kNear) {
+    const std::int64_t at = change.value_or(0);
+    for (std::int64_t k = std::min<std::int64_t>(at, 0) - kAround; k <= std::max<std::int64_t>(at, 0) + kAround; ++k)
+      offsets.insert(k);
+  } else {
+    const std::int64_t side = *change < 0 ? -1 : 1;
+    for (std::int64_t k = 1; k <= std::abs(*change); k = k > kLast / 16 ? kLast : k * 16) offsets.insert(side * k);
+    for (const std::int64_t k : {1, 16}) offsets.insert(-side * k);
+    for (std::int64_t k = -2; k < 2; ++k) offsets.insert(*change + k);
+  }
+  return {offsets.begin(), offsets.end()};
+}
+
 std::string doubles(std::int64_t count) {
   if (count > 1'000'000) return "over a million doubles";
   return run::counted(static_cast<std::uint64_t>(count), "double");
@@ -20,33 +54,55 @@ std::string doubles(std::int64_t count) {
 
 }  // namespace
 
-CaseView view_of(const std::string& id, const std::vector<std::string>& tags, const cases::Shapes& shapes) {
+double Radii::radius(const cases::Shapes& shapes, std::size_t i) const {
+  return workloads::move_radius_by_doubles(shapes.ball().radius, offsets[i]);
+}
+
+Radii radii_around(const cases::Shapes& shapes) {
   const exact::PreparedPolygon polygon(shapes.polygon);
-  const Answer answer = exact::answer(shapes.ball, polygon);
-  const auto motion = shapes.motion();
-  auto truth = motion ? cases::PartialAnswer::of(exact::first_contact(*motion, polygon), answer.off_plane, "")
-                      : cases::PartialAnswer::of(answer, "");
-  return {id, tags, shapes, std::move(truth), radii_around(shapes), {}};
+  const auto touches = [&](double radius) {
+    return std::visit([&](const auto& asked) { return exact::contact(asked, polygon); },
+                      cases::with_radius(shapes.question, radius));
+  };
+  const std::int64_t own = workloads::ordinal(shapes.ball().radius);
+  const auto first = least(kLast, [&](std::int64_t rank) { return touches(workloads::from_ordinal(rank)); });
+  Radii radii;
+  std::optional<std::int64_t> change;
+  if (first) {
+    if (*first > 0) change = *first - own;  // else even a point touches
+    radii.margin = own - *first;
+    const Ball ball{shapes.ball().center, workloads::from_ordinal(*first)};
+    radii.exactly_touching = shapes.motion() == nullptr && exact::relation(ball, polygon) == Relation::Touching;
+  }
+  for (const std::int64_t offset : offsets_to(change)) {
+    if (own + offset < 0 || offset > kLast - own) continue;
+    radii.offsets.push_back(offset);
+    radii.contact.push_back(first && offset >= *first - own);
+  }
+  radii.every_double =
+      radii.offsets.back() - radii.offsets.front() + 1 == static_cast<std::int64_t>(radii.offsets.size());
+  return radii;
+}
+
+CaseView view_of(const std::string& id, const std::vector<std::string>& tags, const cases::Shapes& shapes) {
+  return {id, tags, shapes, exact_answer(shapes), radii_around(shapes), {}};
 }
 
 Verdict verdict_of(const CaseView& view, const cases::Method& method) {
   Verdict verdict{std::string(method.name()), {}, {}, {}};
-  const auto ask = [&](const cases::PreparedMethod& prepared, const Ball& ball) {
-    return view.shapes.to ? prepared.ask_moving(Motion{ball, *view.shapes.to})
-                          : std::optional(prepared.ask(ball, cases::QueryKind::Answer));
-  };
   try {
     const auto prepared = method.prepare(view.shapes.polygon);
-    const auto answer = ask(*prepared, view.shapes.ball);
+    const auto answer = prepared->answer(view.shapes.question);
     if (!answer) {
       verdict.fault = "cannot answer about moving balls";
       return verdict;
     }
     verdict.answer = cases::stated(*answer);
     for (std::size_t i = 0; i < view.radii.offsets.size(); ++i)
-      verdict.contact.push_back(ask(*prepared, {view.shapes.ball.center, view.radii.radius(view.shapes, i)})
-                                    .value_or(cases::PartialAnswer{})
-                                    .contact);
+      verdict.contact.push_back(
+          prepared->answer(cases::with_radius(view.shapes.question, view.radii.radius(view.shapes, i)))
+              .value_or(cases::PartialAnswer{})
+              .contact);
   } catch (const std::exception& error) {
     verdict.fault = error.what();
     verdict.contact.clear();
@@ -57,7 +113,7 @@ Verdict verdict_of(const CaseView& view, const cases::Method& method) {
 std::string margin_text(const CaseView& view) {
   const auto margin = view.radii.margin;
   if (!margin) return "No ball with this centre touches, whatever its radius.";
-  if (workloads::move_radius_by_doubles(view.shapes.ball.radius, -*margin) == 0)
+  if (workloads::move_radius_by_doubles(view.shapes.ball().radius, -*margin) == 0)
     return "Even a point there touches, so every ball does.";
   if (*margin < 0)
     return fmt::format("The ball does not touch: its radius is {} below the least one that does.", doubles(-*margin));

@@ -62,12 +62,12 @@ std::optional<FlatCase> flat_case(const CaseView& view) {
     for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
       points.push_back(flat(polygon.vertex(i)));
   }
-  const Vector3d end = shapes.to.value_or(shapes.ball.center);
-  result.foot = flat(shapes.ball.center);
+  const Vector3d center = shapes.ball().center, end = shapes.motion() ? shapes.motion()->to : center;
+  result.foot = flat(center);
   result.foot_at_end = flat(end);
-  result.height = scaled(shapes.ball.center).dot(normal);
+  result.height = scaled(center).dot(normal);
   result.height_at_end = scaled(end).dot(normal);
-  result.radius = std::ldexp(shapes.ball.radius, -exponent);
+  result.radius = std::ldexp(shapes.ball().radius, -exponent);
   if (view.truth.point) result.touched = flat(*view.truth.point);
   if (view.truth.time && std::isfinite(*view.truth.time)) result.time = view.truth.time;
 

@@ -4,8 +4,14 @@
 #include <string>
 
 #include "experiments/judge/show/case_view.h"
+#include "experiments/judge/show/svg.h"
 
 namespace touchstone::show {
+
+/// Draws a case: the polygon from above with the ball, the foot of its centre and the nearest point; a section through
+/// them; and the radii around that of the ball, double by double, with what `exact` and each method say of contact. Of
+/// a moving ball: its way, and the ball at its first contact.
+[[nodiscard]] Svg picture(const CaseView& view);
 
 /// Returns a case as a section of a page: its margin, its picture, and a table of what `exact` and the verdicts say,
 /// key by key, with what differs marked.

@@ -6,7 +6,6 @@
 
 #include "experiments/methods/engines/bullet_mesh.h"
 #include "experiments/methods/engines/engines.h"
-#include "experiments/methods/engines/triangle_method.h"
 
 namespace touchstone::methods {
 namespace {

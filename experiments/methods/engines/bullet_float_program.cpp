@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "experiments/methods/engines/bullet_mesh.h"
-#include "experiments/methods/engines/mesh.h"
 #include "experiments/methods/triangulate.h"
 
 static_assert(sizeof(btScalar) == sizeof(float), "this is about Bullet's float build");

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "experiments/methods/engines/engines.h"
-#include "experiments/methods/engines/triangle_method.h"
 
 namespace touchstone::methods {
 namespace {

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "experiments/methods/engines/engines.h"
-#include "experiments/methods/engines/triangle_method.h"
 #include "experiments/methods/ericson.h"
 #include "geometry/contact/fast_triangle.h"
 

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "experiments/methods/engines/engines.h"
-#include "experiments/methods/engines/triangle_method.h"
 
 namespace touchstone::methods {
 namespace {

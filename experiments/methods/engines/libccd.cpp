@@ -4,7 +4,6 @@
 #include <array>
 
 #include "experiments/methods/engines/engines.h"
-#include "experiments/methods/engines/triangle_method.h"
 
 namespace touchstone::methods {
 namespace {

@@ -4,7 +4,6 @@
 #include <mutex>
 
 #include "experiments/methods/engines/engines.h"
-#include "experiments/methods/engines/triangle_method.h"
 
 namespace touchstone::methods {
 namespace {

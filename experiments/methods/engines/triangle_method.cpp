@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/engines/triangle_method.h"
-
 #include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/methods/engines/engines.h"
 #include "experiments/methods/triangulate.h"
 
 namespace touchstone::methods {

@@ -15,7 +15,7 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/cases/verdict.h"
-#include "experiments/methods/process/supervised_engine.h"
+#include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {

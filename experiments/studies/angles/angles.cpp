@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "experiments/cases/failures.h"
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/cases/workloads/workload.h"
@@ -68,15 +69,6 @@ const run::Table<Row>& table() {
   return table;
 }
 
-/// Returns the Newell normal of the outer loop, rounded.
-Eigen::Vector3d normal_of(const Polygon& polygon) {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  const Eigen::Vector3d origin = polygon.vertex(0);
-  for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
-    normal += (polygon.vertex(i) - origin).cross(polygon.vertex(polygon.next(i)) - origin);
-  return normal;
-}
-
 /// Sample n of each family: one edge of one polygon, and balls around it.
 class Study {
  public:
@@ -118,7 +110,7 @@ class Study {
     const auto edge = static_cast<std::size_t>(random.integer(0, last));
     const Eigen::Vector3d a = polygon.vertex(edge), b = polygon.vertex(polygon.next(edge));
     const Eigen::Vector3d point = a + (0.25 + random.unit() / 2) * (b - a);
-    const Eigen::Vector3d normal = normal_of(polygon).normalized();
+    const Eigen::Vector3d normal = workloads::normal_of(polygon, 0).normalized();
     // A loop goes counterclockwise about its own Newell normal, so this direction leads out of the polygon.
     const Eigen::Vector3d outward = (b - a).cross(normal).normalized();
     const double distance = (b - a).norm() * std::exp2(-1 - 8 * random.unit());

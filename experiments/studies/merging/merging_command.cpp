@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/cases/workloads/meshes/named_meshes.h"
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/run/command.h"
 #include "experiments/run/output_folder.h"
 #include "experiments/run/printing.h"

@@ -11,8 +11,8 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/cases/workloads/finite.h"
 #include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/cases/workloads/meshes/named_meshes.h"
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command.h"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "experiments/cases/workloads/meshes/face_polygon.h"
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
 

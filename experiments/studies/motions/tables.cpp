@@ -4,8 +4,6 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/run/write_file.h"
 #include "experiments/studies/motions/measure.h"
-#include "robust/exact/exact.h"
-#include "robust/exact/motion.h"
 
 namespace touchstone::motions {
 namespace {
@@ -161,14 +159,12 @@ void write_furthest(const std::filesystem::path& folder, const Settings& setting
     const auto [share, n, stratum, offset, any] = errors.sum(m, [](const Kind&) { return true; }).furthest;
     if (!any) continue;
     const auto at = draw_at_threshold(stratum, settings.vertices, settings.seed, n);
-    const Motion motion = at->moved(all_offsets()[offset]).value();
+    const cases::Shapes shapes{at->moved(all_offsets()[offset]).value(), at->polygon};
     const auto name = std::string(settings.methods[m]->name());
-    const auto truth = cases::PartialAnswer::of(exact::first_contact(motion, at->polygon),
-                                                exact::answer(motion.ball, at->polygon).off_plane, "");
-    text += cases::case_line(
-        fmt::format("furthest-{}-s{}-n{}-{}", name, settings.seed, n, stratum),
-        cases::Shapes{motion.ball, at->polygon, motion.to},
-        {name, std::string(to_string(at->event)), fmt::format("offset {:.6g}", all_offsets()[offset])}, truth);
+    text +=
+        cases::case_line(fmt::format("furthest-{}-s{}-n{}-{}", name, settings.seed, n, stratum), shapes,
+                         {name, std::string(to_string(at->event)), fmt::format("offset {:.6g}", all_offsets()[offset])},
+                         exact_answer(shapes));
   }
   run::write_file(folder / "furthest.jsonl", text);
 }

@@ -9,8 +9,8 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "experiments/cases/workloads/finite.h"
 #include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/ulp.h"
 #include "experiments/run/input.h"
 #include "experiments/run/json/strict_json.h"
 #include "geometry/io/detail/legible.h"

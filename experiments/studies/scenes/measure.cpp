@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "experiments/cases/verdict.h"
-#include "experiments/cases/workloads/meshes/face_polygon.h"
+#include "experiments/cases/workloads/meshes.h"
 
 namespace touchstone::scenes {
 namespace {

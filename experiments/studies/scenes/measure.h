@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/cases/workloads/meshes/named_meshes.h"
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/run/blocks.h"
 #include "experiments/studies/scenes/balls.h"
 #include "robust/scene/scene.h"

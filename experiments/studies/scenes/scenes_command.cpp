@@ -16,8 +16,8 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/cases/workloads/meshes/named_meshes.h"
-#include "experiments/cases/workloads/meshes/unit.h"
+#include "experiments/cases/workloads/meshes.h"
+#include "experiments/cases/workloads/unit.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command.h"

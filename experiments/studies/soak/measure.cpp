@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/cases/workloads/adversarial/motions.h"
+#include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
@@ -15,6 +15,7 @@
 namespace touchstone::soak {
 namespace {
 
+namespace adversarial = workloads::adversarial;
 using filtered::StageCounts;
 
 constexpr std::uint64_t kWholeOneIn = 16;
@@ -167,13 +168,11 @@ class Comparison {
   }
 
   void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
-    const Answer still = exact::answer(ball, polygon);
-    const auto truth =
-        to_ ? cases::PartialAnswer::of(exact::first_contact(Motion{ball, *to_}, polygon), still.off_plane, "")
-            : cases::PartialAnswer::of(still, "");
+    cases::Shapes shapes{ball, polygon};
+    if (to_) shapes.question = Motion{ball, *to_};
     differences_.push_back(
-        {index_, cases::case_line(adversarial::name_of_case(seed_, index_), cases::Shapes{ball, polygon, to_},
-                                  {std::string(to_string(case_.family)), question}, truth)});
+        {index_, cases::case_line(adversarial::name_of_case(seed_, index_), shapes,
+                                  {std::string(to_string(case_.family)), question}, exact_answer(shapes))});
   }
 
   const SystemUnderTest& tested_;

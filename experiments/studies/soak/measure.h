@@ -53,8 +53,10 @@ class Tally {
  public:
   static constexpr std::size_t kMostKept = 1000;
 
-  [[nodiscard]] Outcomes& at(adversarial::Family family, Way way) { return outcomes_[place(family, way)]; }
-  [[nodiscard]] const Outcomes& at(adversarial::Family family, Way way) const { return outcomes_[place(family, way)]; }
+  [[nodiscard]] Outcomes& at(workloads::adversarial::Family family, Way way) { return outcomes_[place(family, way)]; }
+  [[nodiscard]] const Outcomes& at(workloads::adversarial::Family family, Way way) const {
+    return outcomes_[place(family, way)];
+  }
 
   /// Adds a case; `differences` are the ways in which it differed, all of one case.
   void add_case(std::vector<Difference> differences);
@@ -70,12 +72,13 @@ class Tally {
   friend bool operator==(const Tally&, const Tally&) = default;
 
  private:
-  static std::size_t place(adversarial::Family family, Way way) {
+  static std::size_t place(workloads::adversarial::Family family, Way way) {
     return static_cast<std::size_t>(family) * kWays.size() + static_cast<std::size_t>(way);
   }
   void keep_first();
 
-  std::array<Outcomes, (static_cast<std::size_t>(adversarial::Family::Outline) + 1) * kWays.size()> outcomes_{};
+  std::array<Outcomes, (static_cast<std::size_t>(workloads::adversarial::Family::Outline) + 1) * kWays.size()>
+      outcomes_{};
   std::uint64_t cases_ = 0, differing_ = 0;
   std::vector<Difference> kept_;
 };

@@ -7,7 +7,6 @@
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/adversarial/case.h"
-#include "experiments/cases/workloads/adversarial/motions.h"
 #include "experiments/run/standard_output.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/soak/measure.h"
@@ -70,13 +69,10 @@ int run_cases(run::StudyRun& run, const Options& options) {
 
 int print_cases(const Options& options) {
   for (std::uint64_t index = options.from; index < options.from + options.samples; ++index) {
-    const adversarial::Case drawn = adversarial::draw_case(options.seed, index);
+    const workloads::adversarial::Case drawn = workloads::adversarial::draw_case(options.seed, index);
     cases::Shapes shapes{drawn.ball, drawn.polygon};
-    if (options.moving) {
-      const Motion motion = adversarial::draw_motion(drawn, options.seed, index);
-      shapes = {motion.ball, drawn.polygon, motion.to};
-    }
-    fmt::print("{}", cases::case_line(adversarial::name_of_case(options.seed, index), shapes,
+    if (options.moving) shapes.question = workloads::adversarial::draw_motion(drawn, options.seed, index);
+    fmt::print("{}", cases::case_line(workloads::adversarial::name_of_case(options.seed, index), shapes,
                                       {std::string(to_string(drawn.family))}));
   }
   return 0;

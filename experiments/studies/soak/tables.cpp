@@ -20,7 +20,7 @@ std::vector<Row> rows_of(const Tally& tally) {
   std::vector<Row> rows;
   for (const Way way : kWays) {
     Outcomes all;
-    for (const adversarial::Family family : adversarial::all_families()) {
+    for (const workloads::adversarial::Family family : workloads::adversarial::all_families()) {
       const Outcomes& outcomes = tally.at(family, way);
       if (outcomes.cases > 0) rows.push_back({to_string(family), to_string(way), outcomes});
       run::add(all, outcomes);

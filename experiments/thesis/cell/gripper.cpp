@@ -44,16 +44,17 @@ std::optional<std::size_t> nearest_stop(const cell::Process& process, const Poly
 }
 
 std::string lines_about(const std::string& id, const std::string& origin, const Ball& sphere, const Polygon& polygon) {
-  const cases::PartialAnswer truth = corpus::exact_answer({sphere, polygon});
-  std::string lines = corpus::line_of({id, sphere, polygon, {"sphere"}, origin}, truth);
+  const cases::Shapes at_stop{sphere, polygon};
+  const cases::PartialAnswer truth = exact_answer(at_stop);
+  std::string lines = corpus::line_of({id, at_stop, {"sphere"}, origin}, truth);
   for (const int doubles : {-1, 0, 1}) {
     const Ball ball{sphere.center, workloads::move_by_doubles(*truth.distance, doubles)};
     if (ball.radius < 0) continue;
-    const cases::PartialAnswer there = corpus::exact_answer({ball, polygon});
-    if (corpus::failing_witnesses({ball, polygon}, there).empty()) continue;
+    const cases::Shapes shapes{ball, polygon};
+    const cases::PartialAnswer there = exact_answer(shapes);
+    if (corpus::failing_witnesses(shapes, there).empty()) continue;
     lines += corpus::line_of({fmt::format("{}-k{}", id, doubles),
-                              ball,
-                              polygon,
+                              shapes,
                               {"near"},
                               fmt::format("{}, the radius {} doubles beside the distance", origin, doubles)},
                              there);

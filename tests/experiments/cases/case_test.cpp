@@ -29,7 +29,7 @@ TEST(ReadCase, TakesTheExampleOfTheContract) {
   EXPECT_EQ(read.id, "tilted-L-17");
   EXPECT_EQ(read.expected->values.relation, Relation::Touching);
   const auto& shapes = std::get<Shapes>(read.content);
-  EXPECT_EQ(shapes.ball.center, Eigen::Vector3d(0.5, 0.25, 1));
+  EXPECT_EQ(shapes.ball().center, Eigen::Vector3d(0.5, 0.25, 1));
   EXPECT_EQ(shapes.polygon.vertex_count(), 3u);
 }
 
@@ -38,8 +38,8 @@ TEST(ReadCase, ReadsTheEndOfAMotion) {
     return object(R"("id":"a",)" + ball + R"(,"motion":)" + motion + "," + kTriangle);
   };
   const Case read = read_case(with_motion(R"({"to":[0.5,0.25,-1]})"));
-  EXPECT_EQ(std::get<Shapes>(read.content).to, Eigen::Vector3d(0.5, 0.25, -1));
-  EXPECT_FALSE(std::get<Shapes>(read_case(with_polygon(R"({"outer":[[0,0,0],[1,0,0],[1,1,0]]})")).content).to);
+  EXPECT_EQ(std::get<Shapes>(read.content).motion()->to, Eigen::Vector3d(0.5, 0.25, -1));
+  EXPECT_FALSE(std::get<Shapes>(read_case(with_polygon(R"({"outer":[[0,0,0],[1,0,0],[1,1,0]]})")).content).motion());
   for (const char* motion : {"null", "[1,2,3]", "{}", R"({"to":null})", R"({"to":[1,2]})", R"({"to":[1,2,"3"]})",
                              R"({"to":[1,2,3,4]})", R"({"to":[1,2,3],"to":[1,2,3]})"})
     EXPECT_EQ(code(with_motion(motion)), "malformed-case") << motion;
@@ -57,7 +57,7 @@ TEST(ReadCase, ReadsTheEndOfAMotion) {
 TEST(ReadCase, ReadsNumbersAsTheNearestDoubles) {
   const Case read = read_case(
       object(R"("id":"a","ball":{"center":[0.1,9007199254740993,1e-400],"radius":-0},)" + std::string(kTriangle)));
-  const auto& ball = std::get<Shapes>(read.content).ball;
+  const auto& ball = std::get<Shapes>(read.content).ball();
   EXPECT_EQ(ball.center, Eigen::Vector3d(0.1, 9007199254740992.0, 0));
   EXPECT_EQ(ball.radius, 0);
 }

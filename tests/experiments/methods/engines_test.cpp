@@ -10,7 +10,6 @@
 #include "experiments/cases/workloads/grazing_radius.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/methods/engines/mesh.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/triangulate.h"
 #include "robust/exact/exact.h"

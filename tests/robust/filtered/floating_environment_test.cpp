@@ -48,7 +48,7 @@ const std::vector<Asked>& cases() {
                      Polygon({{1e300, 0, 0}, {0, 1e300, least}, {0, 0, 1}})});
     drawn.push_back({"thirds", {{2, -1, 3}, 3}, Polygon({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 1, 1}})});
     for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
-      adversarial::Case c = adversarial::draw_case(2008, index);
+      workloads::adversarial::Case c = workloads::adversarial::draw_case(2008, index);
       drawn.push_back({"soak-s2008-i" + std::to_string(index), c.ball, std::move(c.polygon)});
     }
     std::vector<Asked> with_answers;

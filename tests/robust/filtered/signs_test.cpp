@@ -110,7 +110,7 @@ template <class Ask>
 void for_each_triangle(std::uint64_t count, const Ask& ask) {
   for (std::uint64_t index = 0; index < count; ++index) {
     if (index % 10 == 9) continue;
-    const adversarial::Case c = adversarial::draw_case(26, index);
+    const workloads::adversarial::Case c = workloads::adversarial::draw_case(26, index);
     const auto [a, b, d] = *c.triangle();
     const std::string id = "soak --seed 26 --from " + std::to_string(index) + " --samples 1";
     for (const Triangle& order : {Triangle{a, b, d}, {b, d, a}, {d, b, a}}) ask(Drawn{id, c.ball, order});

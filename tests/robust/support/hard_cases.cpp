@@ -40,7 +40,7 @@ rc::Gen<Case> possible(rc::Gen<std::optional<Case>> gen) {
 }
 
 Case soak_case(std::uint64_t seed, std::uint64_t index) {
-  adversarial::Case drawn = adversarial::draw_case(seed, index);
+  workloads::adversarial::Case drawn = workloads::adversarial::draw_case(seed, index);
   const std::string id =
       "soak-s" + std::to_string(seed) + "-i" + std::to_string(index) + "-" + std::string(to_string(drawn.family));
   return {id, drawn.ball, std::move(drawn.polygon)};

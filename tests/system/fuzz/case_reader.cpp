@@ -16,8 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const std::string line = cases::case_line("again", *shapes, {});
       const cases::Case again = cases::read_case(line);
       const auto& same = std::get<cases::Shapes>(again.content);
-      if (!(same.polygon == shapes->polygon) || same.ball.center != shapes->ball.center ||
-          same.ball.radius != shapes->ball.radius || same.to != shapes->to)
+      if (!(same.polygon == shapes->polygon) || same.ball().center != shapes->ball().center ||
+          same.ball().radius != shapes->ball().radius || same.question.index() != shapes->question.index() ||
+          (shapes->motion() && same.motion()->to != shapes->motion()->to))
         throw std::logic_error("not read again as it was written: " + line);
     }
   } catch (const run::NotJson&) {

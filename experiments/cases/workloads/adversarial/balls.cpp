@@ -9,7 +9,7 @@
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
 
-namespace touchstone::adversarial {
+namespace touchstone::workloads::adversarial {
 namespace {
 
 using Eigen::Vector3d;
@@ -133,4 +133,4 @@ double radius_at_exact_threshold(Random& random, const Vector3d& center, const P
   return moved(random, exact::answer({center, 0}, polygon).distance);
 }
 
-}  // namespace touchstone::adversarial
+}  // namespace touchstone::workloads::adversarial

@@ -7,9 +7,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::adversarial {
-
-using workloads::Random;
+namespace touchstone::workloads::adversarial {
 
 // Centres and radii near a change of the answer. They are computed in doubles and long doubles and may miss their
 // target: `exact` decides the truth about each case.
@@ -36,4 +34,4 @@ using workloads::Random;
 /// Returns the largest coordinate difference from vertex 0.
 [[nodiscard]] double size_of(const Polygon& polygon);
 
-}  // namespace touchstone::adversarial
+}  // namespace touchstone::workloads::adversarial

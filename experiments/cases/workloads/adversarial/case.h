@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::adversarial {
+namespace touchstone::workloads::adversarial {
 
 /// The property that makes a case hard. All but Outline are triangles.
 enum class Family {
@@ -50,4 +51,11 @@ struct Case {
 /// Requires rounding to nearest. Cost: about 4 us for a triangle, 50 us for an outline.
 [[nodiscard]] Case draw_case(std::uint64_t seed, std::uint64_t index);
 
-}  // namespace touchstone::adversarial
+/// Draws how the ball of case `index` moves: a function of (seed, index) alone, which `find_fault` accepts.
+///
+/// The ball's place is at the start, in the middle or at the end of its way. The way is parallel to an edge or to an
+/// axis, leads towards a vertex or past it at a right angle, through the face, in any direction, far away, or nowhere.
+/// In a quarter of the draws the radius is the one that just grazes, up to a double, instead of that at the place.
+[[nodiscard]] Motion draw_motion(const Case& drawn, std::uint64_t seed, std::uint64_t index);
+
+}  // namespace touchstone::workloads::adversarial

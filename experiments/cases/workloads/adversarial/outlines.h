@@ -3,10 +3,23 @@
 
 #include <optional>
 
-#include "experiments/cases/workloads/adversarial/scaling.h"
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/random.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/polygon.h"
 
-namespace touchstone::adversarial {
+namespace touchstone::workloads::adversarial {
+
+struct BallAndPolygon {
+  Ball ball;
+  Polygon polygon;
+};
+
+/// Scales everything by one power of two: near the least doubles, near the largest, where squares or products of four
+/// lengths leave the range of doubles, or in between. Numbers that become subnormal may be rounded. Returns nothing if
+/// a number leaves the range. Throws Rejected if neighbouring vertices become equal.
+[[nodiscard]] std::optional<BallAndPolygon> scaled_to_extremes(Random& random, const Ball& ball,
+                                                               const Polygon& polygon);
 
 /// Draws a polygon of any family of workloads, with up to 24 vertices and two holes, in an integer or a rotated frame,
 /// at up to 2^20 sizes from the origin. In half of the draws its vertices are moved off the plane, by 2^-52 to 2^-3
@@ -16,4 +29,4 @@ namespace touchstone::adversarial {
 /// Returns nothing if the moved loops meet. Cost: about 50 us.
 [[nodiscard]] std::optional<BallAndPolygon> draw_outline(Random& random);
 
-}  // namespace touchstone::adversarial
+}  // namespace touchstone::workloads::adversarial

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "experiments/cases/workloads/random.h"
+#include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::adversarial {
-
-using workloads::Random;
+namespace touchstone::workloads::adversarial {
 
 // Each function draws triangles that are hard in one way. Vertices may be equal or collinear; see `is_triangle`.
 
@@ -31,4 +30,16 @@ using workloads::Random;
 [[nodiscard]] double number_of_any_exponent(Random& random, int range);
 inline constexpr int kExponentRanges = 6;
 
-}  // namespace touchstone::adversarial
+struct Tangent {
+  Triangle triangle;
+  Ball ball;
+};
+
+/// Draws a ball whose radius equals exactly the distance from the plane of the face, the line of an edge, or a vertex,
+/// unless a sum in doubles was rounded. Most often that is the nearest feature.
+///
+/// Half of them lie in an integer frame, by Pythagorean triples and quadruples. The others have edges along axes or in
+/// a coordinate plane, and every other coordinate has all its bits.
+[[nodiscard]] Tangent tangent(Random& random);
+
+}  // namespace touchstone::workloads::adversarial

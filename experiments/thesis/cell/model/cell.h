@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/workloads/meshes/unit.h"
+#include "experiments/cases/workloads/unit.h"
 #include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/cell/model/zone.h"
 #include "geometry/shapes/ball.h"

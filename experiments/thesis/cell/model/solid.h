@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "experiments/cases/workloads/meshes/unit.h"
+#include "experiments/cases/workloads/unit.h"
 #include "geometry/shapes/pose.h"
 
 // Shapes as they are written down, in the unit of their cell; what they are as faces is in solid_faces.h.

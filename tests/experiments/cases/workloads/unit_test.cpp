@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/workloads/meshes/unit.h"
+#include "experiments/cases/workloads/unit.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/workloads/ways.h"
-
 #include <gtest/gtest.h>
 
+#include "experiments/cases/workloads/workload.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 

@@ -61,7 +61,7 @@ std::vector<Stored> read_corpus() {
           !stored.read.expected->rejects()) {
         stored.tags = corpus::labels_of(line).tags;
         const cases::PartialAnswer& expected = stored.read.expected->values;
-        if (std::get<cases::Shapes>(stored.read.content).to)
+        if (stored.shapes().motion())
           stored.first = first_contact_of(expected);
         else
           stored.answer = answer_of(expected);

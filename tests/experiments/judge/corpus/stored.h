@@ -20,8 +20,8 @@ struct Stored {
   std::optional<FirstContact> first;  ///< the same if the ball moves; then there is no `answer`
 
   [[nodiscard]] const cases::Shapes& shapes() const { return std::get<cases::Shapes>(read.content); }
-  [[nodiscard]] const Ball& ball() const { return shapes().ball; }
-  [[nodiscard]] Motion motion() const { return shapes().motion().value(); }
+  [[nodiscard]] const Ball& ball() const { return shapes().ball(); }
+  [[nodiscard]] const Motion& motion() const { return *shapes().motion(); }
   [[nodiscard]] const Polygon& polygon() const { return shapes().polygon; }
   [[nodiscard]] bool fails(const std::string& method) const;
 };

@@ -267,10 +267,9 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   ASSERT_EQ(std::count(worse.begin(), worse.end(), '\n'), 1);
   const auto judged = cases::read_case(worse);
   const auto& shapes = std::get<cases::Shapes>(judged.content);
-  EXPECT_EQ(judged.expected->values.contact, exact::contact(shapes.ball, shapes.polygon));
-  EXPECT_NE(
-      methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, cases::QueryKind::Contact).contact,
-      judged.expected->values.contact);
+  EXPECT_EQ(judged.expected->values.contact, exact::contact(shapes.ball(), shapes.polygon));
+  EXPECT_NE(methods::find_method("thesis")->prepare(shapes.polygon)->answer(shapes.question)->contact,
+            judged.expected->values.contact);
 }
 
 }  // namespace

@@ -7,8 +7,6 @@
 #include "experiments/judge/show/case_view.h"
 #include "experiments/judge/show/flat_case.h"
 #include "experiments/judge/show/page.h"
-#include "experiments/judge/show/picture.h"
-#include "experiments/judge/show/radii.h"
 #include "experiments/methods/registry.h"
 
 namespace touchstone::show {
@@ -24,20 +22,20 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST(Radii, TheMarginIsCountedFromTheLeastRadiusThatTouches) {
   for (const std::int64_t off : {-3, -1, 0, 1, 5}) {
     const double radius = workloads::move_by_doubles(kBelow, off);
-    const Radii radii = radii_around({{{1, 1, 1}, radius}, kTriangle});
+    const Radii radii = radii_around({Ball{{1, 1, 1}, radius}, kTriangle});
     EXPECT_EQ(radii.margin, off - 1);  // the next double is the first that touches
     EXPECT_FALSE(radii.exactly_touching);
     EXPECT_TRUE(radii.every_double);
     for (std::size_t i = 0; i < radii.offsets.size(); ++i)
       EXPECT_EQ(radii.contact[i], radii.offsets[i] >= 1 - off) << off << ' ' << radii.offsets[i];
   }
-  const Radii tangent = radii_around({{{0.5, 0.5, 2}, 2}, kSquare});
+  const Radii tangent = radii_around({Ball{{0.5, 0.5, 2}, 2}, kSquare});
   EXPECT_EQ(tangent.margin, 0);
   EXPECT_TRUE(tangent.exactly_touching);
 }
 
 TEST(Radii, ShowEveryDoubleAtAChangeThatIsFarAway) {
-  const Radii radii = radii_around({{{0.5, 0.5, 2}, 1}, kSquare});
+  const Radii radii = radii_around({Ball{{0.5, 0.5, 2}, 1}, kSquare});
   EXPECT_EQ(radii.margin, -(std::int64_t{1} << 52));
   EXPECT_FALSE(radii.every_double);
   const std::int64_t change = std::int64_t{1} << 52;
@@ -47,24 +45,24 @@ TEST(Radii, ShowEveryDoubleAtAChangeThatIsFarAway) {
 }
 
 TEST(Radii, DoNotPassZeroOrTheLargestDouble) {
-  const Radii on = radii_around({{{0.5, 0.5, 0}, 0}, kSquare});
+  const Radii on = radii_around({Ball{{0.5, 0.5, 0}, 0}, kSquare});
   EXPECT_EQ(on.margin, 0);
   EXPECT_EQ(on.offsets.front(), 0);
   const double largest = std::numeric_limits<double>::max();
-  const Radii huge = radii_around({{{0.5, 0.5, 2}, largest}, kSquare});
+  const Radii huge = radii_around({Ball{{0.5, 0.5, 2}, largest}, kSquare});
   EXPECT_GT(huge.margin.value(), 0);
-  EXPECT_EQ(huge.radius({{{0.5, 0.5, 2}, largest}, kSquare}, huge.offsets.size() - 1), largest);
+  EXPECT_EQ(huge.radius({Ball{{0.5, 0.5, 2}, largest}, kSquare}, huge.offsets.size() - 1), largest);
   EXPECT_EQ(huge.offsets.back(), 0);
 }
 
 TEST(Radii, OfAMovingBallAreThoseOfItsCapsule) {
-  const cases::Shapes shapes{{{0.5, 0.5, 9}, 1.0}, kSquare, Eigen::Vector3d(0.5, 0.5, 1)};
+  const cases::Shapes shapes{Motion({{0.5, 0.5, 9}, 1.0}, {0.5, 0.5, 1}), kSquare};
   const Radii radii = radii_around(shapes);
   EXPECT_EQ(radii.margin, 0);  // at the end of its way it just touches
 }
 
 TEST(Radii, WhereEvenAPointTouchesNothingChanges) {
-  const cases::Shapes through{{{0.5, 0.5, 9}, 1.0}, kSquare, Eigen::Vector3d(0.5, 0.5, -9)};
+  const cases::Shapes through{Motion({{0.5, 0.5, 9}, 1.0}, {0.5, 0.5, -9}), kSquare};
   const Radii radii = radii_around(through);
   EXPECT_TRUE(radii.every_double);
   EXPECT_EQ(std::ranges::count(radii.contact, false), 0);
@@ -72,7 +70,7 @@ TEST(Radii, WhereEvenAPointTouchesNothingChanges) {
 }
 
 TEST(CaseView, AsksMethodsAtEveryRadius) {
-  CaseView shown = view({{{1, 1, 1}, kBelow}, kTriangle});
+  CaseView shown = view({Ball{{1, 1, 1}, kBelow}, kTriangle});
   EXPECT_EQ(shown.truth.contact, false);
   const Verdict fast = verdict_of(shown, *methods::find_method("fast"));
   const Verdict filtered = verdict_of(shown, *methods::find_method("filtered"));
@@ -84,19 +82,20 @@ TEST(CaseView, AsksMethodsAtEveryRadius) {
 }
 
 TEST(CaseView, CountsTheDoublesOfASmallMarginOnly) {
-  EXPECT_TRUE(has(margin_text(view({{{0.5, 0.5, 2}, workloads::move_by_doubles(2, 3)}, kSquare})), "3 doubles above"));
-  EXPECT_TRUE(has(margin_text(view({{{0.5, 0.5, 2}, 3}, kSquare})), "over a million doubles above"));
+  EXPECT_TRUE(
+      has(margin_text(view({Ball{{0.5, 0.5, 2}, workloads::move_by_doubles(2, 3)}, kSquare})), "3 doubles above"));
+  EXPECT_TRUE(has(margin_text(view({Ball{{0.5, 0.5, 2}, 3}, kSquare})), "over a million doubles above"));
 }
 
 TEST(CaseView, SaysWhenAMethodCannotAnswer) {
-  CaseView shown = view({{{0.5, 0.5, 9}, 1}, kSquare, Eigen::Vector3d(0.5, 0.5, 0)});
+  CaseView shown = view({Motion({{0.5, 0.5, 9}, 1}, {0.5, 0.5, 0}), kSquare});
   EXPECT_EQ(verdict_of(shown, *methods::find_method("thesis")).fault, "cannot answer about moving balls");
   EXPECT_TRUE(has(section_of(shown), "moving to (0.5, 0.5, 0)"));
 }
 
 // Lengths and the section are those of the case, in the polygon's plane.
 TEST(FlatCase, KeepsTheShapes) {
-  const CaseView shown = view({{{2, 2, 3}, 0.5}, kSquare});  // above the hole
+  const CaseView shown = view({Ball{{2, 2, 3}, 0.5}, kSquare});  // above the hole
   const auto flat = flat_case(shown);
   ASSERT_TRUE(flat);
   const double unit = (flat->loops[0][1] - flat->loops[0][0]).norm() / 4;
@@ -111,12 +110,12 @@ TEST(FlatCase, KeepsTheShapes) {
 TEST(FlatCase, TakesVeryLargeAndVerySmallNumbers) {
   for (const double scale : {1e-320, 1e-200, 1e307}) {
     const Polygon polygon({{0, 0, 0}, {scale, 0, 0}, {0, scale, 0}});
-    EXPECT_TRUE(flat_case(view({{{0, 0, scale}, scale / 2}, polygon}))) << scale;
+    EXPECT_TRUE(flat_case(view({Ball{{0, 0, scale}, scale / 2}, polygon}))) << scale;
   }
 }
 
 TEST(Picture, MarksWhatIsWrong) {
-  CaseView shown = view({{{1, 1, 1}, kBelow}, kTriangle});
+  CaseView shown = view({Ball{{1, 1, 1}, kBelow}, kTriangle});
   shown.verdicts.push_back(verdict_of(shown, *methods::find_method("filtered")));
   const std::string right = picture(shown).text_of_file("it");
   EXPECT_FALSE(has(right, "stroke=\"#d62828\"")) << right;
@@ -129,13 +128,13 @@ TEST(Picture, MarksWhatIsWrong) {
 // 1845 doubles below the contact: the columns on both sides of the change have labels of their own.
 TEST(Picture, LabelsNeighboursApart) {
   const CaseView shown =
-      view({{{0, 0, 4}, 6.794760561472867e-09}, Polygon({{0.0078125, 0, 32768}, {0, 0, 0}, {-8000, 57, -17408}})});
+      view({Ball{{0, 0, 4}, 6.794760561472867e-09}, Polygon({{0.0078125, 0, 32768}, {0, 0, 0}, {-8000, 57, -17408}})});
   const std::string text = picture(shown).text_of_file("it");
   EXPECT_TRUE(has(text, ">+1844<") && has(text, ">+1845<")) << text;
 }
 
 TEST(Page, IsSelfContainedAndEscaped) {
-  CaseView shown = view({{{1, 1, 1}, kBelow}, kTriangle});
+  CaseView shown = view({Ball{{1, 1, 1}, kBelow}, kTriangle});
   shown.verdicts.push_back({"<script>", {}, "no <b>verdict</b>", {}});
   shown.verdicts.push_back(verdict_of(shown, *methods::find_method("fast")));
   const std::string page = page_of("Title & more", section_of(shown));

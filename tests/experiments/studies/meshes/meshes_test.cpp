@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cases/workloads/meshes.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,7 +15,6 @@
 #include <sstream>
 #include <string>
 
-#include "experiments/cases/workloads/meshes/face_polygon.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/meshes/study.h"

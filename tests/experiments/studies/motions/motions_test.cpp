@@ -272,9 +272,9 @@ TEST(Motions, TheFurthestWrongAnswersAreCases) {
   for (std::string line; std::getline(lines, line); ++count) {
     const cases::Case read = cases::read_case(line);
     const auto& shapes = std::get<cases::Shapes>(read.content);
-    const Motion motion = shapes.motion().value();
+    const Motion motion = *shapes.motion();
     const auto truth = PartialAnswer::of(exact::first_contact(motion, shapes.polygon),
-                                         exact::answer(shapes.ball, shapes.polygon).off_plane, "");
+                                         exact::answer(shapes.ball(), shapes.polygon).off_plane, "");
     EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << line;
     const auto answer = methods::find_method("fast-float")->prepare(shapes.polygon)->ask_moving(motion);
     EXPECT_NE(answer->contact, truth.contact) << line;

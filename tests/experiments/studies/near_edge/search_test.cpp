@@ -169,7 +169,7 @@ TEST(Search, ReportsCasesThatAreWrong) {
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << line;
     const auto& shapes = std::get<cases::Shapes>(read.content);
     const auto meets = [&](const cases::Method& asked) {
-      const auto answer = asked.prepare(shapes.polygon)->ask(shapes.ball, cases::QueryKind::Answer);
+      const auto answer = asked.prepare(shapes.polygon)->ask(shapes.ball(), cases::QueryKind::Answer);
       return cases::differences(*read.expected, answer).empty();
     };
     EXPECT_TRUE(meets(method("exact"))) << line;

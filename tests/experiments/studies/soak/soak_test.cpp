@@ -13,7 +13,7 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/cases/workloads/adversarial/motions.h"
+#include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/commands.h"
 #include "experiments/run/run_control.h"
 #include "experiments/run/write_file.h"
@@ -52,24 +52,24 @@ Tally whole(const Settings& settings, const SystemUnderTest& tested = {}) {
   return tally;
 }
 
-std::string line_of(const adversarial::Case& c) { return cases::case_line("", c.ball, c.polygon, {}); }
+std::string line_of(const workloads::adversarial::Case& c) { return cases::case_line("", {c.ball, c.polygon}, {}); }
 
 TEST(SoakCases, AreLegalAndOfTheirFamily) {
   for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
-    const adversarial::Case c = adversarial::draw_case(5, index);
+    const workloads::adversarial::Case c = workloads::adversarial::draw_case(5, index);
     EXPECT_FALSE(find_fault(c.ball)) << "index " << index;
     EXPECT_FALSE(exact::validate(c.polygon)) << "index " << index;
-    EXPECT_EQ(c.family == adversarial::Family::Outline, index % 10 == 9) << "index " << index;
-    EXPECT_TRUE(c.family == adversarial::Family::Outline || c.triangle()) << "index " << index;
+    EXPECT_EQ(c.family == workloads::adversarial::Family::Outline, index % 10 == 9) << "index " << index;
+    EXPECT_TRUE(c.family == workloads::adversarial::Family::Outline || c.triangle()) << "index " << index;
   }
 }
 
 TEST(SoakCases, AreAFunctionOfSeedAndIndex) {
   std::set<std::string> seen;
   for (std::uint64_t index = 0; index < 200; ++index) {
-    const std::string line = line_of(adversarial::draw_case(1, index));
-    EXPECT_EQ(line, line_of(adversarial::draw_case(1, index))) << "index " << index;
-    EXPECT_NE(line, line_of(adversarial::draw_case(2, index))) << "index " << index;
+    const std::string line = line_of(workloads::adversarial::draw_case(1, index));
+    EXPECT_EQ(line, line_of(workloads::adversarial::draw_case(1, index))) << "index " << index;
+    EXPECT_NE(line, line_of(workloads::adversarial::draw_case(2, index))) << "index " << index;
     seen.insert(line);
   }
   EXPECT_EQ(seen.size(), 200U);
@@ -77,10 +77,10 @@ TEST(SoakCases, AreAFunctionOfSeedAndIndex) {
 
 // Hard where they say so: every family but Anywhere has contacts and misses, ties where it promises them.
 TEST(SoakCases, StandAtTheirThresholds) {
-  std::array<std::uint64_t, static_cast<std::size_t>(adversarial::Family::Outline) + 1> touching{}, separate{},
-      overlapping{}, boundary{};
+  std::array<std::uint64_t, static_cast<std::size_t>(workloads::adversarial::Family::Outline) + 1> touching{},
+      separate{}, overlapping{}, boundary{};
   for (std::uint64_t index = 0; index < 3000; ++index) {
-    const adversarial::Case c = adversarial::draw_case(3, index);
+    const workloads::adversarial::Case c = workloads::adversarial::draw_case(3, index);
     const Answer answer = exact::answer(c.ball, c.polygon);
     const auto family = static_cast<std::size_t>(c.family);
     touching[family] += answer.relation == Relation::Touching ? 1 : 0;
@@ -88,24 +88,26 @@ TEST(SoakCases, StandAtTheirThresholds) {
     overlapping[family] += answer.relation == Relation::Overlapping ? 1 : 0;
     boundary[family] += answer.foot == PointLocation::Boundary ? 1 : 0;
   }
-  for (const adversarial::Family family : adversarial::all_families()) {
+  for (const workloads::adversarial::Family family : workloads::adversarial::all_families()) {
     const auto f = static_cast<std::size_t>(family);
     EXPECT_GT(separate[f], 10U) << to_string(family);
     EXPECT_GT(overlapping[f], 10U) << to_string(family);
   }
-  for (const adversarial::Family family :
-       {adversarial::Family::Lattice, adversarial::Family::Tangent, adversarial::Family::Point,
-        adversarial::Family::Exponents, adversarial::Family::Scaled, adversarial::Family::Outline})
+  for (const workloads::adversarial::Family family :
+       {workloads::adversarial::Family::Lattice, workloads::adversarial::Family::Tangent,
+        workloads::adversarial::Family::Point, workloads::adversarial::Family::Exponents,
+        workloads::adversarial::Family::Scaled, workloads::adversarial::Family::Outline})
     EXPECT_GT(touching[static_cast<std::size_t>(family)], 10U) << to_string(family);
-  for (const adversarial::Family family : {adversarial::Family::Lattice, adversarial::Family::Tangent,
-                                           adversarial::Family::Foot, adversarial::Family::Point})
+  for (const workloads::adversarial::Family family :
+       {workloads::adversarial::Family::Lattice, workloads::adversarial::Family::Tangent,
+        workloads::adversarial::Family::Foot, workloads::adversarial::Family::Point})
     EXPECT_GT(boundary[static_cast<std::size_t>(family)], 10U) << to_string(family);
 }
 
 TEST(Soak, CountsEveryCaseOnceEachWay) {
   const Tally tally = whole({.cases = 2000, .seed = 4});
   std::uint64_t triangles = 0, prepared = 0, answers = 0;
-  for (const adversarial::Family family : adversarial::all_families()) {
+  for (const workloads::adversarial::Family family : workloads::adversarial::all_families()) {
     for (const Way way : kWays) {
       const Outcomes& o = tally.at(family, way);
       std::uint64_t sum = 0;
@@ -240,8 +242,8 @@ void expect_found(const SystemUnderTest& wrong, const std::string& question, boo
     EXPECT_EQ(read.id, "soak-s9-i" + std::to_string(difference.index));
     EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
     const auto& shapes = std::get<cases::Shapes>(read.content);
-    const Answer still = exact::answer(shapes.ball, shapes.polygon);
-    EXPECT_EQ(shapes.motion().has_value(), moving) << difference.line;
+    const Answer still = exact::answer(shapes.ball(), shapes.polygon);
+    EXPECT_EQ(shapes.motion() != nullptr, moving) << difference.line;
     const auto truth =
         moving ? cases::PartialAnswer::of(exact::first_contact(*shapes.motion(), shapes.polygon), still.off_plane, "")
                : cases::PartialAnswer::of(still, "");
@@ -275,7 +277,7 @@ TEST(Soak, FindsPlantedErrorsOfMovingBalls) {
 TEST(Soak, CountsEveryMovingCaseOnceEachWay) {
   const Tally tally = whole({.cases = 500, .seed = 4, .moving = true});
   std::uint64_t triangles = 0, prepared = 0, still = 0;
-  for (const adversarial::Family family : adversarial::all_families()) {
+  for (const workloads::adversarial::Family family : workloads::adversarial::all_families()) {
     triangles += tally.at(family, Way::MovingTriangle).cases;
     prepared += tally.at(family, Way::MovingPrepared).cases;
     still += tally.at(family, Way::Prepared).cases;
@@ -291,8 +293,9 @@ TEST(Soak, CountsEveryMovingCaseOnceEachWay) {
 TEST(SoakCases, MoveAcrossTheirThresholds) {
   std::uint64_t start = 0, way = 0, none = 0, momentary = 0, rest = 0;
   for (std::uint64_t index = 0; index < 1000; ++index) {
-    const adversarial::Case c = adversarial::draw_case(3, index);
-    const Motion motion = adversarial::draw_motion(c, 3, index), again = adversarial::draw_motion(c, 3, index);
+    const workloads::adversarial::Case c = workloads::adversarial::draw_case(3, index);
+    const Motion motion = workloads::adversarial::draw_motion(c, 3, index),
+                 again = workloads::adversarial::draw_motion(c, 3, index);
     ASSERT_FALSE(find_fault(motion)) << index;
     EXPECT_EQ(motion.to, again.to) << index;
     EXPECT_EQ(motion.ball.radius, again.ball.radius) << index;
@@ -423,11 +426,11 @@ TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
   for (std::uint64_t index = 7; index < 12; ++index) {
     ASSERT_TRUE(std::getline(lines, line));
     const cases::Case read = cases::read_case(line);
-    const adversarial::Case drawn = adversarial::draw_case(2, index);
+    const workloads::adversarial::Case drawn = workloads::adversarial::draw_case(2, index);
     EXPECT_EQ(read.id, "soak-s2-i" + std::to_string(index));
     const auto& shapes = std::get<cases::Shapes>(read.content);
-    EXPECT_EQ(shapes.ball.center, drawn.ball.center);
-    EXPECT_EQ(shapes.ball.radius, drawn.ball.radius);
+    EXPECT_EQ(shapes.ball().center, drawn.ball.center);
+    EXPECT_EQ(shapes.ball().radius, drawn.ball.radius);
     EXPECT_EQ(shapes.polygon, drawn.polygon);
   }
   EXPECT_FALSE(std::getline(lines, line));
@@ -438,7 +441,7 @@ TEST(SoakCommand, PrintsMotionsThatItWouldAsk) {
                                            {"--seed", "2", "--from", "7", "--samples", "1", "--print", "--moving"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   const auto shapes = std::get<cases::Shapes>(cases::read_case(ran.out.substr(0, ran.out.find('\n'))).content);
-  const Motion drawn = adversarial::draw_motion(adversarial::draw_case(2, 7), 2, 7);
+  const Motion drawn = workloads::adversarial::draw_motion(workloads::adversarial::draw_case(2, 7), 2, 7);
   ASSERT_TRUE(shapes.motion());
   EXPECT_EQ(shapes.motion()->ball.center, drawn.ball.center);
   EXPECT_EQ(shapes.motion()->to, drawn.to);

@@ -38,7 +38,7 @@ TEST(StabilityWorst, AreCasesOnWhichTheMethodErrs) {
       const auto& shapes = std::get<cases::Shapes>(read.content);
       const auto differences = [&](std::string_view name) {
         const auto prepared = methods::find_method(name)->prepare(shapes.polygon);
-        return cases::differences(*read.expected, prepared->ask(shapes.ball, cases::QueryKind::Answer));
+        return cases::differences(*read.expected, prepared->ask(shapes.ball(), cases::QueryKind::Answer));
       };
       const std::string name = nlohmann::json::parse(worst->line)["tags"][0];
       EXPECT_TRUE(differences("exact").empty()) << worst->line;

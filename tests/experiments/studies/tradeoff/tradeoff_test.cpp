@@ -202,10 +202,10 @@ TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
   for (std::string line; std::getline(lines, line); ++cases) {
     const cases::Case read = cases::read_case(line);
     const auto& shapes = std::get<cases::Shapes>(read.content);
-    const auto truth = PartialAnswer::of(exact::answer(shapes.ball, shapes.polygon), "");
+    const auto truth = PartialAnswer::of(exact::answer(shapes.ball(), shapes.polygon), "");
     EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << *read.id;
     const std::string method = nlohmann::json::parse(line)["tags"][0];
-    const auto given = methods::find_method(method)->prepare(shapes.polygon)->ask(shapes.ball, QueryKind::Answer);
+    const auto given = methods::find_method(method)->prepare(shapes.polygon)->ask(shapes.ball(), QueryKind::Answer);
     EXPECT_FALSE(cases::differences(*read.expected, given).empty()) << *read.id;
   }
   EXPECT_EQ(cases, 4);  // of fast, in either placement; the others are right, or say nothing

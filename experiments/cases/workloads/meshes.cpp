@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/workloads/meshes/named_meshes.h"
+#include "experiments/cases/workloads/meshes.h"
 
 #include <fmt/core.h>
 
@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "geometry/io/detail/legible.h"
+#include "geometry/shapes/rejection.h"
+#include "robust/exact/validate.h"
 
 namespace touchstone::workloads {
 namespace {
@@ -19,6 +21,14 @@ std::string short_name(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+Polygon face_polygon(const Mesh& mesh, std::uint64_t face) {
+  Loop loop;
+  for (const std::uint32_t vertex : mesh.faces[face]) loop.push_back(mesh.vertices[vertex]);
+  Polygon polygon(loop);
+  if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
+  return polygon;
+}
 
 std::vector<std::string> short_names(const std::vector<std::string>& files) {
   std::vector<std::string> names;

@@ -6,7 +6,9 @@
 
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::methods {
+namespace touchstone::convex {
+
+// What the thesis sets out to avoid: the convex hull of a polygon, and convex parts of it.
 
 /// Returns the convex hull of a polygon's outer loop, without its holes: a loop of its own vertices, seen along the
 /// dropped axis, with the orientation of the outer loop and without vertices on straight runs. Requires a polygon that
@@ -18,4 +20,7 @@ namespace touchstone::methods {
 /// Cost: O(n^2 log n). Source: Hertel and Mehlhorn (1983).
 [[nodiscard]] std::vector<Polygon> convex_parts(const Polygon& polygon);
 
-}  // namespace touchstone::methods
+/// Adds the methods `hull` and `convex-parts`, which ask `fast` about them, as methods::add_methods does.
+void add_methods();
+
+}  // namespace touchstone::convex

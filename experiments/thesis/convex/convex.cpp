@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/convex.h"
+#include "experiments/thesis/convex/convex.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/ch_graham_andrew.h>
@@ -10,14 +10,19 @@
 #include <map>
 #include <utility>
 
+#include "experiments/cases/method.h"
+#include "experiments/methods/registry.h"
 #include "experiments/methods/triangulate.h"
+#include "geometry/contact/fast.h"
 #include "geometry/detail/floating_point_state.h"
 #include "robust/exact/detail/dropped_axis.h"
 #include "robust/mesh/detail/face_plane.h"
 
-namespace touchstone::methods {
+namespace touchstone::convex {
 namespace {
 
+using cases::PartialAnswer;
+using cases::QueryKind;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Numbers = std::vector<std::uint32_t>;  // of vertices
 
@@ -83,6 +88,40 @@ bool join_two(std::vector<Numbers>& parts, const Shadow& shadow) {
   return false;
 }
 
+/// Whether a ball touches one of some convex polygons, by `fast`.
+class PreparedConvex final : public cases::PreparedMethod {
+ public:
+  explicit PreparedConvex(const std::vector<Polygon>& parts) {
+    for (const Polygon& part : parts) parts_.emplace_back(part);
+  }
+
+  PartialAnswer ask(const Ball& ball, QueryKind /*kind*/) const override {
+    PartialAnswer answer;
+    answer.contact = std::ranges::any_of(parts_, [&](const auto& part) { return fast::contact(ball, part); });
+    answer.stage = "double";
+    return answer;
+  }
+
+ private:
+  std::vector<fast::PreparedPolygon<double>> parts_;
+};
+
+class Convex final : public cases::Method {
+ public:
+  using Parts = std::vector<Polygon> (*)(const Polygon& polygon);
+  Convex(std::string_view name, std::string_view summary, Parts parts)
+      : name_(name), summary_(summary), parts_(parts) {}
+  std::string_view name() const override { return name_; }
+  std::string_view summary() const override { return summary_; }
+  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<PreparedConvex>(parts_(polygon));
+  }
+
+ private:
+  std::string_view name_, summary_;
+  Parts parts_;
+};
+
 }  // namespace
 
 Polygon convex_hull(const Polygon& polygon) {
@@ -108,11 +147,20 @@ std::vector<Polygon> convex_parts(const Polygon& polygon) {
   if (polygon.vertex_count() == 3)
     parts.push_back({0, 1, 2});
   else
-    for (const auto& triangle : triangulate(polygon)) parts.emplace_back(triangle.begin(), triangle.end());
+    for (const auto& triangle : methods::triangulate(polygon)) parts.emplace_back(triangle.begin(), triangle.end());
   while (join_two(parts, shadow)) continue;
   std::vector<Polygon> polygons;
   for (const Numbers& part : parts) polygons.push_back(polygon_of(polygon, part));
   return polygons;
 }
 
-}  // namespace touchstone::methods
+void add_methods() {
+  methods::add_methods([](methods::MethodList& list) {
+    list.push_back(std::make_unique<Convex>("hull", "fast on the polygon's convex hull, which fills notches and holes",
+                                            [](const Polygon& polygon) { return std::vector{convex_hull(polygon)}; }));
+    list.push_back(std::make_unique<Convex>(
+        "convex-parts", "fast on convex parts of the polygon, joined from triangles", convex_parts));
+  });
+}
+
+}  // namespace touchstone::convex

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hulls contain, convex parts cover: by areas, and by the answers of the two methods.
-#include "experiments/methods/convex.h"
+#include "experiments/thesis/convex/convex.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 
-namespace touchstone::methods {
+namespace touchstone::convex {
 namespace {
 
 /// An outline in the plane z = x - y, with its holes.
@@ -84,7 +84,8 @@ TEST(Convex, HullsContainAndPartsCover) {
 // In the notch of a U the hull touches what is not there; parts answer as the polygon does.
 TEST(Convex, TheHullFillsANotchAndPartsDoNot) {
   const Polygon u({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {6, 9, 0}, {6, 3, 0}, {3, 3, 0}, {3, 9, 0}, {0, 9, 0}});
-  const auto hull = find_method("hull")->prepare(u), parts = find_method("convex-parts")->prepare(u);
+  add_methods();
+  const auto hull = methods::find_method("hull")->prepare(u), parts = methods::find_method("convex-parts")->prepare(u);
   const auto says = [](const auto& method, const Ball& ball) {
     return method->ask(ball, cases::QueryKind::Contact).contact.value();
   };
@@ -101,4 +102,4 @@ TEST(Convex, TheHullFillsANotchAndPartsDoNot) {
 }
 
 }  // namespace
-}  // namespace touchstone::methods
+}  // namespace touchstone::convex
