@@ -157,11 +157,16 @@ struct PlanOptions {
   std::uint64_t parts = 2;
 };
 
+bool needs_arguments(const Command& command) {
+  const std::vector<run::OptionDescription> options = command.description().options;
+  return std::ranges::any_of(options, &run::OptionDescription::required);
+}
+
 int plan(const PlanOptions& options, const std::vector<Command>& commands) {
   std::vector<std::string> lines = options.studies;
   if (lines.empty())
     for (const Command& command : commands)
-      if (command.has_parts()) lines.push_back(command.name());
+      if (command.has_parts() && !needs_arguments(command)) lines.push_back(command.name());
   nlohmann::ordered_json studies = nlohmann::ordered_json::object();
   for (const std::string& line : lines) {
     auto words = run::shell_words(line);
@@ -204,7 +209,8 @@ std::vector<Command> parts_commands(const std::vector<Command>& commands) {
 
   auto planned = std::make_shared<PlanOptions>();
   Command planning("plan", "Print a Snakefile, with which Snakemake runs studies by parts and merges them");
-  planning.texts("STUDY", planned->studies, "Studies, each with its options as one argument; without any, all studies");
+  planning.texts("STUDY", planned->studies,
+                 "Studies, each with its options as one argument; without any, all that need no arguments");
   planning.whole("--parts", planned->parts, "The number of parts of each study", 1, run::kMostParts);
   planning.footer("The folders of the studies and `parts` lie where Snakemake runs.");
   planning.example("plan --parts 4 'soak --samples 100000' tunnelling > Snakefile");

@@ -179,7 +179,8 @@ std::string CommandParts::line() const {
 std::vector<std::pair<std::string, std::string>> CommandParts::result_options() const {
   std::vector<std::pair<std::string, std::string>> values;
   for (const auto& declared : options)
-    if (declared->changes_results) values.emplace_back(declared->name.substr(2), declared->compared());
+    if (declared->changes_results)
+      values.emplace_back(declared->name.substr(is_positional(declared->name) ? 0 : 2), declared->compared());
   return values;
 }
 

@@ -11,7 +11,7 @@ namespace touchstone::run {
 
 /// The facts that run.json records about a run besides the compiler, the flags, the commit, the machine and the date.
 struct Run {
-  std::string command;
+  std::string command{};
   std::uint64_t seed = 0;
   std::uint64_t samples_asked = 0, samples_done = 0, samples_missing = 0;
   unsigned threads = 1;

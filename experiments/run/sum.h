@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "experiments/run/archive.h"
 
 namespace touchstone::run {
+
+/// A number that sums to the largest one.
+template <class Number>
+struct Maximum {
+  Number value{};
+
+  Maximum& operator+=(const Maximum& other) {
+    value = std::max(value, other.value);
+    return *this;
+  }
+  Maximum& operator+=(Number other) { return *this += Maximum{other}; }
+  operator Number() const { return value; }  // NOLINT(google-explicit-constructor): it is used as the number
+  auto members() { return std::tie(value); }
+};
 
 /// Adds the other value to the sum, member by member: numbers are added, arrays and vectors element by element (an
 /// empty vector is zero), maps key by key. A type that has an operator += is added by it; another one has `members()`.

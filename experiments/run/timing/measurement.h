@@ -4,6 +4,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "experiments/run/blocks.h"
@@ -13,6 +14,8 @@ namespace touchstone::timing {
 
 struct Quartiles {
   double minimum, lower, median, upper, maximum;
+
+  auto members() { return std::tie(minimum, lower, median, upper, maximum); }
 };
 
 /// Returns quartiles, interpolated linearly between neighbouring values. Requires at least one value.

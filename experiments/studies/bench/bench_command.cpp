@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -11,12 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "experiments/run/command.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
+#include "experiments/run/command_run.h"
 #include "experiments/run/standard_output.h"
-#include "experiments/run/stop_signal.h"
 #include "experiments/run/timing/output.h"
 #include "experiments/run/write_file.h"
 #include "experiments/studies/bench/families.h"
@@ -27,16 +22,11 @@ namespace {
 using namespace bench;
 using namespace timing;
 
-struct Options {
+struct Options : run::FolderOptions {
   std::vector<std::string> families{"all"};
   Settings settings;
   unsigned repetitions = 11;
-  std::string output = "results/bench";
   std::string count;
-  bool force = false, json = false, quiet = false;
-
-  [[nodiscard]] bool prints_text() const { return !json && !quiet; }
-  std::string line;  ///< that repeats the run
 };
 
 // Throws run::UsageError, which names what is unknown.
@@ -61,17 +51,17 @@ std::vector<const Family*> select_families(const std::vector<std::string>& names
 /// Draws, measures and prints one benchmark after the other.
 class Runner {
  public:
-  Runner(const Options& options, const std::atomic<bool>& stop) : options_(options), stop_(stop) {}
+  Runner(run::CommandRun& run, const Options& options) : run_(run), options_(options) {}
 
-  void run(const Family& family) {
+  void measure_family(const Family& family) {
     std::vector<Result> results;
     if (options_.prints_text()) fmt::print("\n== {}: {}\n", family.name, family.summary);
     for (const auto& draw : family.benchmarks) {
-      if (stop_) return;
+      if (run_.stop()) return;
       const Benchmark benchmark = draw(options_.settings);
-      run::ProgressLine line("bench: " + family.name + " " + benchmark.name, options_.repetitions, 0, !options_.quiet);
+      run::ProgressLine line = run_.progress("bench: " + family.name + " " + benchmark.name, options_.repetitions);
       results.push_back(
-          measure(family.name, benchmark, options_.repetitions, stop_, [&](std::uint64_t n) { line(n); }));
+          measure(family.name, benchmark, options_.repetitions, run_.stop(), [&](std::uint64_t n) { line(n); }));
       keep(results.back());
     }
     if (!results.empty() && !results.front().pool.empty())
@@ -86,8 +76,8 @@ class Runner {
     results_.push_back(result);
   }
 
+  run::CommandRun& run_;
   const Options& options_;
-  const std::atomic<bool>& stop_;
   std::vector<Result> results_;
 };
 
@@ -97,32 +87,27 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path) {
 }
 
 /// Writes the results, and the record of the run, which also stands beside. Returns the text of the results.
-std::string write(const std::filesystem::path& folder, const Options& options, const std::vector<Result>& results,
-                  std::uint64_t samples_done, double seconds) {
-  run::write_run_record(folder,
-                        {options.line, options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
-  const nlohmann::ordered_json all = {{"run", read_json(folder / "run.json")},
+std::string write(const run::CommandRun& run, const Options& options, const std::vector<Result>& results) {
+  run.write_record({.seed = options.settings.seed,
+                    .samples_asked = options.settings.samples,
+                    .samples_done = run.stopped() ? 0 : options.settings.samples});
+  const nlohmann::ordered_json all = {{"run", read_json(run.folder() / "run.json")},
                                       {"processor_features", processor_features()},
                                       {"samples", options.settings.samples},
                                       {"repetitions", options.repetitions},
                                       {"contests", json(results)}};
   std::string text = all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  run::write_file(folder / "bench.json", text);
+  run::write_file(run.folder() / "bench.json", text);
   return text;
 }
 
 int measure_all(const Options& options) {
   const auto families = select_families(options.families);
-  const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, options.line, {.force = options.force});
-  const run::StopSignal stop_signal;
-  const auto& stop = stop_signal.requested();
-  const auto begin = std::chrono::steady_clock::now();
-  Runner runner(options, stop);
+  run::CommandRun run(options);
+  Runner runner(run, options);
   for (const Family* family : families)
-    if (!stop) runner.run(*family);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const std::string all = write(folder, options, runner.results(), stop ? 0 : options.settings.samples, seconds);
+    if (!run.stop()) runner.measure_family(*family);
+  const std::string all = write(run, options, runner.results());
 
   if (options.json) fmt::print("{}", all);
   if (options.prints_text()) {
@@ -131,13 +116,12 @@ int measure_all(const Options& options) {
     if (options.settings.samples < kEnough)
       fmt::print("Fewer than {} samples: branch predictors may have learnt them; do not quote these times.\n", kEnough);
     fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Results: {}\n", options.settings.samples,
-               options.repetitions, options.settings.seed, seconds, folder.string());
+               options.repetitions, options.settings.seed, run.seconds(), options.output);
   }
   run::flush_standard_output();
-  if (!stop) return 0;
+  if (!run.stopped()) return 0;
   fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.output);
-  constexpr int kInterrupted = 130;
-  return kInterrupted;
+  return run::kInterrupted;
 }
 
 /// Asks one candidate every query of the benchmarks that share the first one's pool, `repetitions` times, and does
@@ -188,16 +172,15 @@ run::Command bench_command() {
   run::Command command("bench", "Compare the times of filtered, fast and other methods on the same queries");
   command.footer(kFooter);
   auto options = std::make_shared<Options>();
-  command.keep_line(options->line);
+  options->output = "results/bench";
   command.names("--family", options->families, "Families of queries, separated by commas, or all");
   command.whole("--samples", options->settings.samples,
                 "Distinct queries, up to 10000000; branch predictors may learn fewer than 100000", 1, kMostSamples);
   command.whole("--repetitions", options->repetitions, "The number of turns of each candidate", 1, 100'000);
   command.seed(options->settings.seed, "Any number; the same seed gives the same queries");
-  command.output(options->output, "The folder for bench.json, which has all numbers, and run.json");
   command.text("--count", options->count,
                "Do not time: run this candidate of one family on all queries, for a profiler");
-  command.force(options->force);
+  run::declare_output(command, *options, "The folder for bench.json, which has all numbers, and run.json");
   command.quiet(options->quiet);
   command.json(options->json, "Print what bench.json holds").excludes("--quiet");
   command.example("bench --family near --samples 100");

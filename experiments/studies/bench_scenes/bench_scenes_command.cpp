@@ -2,19 +2,13 @@
 #include <fmt/core.h>
 #include <malloc.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/command.h"
+#include "experiments/run/command_run.h"
 #include "experiments/run/counted.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/pictures.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/run_record.h"
 #include "experiments/run/standard_output.h"
-#include "experiments/run/stop_signal.h"
 #include "experiments/run/timing/output.h"
 #include "experiments/run/write_file.h"
 #include "experiments/studies/bench_scenes/study.h"
@@ -25,13 +19,10 @@ namespace {
 using namespace bench_scenes;
 using namespace timing;
 
-struct SceneOptions : run::Printing {
+struct SceneOptions : run::FolderOptions {
   SceneSettings settings;
   std::size_t most_triangles = 1'000'000;
   std::string meshes;  ///< a folder; empty: no real meshes
-  std::string output = "results/bench-scenes";
-  bool force = false, no_pictures = false;
-  std::string line;  ///< that repeats the run
 };
 
 using Json = nlohmann::ordered_json;
@@ -57,21 +48,18 @@ Json read_json(const std::filesystem::path& path) {
   return Json::parse(file);
 }
 
-void write(const SceneOptions& options, const std::vector<SceneResult>& results, bool stopped, double seconds) {
-  const std::filesystem::path folder = options.output;
-  write_scene_tables(folder, results);
+void write(const run::CommandRun& run, const SceneOptions& options, const std::vector<SceneResult>& results) {
+  write_scene_tables(run.folder(), results);
   const std::uint64_t samples = options.settings.samples;
-  run::write_run_record(folder, {.command = options.line,
-                                 .seed = options.settings.seed,
-                                 .samples_asked = samples,
-                                 .samples_done = stopped ? 0 : samples,
-                                 .seconds = seconds,
-                                 .interrupted = stopped});
-  Json all = {{"run", read_json(folder / "run.json")},
+  run.write_record({.seed = options.settings.seed,
+                    .samples_asked = samples,
+                    .samples_done = run.stopped() ? 0 : samples,
+                    .interrupted = run.stopped()});
+  Json all = {{"run", read_json(run.folder() / "run.json")},
               {"processor_features", processor_features()},
               {"absent", absent_libraries()}};
   all.update(json(results));
-  run::write_file(folder / "bench.json", all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  run::write_file(run.folder() / "bench.json", all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 int exit_status(const SceneOptions& options, const std::vector<SceneResult>& results, bool stopped) {
@@ -88,11 +76,9 @@ int exit_status(const SceneOptions& options, const std::vector<SceneResult>& res
 }
 
 int measure_scenes(const SceneOptions& options) {
-  const run::OutputFolder held(options.output, options.line, {.force = options.force});
+  run::CommandRun run(options);
   const auto scenes = all_scenes(options);
-  const run::StopSignal stop_signal;
-  const auto& stop = stop_signal.requested();
-  const auto begin = std::chrono::steady_clock::now();
+  const auto& stop = run.stop();
   const std::vector<Library> libraries = all_libraries();
   const auto print = [&](const std::string& text) {
     if (!options.prints_text()) return;
@@ -110,18 +96,17 @@ int measure_scenes(const SceneOptions& options) {
     print(poses_table(results.back()));
     ::malloc_trim(0);  // the next, larger scene needs it
   }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  write(options, results, stop, seconds);
+  write(run, options, results);
 
   const std::string exact = libraries.front().name;
   std::string text = growth_table(growths(results), exact) + scene_legend() + "\n" + scene_goals(results, exact);
   for (const std::string& absent : absent_libraries())
     text += fmt::format("Built without {}: it does not take part.\n", absent);
   text += fmt::format("{}, {}, seed {}, in {:.0f} s. Everything: {}\n", run::counted(options.settings.samples, "ball"),
-                      run::counted(options.settings.repetitions, "repetition"), options.settings.seed, seconds,
+                      run::counted(options.settings.repetitions, "repetition"), options.settings.seed, run.seconds(),
                       options.output);
   options.print(text, options.output);
-  const int drawn = stop || options.no_pictures ? 0 : run::draw_pictures("bench_scenes", held);
+  const int drawn = stop ? 0 : run.draw("bench_scenes");
   const int status = exit_status(options, results, stop);
   return status != 0 ? status : drawn;
 }
@@ -133,16 +118,14 @@ run::Command bench_scenes_command() {
   constexpr std::uint64_t kMostSamples = 10'000'000;
   run::Command command("bench-scenes", "Compare the times of scenes of 1000 and more triangles with other libraries");
   auto options = std::make_shared<SceneOptions>();
-  command.keep_line(options->line);
+  options->output = "results/bench-scenes";
   command.whole("--samples", options->settings.samples, "Distinct balls, up to 10000000", 1, kMostSamples);
   command.whole("--repetitions", options->settings.repetitions, "The number of turns of each library", 1, 100'000);
   command.seed(options->settings.seed, "Any number; the same seed gives the same balls");
   command.whole("--max-faces", options->most_triangles,
                 "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)", kFewest, kMost);
   command.text("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated").takes("FOLDER");
-  command.output(options->output, "The folder for tables and pictures");
-  command.no_pictures(options->no_pictures);
-  command.force(options->force);
+  run::declare_output(command, *options, "The folder for tables and pictures", true);
   run::declare_printing(command, *options);
   command.writes(tables());
   command.example("bench-scenes --max-faces 10000");

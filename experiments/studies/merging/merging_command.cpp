@@ -2,19 +2,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "experiments/cases/workloads/meshes/named_meshes.h"
-#include "experiments/run/command.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/stop_signal.h"
+#include "experiments/run/study.h"
 #include "experiments/studies/merging/study.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/read_mesh.h"
@@ -24,13 +17,14 @@ namespace {
 
 using namespace merging;
 
-struct MergeOptions : run::Printing {
+struct Options : run::StudyOptions {
   std::vector<std::string> files;
   Settings settings;
-  bool skip_bad = false, force = false;
-  std::string output = "results/merging";
-  std::string line;  ///< that repeats the run
+  bool skip_bad = false;
 };
+
+// Raised when ball n of a seed changes, or the form of what is kept.
+constexpr int kVersion = 1;
 
 constexpr std::size_t kShown = 3;  // sentences a mesh
 
@@ -53,60 +47,59 @@ void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vec
     fmt::print(stderr, "touchstone: left out: {}: {} more faces\n", io::all_legible(file), rejected.size() - kShown);
 }
 
-int run(const MergeOptions& options) {
-  constexpr int kBadInput = 2;
-  const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, options.line, {.force = options.force});
-  const auto begin = std::chrono::steady_clock::now();
-  const run::StopSignal stop_signal;
-  std::vector<MeshResult> results;
-  const std::vector<std::string> names = workloads::short_names(options.files);
-  bool all_right = true;
-  std::size_t done = 0;  // files, those too that cannot be read
-  {
-    run::ProgressLine line("merging", options.files.size(), 0, !options.quiet);
-    for (const std::string& file : options.files) {
-      if (stop_signal.requested()) break;
-      try {
-        const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
-        tell_left_out(file, mesh);
-        std::optional<MeshResult> result = study(options.settings, names[done], mesh.mesh, stop_signal.requested());
-        if (!result) break;
-        results.push_back(std::move(*result));
-        tell_rejected(file, mesh, results.back().rejected);
-        all_right = all_right && (options.skip_bad || results.back().rejected.empty());
-      } catch (const BrokenMesh& broken) {
-        fmt::print(stderr, "touchstone: {}\n", broken.what());
-        all_right = false;
-      }
-      line(++done);
-    }
+/// Reads and studies a file, and adds the results. Returns whether it was done before `stop` was set.
+bool study_file(const Options& options, const Settings& settings, const std::string& name, std::uint64_t number,
+                const std::atomic<bool>& stop, Results& results) {
+  const std::string& file = options.files[number];
+  try {
+    const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+    tell_left_out(file, mesh);
+    std::optional<MeshResult> result = study(settings, name, mesh.mesh, stop);
+    if (!result) return false;
+    tell_rejected(file, mesh, result->rejected);
+    if (!result->rejected.empty() && !options.skip_bad) ++results.bad;
+    results.read.emplace(number, std::move(*result));
+  } catch (const BrokenMesh& broken) {
+    fmt::print(stderr, "touchstone: {}\n", broken.what());
+    ++results.bad;
   }
-  const bool interrupted = done < options.files.size();
-  if (results.empty() && !interrupted) return kBadInput;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  ++results.files;
+  return true;
+}
 
-  write_counts(folder, results);
-  write_polygons(folder, results);
-  write_times(folder, results);
-  run::write_run_record(folder, {.command = options.line,
-                                 .seed = options.settings.seed,
-                                 .samples_asked = options.files.size(),
-                                 .samples_done = results.size(),
-                                 .samples_missing = options.files.size() - results.size(),
-                                 .seconds = seconds,
-                                 .interrupted = interrupted});
-  options.print(fmt::format("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
-                            table(options.settings, results), results.size(), options.files.size(), seconds,
-                            options.settings.tolerance, options.settings.balls, options.settings.seed,
-                            io::all_legible(folder.string())),
-                folder);
-  if (interrupted) {
-    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(), done,
-               options.files.size());
-    return run::kInterrupted;
+/// One run. Files are studied one after the other, because they are timed.
+int run_merging(run::StudyRun& run, const Options& options) {
+  constexpr int kBadInput = 2;
+  Settings settings = options.settings;
+  settings.seed = options.seed;
+  const std::uint64_t files = options.files.size();
+  const std::vector<std::string> names = workloads::short_names(options.files);
+  const Results results =
+      run.phase("meshes", "checkpoint.json", files, Results(), [&](const auto& control, Results& sum) {
+        const std::uint64_t first = control.part.first(files), size = control.part.size(files);
+        while (sum.files < size && !control.stop) {
+          const std::uint64_t number = first + sum.files;
+          if (!study_file(options, settings, names[number], number, control.stop, sum)) break;
+          control.save(sum);
+          control.progress(sum.files);
+        }
+      });
+  run::StudyRun::End end{.done = results.read.size(),
+                         .missing = results.files - results.read.size(),
+                         .items = files,
+                         .status = results.bad > 0 ? kBadInput : 0};
+  if (run.is_part()) return run.finish(end);
+  if (results.read.empty() && !run.stopped()) {
+    run.remove_files({"checkpoint.json"});
+    return kBadInput;
   }
-  return all_right ? 0 : kBadInput;
+  const std::vector<MeshResult> meshes = results.meshes();
+  write_counts(run.folder(), meshes);
+  write_polygons(run.folder(), meshes);
+  write_times(run.folder(), meshes);
+  end.text = fmt::format("{}\n{} of {} meshes, tolerance {}, {} balls a mesh, seed {}.\n", table(settings, meshes),
+                         meshes.size(), files, settings.tolerance, settings.balls, settings.seed);
+  return run.finish(end);
 }
 
 }  // namespace
@@ -114,27 +107,34 @@ int run(const MergeOptions& options) {
 run::Command merging_command() {
   run::Command command("merging",
                        "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of both");
-  auto options = std::make_shared<MergeOptions>();
-  command.keep_line(options->line);
+  auto options = std::make_shared<Options>();
+  options->threads = 1;
+  options->output = "results/merging";
+  options->has_pictures = false;
   Settings& settings = options->settings;
-  command.meshes(options->files, "Mesh files");
-  command.real(
-      "--tolerance", settings.tolerance,
-      "The largest distance of a vertex from the plane of its polygon, in the meshes' own unit; 0: exactly coplanar", 0,
-      1e300);
-  command.whole("--compare", settings.balls, "The number of balls per mesh for comparing scenes; 0: no scenes", 0,
-                10'000'000);
-  command.whole("--min-faces", settings.least, "The least number of faces that a polygon of the mixed scene replaces",
-                2);
+  command.meshes(options->files, "Mesh files").changes_results();
+  command
+      .real(
+          "--tolerance", settings.tolerance,
+          "The largest distance of a vertex from the plane of its polygon, in the meshes' own unit; 0: exactly coplanar",
+          0, 1e300)
+      .changes_results();
+  command
+      .whole("--compare", settings.balls, "The number of balls per mesh for comparing scenes; 0: no scenes", 0,
+             10'000'000)
+      .changes_results();
+  command
+      .whole("--min-faces", settings.least, "The least number of faces that a polygon of the mixed scene replaces", 2)
+      .changes_results();
   command.whole("--repetitions", settings.repetitions, "The number of repetitions of every timing", 1, 1000);
-  command.seed(settings.seed, "Any number; the same seed gives the same bytes, except for times");
-  command.flag("--skip-bad", options->skip_bad, "Leave out faulty parts of a file, report them, and succeed");
-  command.output(options->output, "The folder for the tables");
-  command.force(options->force);
-  run::declare_printing(command, *options);
+  command.seed(options->seed, "Any number; the same seed gives the same bytes, except for times").changes_results();
+  command.flag("--skip-bad", options->skip_bad, "Leave out faulty parts of a file, report them, and succeed")
+      .changes_results([options] { return std::string(options->skip_bad ? "yes" : "no"); });
+  run::declare_parts(command, *options);
   command.writes(tables());
   command.example("merging part.obj");
-  command.runs([options] { return run(*options); });
+  command.runs(run::study_runner("merging", kVersion, *options,
+                                 [options](run::StudyRun& run) { return run_merging(run, *options); }));
   return command;
 }
 

@@ -43,8 +43,8 @@ Counts count(const Mesh& mesh, const mesh::MergedMesh& merged) {
     counts.single += face.faces.size() == 1 ? 1 : 0;
     counts.holes += face.polygon.loop_count() - 1;
     counts.vertices += face.polygon.vertex_count();
-    counts.largest = std::max(counts.largest, face.polygon.vertex_count());
-    counts.off_plane = std::max(counts.off_plane, face.off_plane);
+    counts.largest += face.polygon.vertex_count();
+    counts.off_plane += face.off_plane;
   }
   return counts;
 }
@@ -148,7 +148,7 @@ Differences differences(const std::vector<Contender>& contenders, const std::vec
     for (std::size_t k = 1; k < contenders.size(); ++k) {
       const double found = contenders[k].distance(ball);
       note(Question::Nearest, found != expected);
-      result.distance = std::max(result.distance, std::abs(found - expected));
+      result.distance += std::abs(found - expected);
     }
   }
   return result;
@@ -172,26 +172,6 @@ std::string_view to_string(Question question) {
     case Question::Nearest: return "nearest";
   }
   return "";
-}
-
-Counts& Counts::operator+=(const Counts& other) {
-  faces += other.faces;
-  rejected += other.rejected;
-  polygons += other.polygons;
-  single += other.single;
-  holes += other.holes;
-  vertices += other.vertices;
-  largest = std::max(largest, other.largest);
-  splits += other.splits;
-  edges.border += other.edges.border;
-  edges.non_manifold += other.edges.non_manifold;
-  edges.inconsistent += other.edges.inconsistent;
-  edges.merged += other.edges.merged;
-  edges.folded += other.edges.folded;
-  edges.kept_apart += other.edges.kept_apart;
-  edges.crease += other.edges.crease;
-  off_plane = std::max(off_plane, other.off_plane);
-  return *this;
 }
 
 Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t seed, std::uint64_t index) {

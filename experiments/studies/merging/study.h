@@ -6,11 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
+#include "experiments/run/sum.h"
 #include "experiments/run/table.h"
 #include "experiments/run/timing/measurement.h"
 #include "geometry/shapes/ball.h"
@@ -49,12 +52,16 @@ struct Counts {
   std::size_t polygons = 0;             ///< merged faces
   std::size_t single = 0;               ///< of these, those of one face
   std::size_t holes = 0, vertices = 0;  ///< of all merged faces
-  std::size_t largest = 0;              ///< vertices of the largest
+  run::Maximum<std::size_t> largest{};  ///< vertices of the largest
   std::size_t splits = 0;
   mesh::EdgeCounts edges;
-  double off_plane = 0;  ///< the largest
+  run::Maximum<double> off_plane{};  ///< the largest
 
-  Counts& operator+=(const Counts& other);
+  auto members() {
+    return std::tie(faces, rejected, polygons, single, holes, vertices, largest, splits, edges.border,
+                    edges.non_manifold, edges.inconsistent, edges.merged, edges.folded, edges.kept_apart, edges.crease,
+                    off_plane);
+  }
 };
 
 /// A merged face.
@@ -62,6 +69,8 @@ struct PolygonCounts {
   std::size_t faces = 0;  ///< of the mesh
   std::size_t edges = 0, holes = 0;
   double off_plane = 0;  ///< as MergedFace has it
+
+  auto members() { return std::tie(faces, edges, holes, off_plane); }
 };
 
 /// A scene of one kind.
@@ -70,23 +79,52 @@ struct Measured {
   std::size_t memory = 0;                                          ///< bytes, as the C library counts what is allocated
   double seconds = 0;                                              ///< to build it
   std::array<timing::Quartiles, kQuestions.size()> nanoseconds{};  ///< a ball, of the repetitions
+
+  auto members() { return std::tie(triangles, polygons, memory, seconds, nanoseconds); }
 };
 
 /// Answers that differ from those of the scene of faces.
 struct Differences {
   std::array<std::uint64_t, kQuestions.size()> asked{}, differ{};  ///< in both other scenes together
-  double distance = 0;                                             ///< the largest difference of nearest distances
+  run::Maximum<double> distance{};                                 ///< the largest difference of nearest distances
+
+  auto members() { return std::tie(asked, differ, distance); }
 };
 
 struct MeshResult {
   std::string name;
   Counts counts;
-  std::vector<PolygonCounts> polygons;  ///< by their lowest face of the mesh
-  std::vector<mesh::RejectedFace> rejected;
+  std::vector<PolygonCounts> polygons;       ///< by their lowest face of the mesh
+  std::vector<mesh::RejectedFace> rejected;  ///< not kept in checkpoints
   double merge_seconds = 0;
   std::array<Measured, kKinds.size()> measured{};  ///< zeros if scenes are not compared
   Differences differences;
+
+  auto members() { return std::tie(name, counts, polygons, merge_seconds, measured, differences); }
 };
+
+/// The results of some files.
+struct Results {
+  std::uint64_t files = 0;                   ///< those too that are bad
+  std::uint64_t bad = 0;                     ///< files that cannot be read, or have faces that are not polygons
+  std::map<std::uint64_t, MeshResult> read;  ///< by the number of the file
+
+  /// Adds the results of other files.
+  Results& operator+=(const Results& other) {
+    files += other.files, bad += other.bad;
+    read.insert(other.read.begin(), other.read.end());
+    return *this;
+  }
+  /// Returns those of the meshes, in the order of the files.
+  [[nodiscard]] std::vector<MeshResult> meshes() const {
+    std::vector<MeshResult> meshes;
+    for (const auto& [file, mesh] : read) meshes.push_back(mesh);
+    return meshes;
+  }
+  auto members() { return std::tie(files, bad, read); }
+};
+
+[[nodiscard]] inline std::uint64_t items_done(const Results& results) { return results.files; }
 
 /// Draws a ball near the surface: its centre is a point of a random face, moved by 2^-11 to 2^-1 of the mesh's size;
 /// its radius is between half and one and a half times that distance. Always finite: values that would overflow become

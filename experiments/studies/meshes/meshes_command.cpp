@@ -1,121 +1,86 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <chrono>
-#include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "experiments/cases/workloads/meshes/named_meshes.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
 #include "experiments/run/counted.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/stop_signal.h"
+#include "experiments/run/study.h"
 #include "experiments/run/write_file.h"
 #include "experiments/studies/meshes/study.h"
-#include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {
 
 using namespace meshes;
-using namespace workloads;
 
-struct Options : run::Printing {
+struct Options : run::StudyOptions {
   std::vector<std::string> files;
   methods::Selection methods{{"all"}};
-  Settings settings{.threads = run::all_threads()};
-  bool skip_bad = false, force = false;
-  std::string output = "results/meshes";
-  std::string line;  ///< that repeats the run
+  bool skip_bad = false;
 };
 
-struct Meshes {
-  std::vector<NamedMesh> read;
-  std::size_t parts_left_out;
-  std::string left_out;  ///< left-out.txt
-  bool all_read;
-};
+// Raised when the balls of a face change, or the form of what is kept.
+constexpr int kVersion = 1;
 
-Meshes read(const Options& options) {
-  NamedFiles files = read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
-  Meshes meshes{{}, files.parts_left_out, left_out_text(files), files.all_read};
-  for (NamedFile& file : files.read) meshes.read.push_back({std::move(file.name), std::move(file.content.mesh)});
-  return meshes;
+/// Reports faces that are not polygons, unless they may be skipped. Returns the exit status.
+int tell_rejected(const Options& options, const Result& result) {
+  if (result.rejected.empty() || options.skip_bad) return 0;
+  fmt::print(stderr, "touchstone: {}; with --skip-bad this is not an error\n",
+             run::counted(result.rejected.size(), "rejected face"));
+  return 2;
 }
 
-int run(Options& options) {
-  Settings& settings = options.settings;
-  settings.methods = options.methods.methods();
-  const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, options.line, {.force = options.force});
-  const auto begin = std::chrono::steady_clock::now();
-  const Meshes meshes = read(options);
-  constexpr int kBadInput = 2, kInterrupted = 130;
-  if (meshes.read.empty()) return kBadInput;
+int run_meshes(run::StudyRun& run, const Options& options) {
+  constexpr int kBadInput = 2;
+  const Settings settings{options.methods.methods(), options.seed, options.samples, options.threads};
+  workloads::NamedFiles files =
+      workloads::read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+  std::vector<NamedMesh> meshes;
+  for (auto& file : files.read) meshes.push_back({file.name, std::move(file.content.mesh)});
+  if (meshes.empty()) return kBadInput;
 
-  const run::StopSignal stop_signal;
-  const Result result = [&] {
-    run::ProgressLine line("meshes", block_count(settings, meshes.read), 0, !options.quiet);
-    return run_study(settings, meshes.read, stop_signal.requested(), [&](std::uint64_t done) { line(done); });
-  }();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::uint64_t faces = 0;
-  for (const MeshCounts& counts : result.meshes) faces += counts.faces;
-
-  write_meshes(folder, settings, meshes.read, result);
-  write_rejected(folder, meshes.read, result);
-  write_failures(folder, settings, meshes.read, result);
-  run::write_file(folder / "left-out.txt", meshes.left_out);
-  run::write_run_record(
-      folder, {options.line, settings.seed, result.faces, faces, result.rejected.size(), settings.threads, seconds});
-
-  options.print(fmt::format("{}\n{} of {} faces in {} of {} meshes, {} of files left out, in {:.0f} s; seed {}.\n"
-                            "Results: {}\n",
-                            table(settings, meshes.read, result), faces, result.faces, meshes.read.size(),
-                            options.files.size(), run::counted(meshes.parts_left_out, "part"), seconds, settings.seed,
-                            io::all_legible(folder.string())),
-                folder);
-  if (faces < result.faces) {
-    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} faces\n", folder.string(), faces,
-               result.faces);
-    return kInterrupted;
-  }
-  if (!meshes.all_read) return kBadInput;
-  if (!result.rejected.empty() && !options.skip_bad) {
-    fmt::print(stderr, "touchstone: {}; with --skip-bad this is not an error\n",
-               run::counted(result.rejected.size(), "rejected face"));
-    return kBadInput;
-  }
-  return 0;
+  const std::uint64_t faces = face_count(settings, meshes);
+  const Result result = run.phase("faces", "checkpoint.json", faces, no_result(settings, meshes),
+                                  [&](const auto& control, Result& sum) { measure(settings, meshes, control, sum); });
+  run::StudyRun::End end{.done = items_done(result), .missing = result.rejected.size(), .items = faces};
+  if (!files.all_read) end.status = kBadInput;
+  if (run.is_part()) return run.finish(end);
+  write_meshes(run.folder(), settings, meshes, result);
+  write_rejected(run.folder(), meshes, result);
+  write_failures(run.folder(), settings, meshes, result);
+  run::write_file(run.folder() / "left-out.txt", workloads::left_out_text(files));
+  end.text = fmt::format("{}\n{} of {} faces in {} of {} meshes, {} of files left out; seed {}.\n",
+                         table(settings, meshes, result), end.done, faces, meshes.size(), options.files.size(),
+                         run::counted(files.parts_left_out, "part"), settings.seed);
+  const int status = run.finish(end);
+  return status == 0 ? tell_rejected(options, result) : status;
 }
 
 }  // namespace
 
 run::Command meshes_command() {
-  constexpr std::uint64_t kMostFaces = std::uint64_t{1} << 40;  // less than the default, which the help does not show
   run::Command command("meshes", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
-  command.keep_line(options->line);
-  command.meshes(options->files, "Mesh files");
-  methods::declare_methods(command, options->methods);
-  command.seed(options->settings.seed);
-  command.whole("--faces", options->settings.faces,
-                "The number of faces of each mesh to test, from the first on (default: all)", 1, kMostFaces);
-  command.threads(options->settings.threads);
-  command.flag("--skip-bad", options->skip_bad,
-               "Leave out faulty parts of a file, and report them; rejected faces are then not an error");
-  command.output(options->output, "The folder for the tables and the failing cases");
-  command.force(options->force);
-  run::declare_printing(command, *options);
+  options->samples = std::numeric_limits<std::uint64_t>::max();  // more than --faces takes, so that help has no default
+  options->output = "results/meshes";
+  options->has_pictures = false;
+  command.meshes(options->files, "Mesh files").changes_results();
+  methods::declare_compared_methods(command, options->methods);
+  command
+      .flag("--skip-bad", options->skip_bad,
+            "Leave out faulty parts of a file, and report them; rejected faces are then not an error")
+      .changes_results([options] { return std::string(options->skip_bad ? "yes" : "no"); });
+  run::declare_study(command, *options, "--faces",
+                     "The number of faces of each mesh to test, from the first on (default: all)")
+      .changes_results();
   command.writes(tables());
   command.example("meshes part.obj --methods fast,filtered");
-  command.runs([options] { return run(*options); });
+  command.runs(run::study_runner("meshes", kVersion, *options,
+                                 [options](run::StudyRun& run) { return run_meshes(run, *options); }));
   return command;
 }
 

@@ -13,25 +13,8 @@
 namespace touchstone::meshes {
 namespace {
 
-constexpr std::uint64_t kBlock = 32;  // faces
-
-struct Block {
-  std::size_t mesh;
-  std::uint64_t first, last;
-};
-
 std::uint64_t face_count(const Settings& settings, const NamedMesh& mesh) {
   return std::min<std::uint64_t>(settings.faces, mesh.mesh.faces.size());
-}
-
-std::vector<Block> all_blocks(const Settings& settings, const std::vector<NamedMesh>& meshes) {
-  std::vector<Block> blocks;
-  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
-    const std::uint64_t faces = face_count(settings, meshes[mesh]);
-    for (std::uint64_t first = 0; first < faces; first += kBlock)
-      blocks.push_back({mesh, first, std::min(first + kBlock, faces)});
-  }
-  return blocks;
 }
 
 bool is_worse(const Failure& a, const Failure& b) {
@@ -53,40 +36,38 @@ void keep_worst(std::vector<Failure>& failures) {
   });
 }
 
-/// The results of one thread.
-class Tally {
+class Study {
  public:
-  Tally(const Settings& settings, const std::vector<NamedMesh>& meshes, const std::vector<bool>& knows_boundary)
-      : settings_(settings), meshes_(meshes), knows_boundary_(knows_boundary) {
-    result_.meshes.resize(meshes.size());
-    for (MeshCounts& counts : result_.meshes) counts.methods.resize(settings.methods.size());
+  Study(const Settings& settings, const std::vector<NamedMesh>& meshes) : settings_(settings), meshes_(meshes) {
+    for (const auto* method : settings.methods) knows_boundary_.push_back(cases::knows_boundary(*method));
+    std::uint64_t end = 0;
+    for (const NamedMesh& mesh : meshes) ends_.push_back(end += face_count(settings, mesh));
   }
 
-  void ask(const Block& block) {
-    for (std::uint64_t face = block.first; face < block.last; ++face) {
-      ++result_.meshes[block.mesh].faces;
-      try {
-        ask(block.mesh, face, workloads::face_polygon(meshes_[block.mesh].mesh, face));
-      } catch (const Rejected& rejected) {
-        ++result_.meshes[block.mesh].rejected;
-        result_.rejected.push_back({block.mesh, face, rejected.rejection()});
-      }
+  /// Asks about the n-th face of all meshes.
+  void ask(std::uint64_t n, Result& result) const {
+    const auto mesh = static_cast<std::size_t>(std::ranges::upper_bound(ends_, n) - ends_.begin());
+    const std::uint64_t face = mesh == 0 ? n : n - ends_[mesh - 1];
+    ++result.meshes[mesh].faces;
+    try {
+      ask(mesh, face, workloads::face_polygon(meshes_[mesh].mesh, face), result);
+    } catch (const Rejected& rejected) {
+      ++result.meshes[mesh].rejected;
+      result.rejected.push_back({mesh, face, rejected.rejection()});
     }
     constexpr std::size_t kMany = 10'000;
-    if (result_.failures.size() > kMany) keep_worst(result_.failures);
+    if (result.failures.size() > kMany) keep_worst(result.failures);
   }
 
-  [[nodiscard]] const Result& result() const { return result_; }
-
  private:
-  void ask(std::size_t mesh, std::uint64_t face, const Polygon& polygon) {
+  void ask(std::size_t mesh, std::uint64_t face, const Polygon& polygon, Result& result) const {
     const exact::PreparedPolygon exact(polygon);
     const MeshBalls drawn = draw_mesh_balls(polygon, exact, settings_.seed, meshes_[mesh].name, face);
     std::vector<cases::PartialAnswer> truths;
     for (const MeshBall& ball : drawn.balls)
       truths.push_back(cases::PartialAnswer::of(exact::answer(ball.ball, exact), ""));
 
-    MeshCounts& counts = result_.meshes[mesh];
+    MeshCounts& counts = result.meshes[mesh];
     counts.queries += drawn.balls.size();
     for (const BallRegion place : drawn.missing) ++counts.missing[static_cast<std::size_t>(place)];
     for (std::size_t method = 0; method < settings_.methods.size(); ++method) {
@@ -99,7 +80,7 @@ class Tally {
         for (std::size_t test = 0; test < kTests.size(); ++test)
           failure.wrong[test] = add(at[test], compare(kTests[test], answer, truths[i], knows_boundary_[method]));
         face_wrong |= failure.wrong[static_cast<std::size_t>(Test::Contact)];
-        if (failure.wrong != decltype(failure.wrong){}) keep(failure);
+        if (failure.wrong != decltype(failure.wrong){}) keep(failure, result);
       }
       counts.methods[method].faces_wrong += face_wrong ? 1 : 0;
     }
@@ -112,15 +93,15 @@ class Tally {
     return *verdict != cases::Outcome::Right;
   }
 
-  void keep(Failure failure) {
+  static void keep(Failure failure, Result& result) {
     failure.lot = workloads::Random(failure.mesh, failure.face, failure.ball).bits();
-    result_.failures.push_back(failure);
+    result.failures.push_back(failure);
   }
 
   const Settings& settings_;
   const std::vector<NamedMesh>& meshes_;
-  const std::vector<bool>& knows_boundary_;
-  Result result_;
+  std::vector<bool> knows_boundary_;
+  std::vector<std::uint64_t> ends_;  // of the faces of each mesh
 };
 
 }  // namespace
@@ -131,32 +112,41 @@ Failures MethodCounts::total(Test test) const {
   return sum;
 }
 
-std::uint64_t block_count(const Settings& settings, const std::vector<NamedMesh>& meshes) {
-  return all_blocks(settings, meshes).size();
+Result& Result::operator+=(const Result& other) {
+  run::add(meshes, other.meshes);
+  rejected.insert(rejected.end(), other.rejected.begin(), other.rejected.end());
+  std::ranges::sort(rejected, {}, [](const RejectedFace& face) { return std::tie(face.mesh, face.face); });
+  failures.insert(failures.end(), other.failures.begin(), other.failures.end());
+  keep_worst(failures);
+  return *this;
 }
 
-Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes, const std::atomic<bool>& stop,
-                 const run::Progress& progress) {
-  const std::vector<Block> blocks = all_blocks(settings, meshes);
-  std::vector<bool> knows_boundary;
-  for (const auto* method : settings.methods) knows_boundary.push_back(cases::knows_boundary(*method));
-  std::vector<Tally> tallies(settings.threads, Tally(settings, meshes, knows_boundary));
-  run::run_blocks(blocks.size(), settings.threads, stop, progress,
-                  [&](unsigned thread, std::uint64_t block) { tallies[thread].ask(blocks[block]); });
+std::uint64_t items_done(const Result& result) {
+  std::uint64_t faces = 0;
+  for (const MeshCounts& counts : result.meshes) faces += counts.faces;
+  return faces;
+}
 
-  Result result = Tally(settings, meshes, knows_boundary).result();
-  for (const NamedMesh& mesh : meshes) result.faces += face_count(settings, mesh);
-  for (const Tally& tally : tallies) {
-    const Result& part = tally.result();
-    for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) run::add(result.meshes[mesh], part.meshes[mesh]);
-    result.rejected.insert(result.rejected.end(), part.rejected.begin(), part.rejected.end());
-    result.failures.insert(result.failures.end(), part.failures.begin(), part.failures.end());
-  }
-  keep_worst(result.failures);
-  std::sort(result.rejected.begin(), result.rejected.end(), [](const RejectedFace& a, const RejectedFace& b) {
-    return std::tie(a.mesh, a.face) < std::tie(b.mesh, b.face);
-  });
+std::uint64_t face_count(const Settings& settings, const std::vector<NamedMesh>& meshes) {
+  std::uint64_t faces = 0;
+  for (const NamedMesh& mesh : meshes) faces += face_count(settings, mesh);
+  return faces;
+}
+
+Result no_result(const Settings& settings, const std::vector<NamedMesh>& meshes) {
+  Result result;
+  result.meshes.resize(meshes.size());
+  for (MeshCounts& counts : result.meshes) counts.methods.resize(settings.methods.size());
   return result;
+}
+
+void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl<Result>& control,
+             Result& result) {
+  constexpr std::uint64_t kBlock = 32;
+  const Study study(settings, meshes);
+  run_sweep(
+      face_count(settings, meshes), settings.threads, control, no_result(settings, meshes), result,
+      [&](std::uint64_t face, Result& part) { study.ask(face, part); }, kBlock);
 }
 
 }  // namespace touchstone::meshes

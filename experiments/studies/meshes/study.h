@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -12,7 +11,7 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/run/blocks.h"
+#include "experiments/run/run_control.h"
 #include "experiments/run/table.h"
 #include "experiments/studies/meshes/mesh_balls.h"
 #include "geometry/shapes/mesh.h"
@@ -61,6 +60,8 @@ struct RejectedFace {
   std::size_t mesh;
   std::uint64_t face;
   Rejection rejection;
+
+  auto members() { return std::tie(mesh, face, rejection.code, rejection.message); }
 };
 
 /// A query with a wrong answer of a method.
@@ -71,28 +72,41 @@ struct Failure {
   std::array<bool, kTests.size()> wrong;
   int steps;
   std::uint64_t lot;  ///< random, to break ties
+
+  auto members() { return std::tie(method, mesh, face, ball, wrong, steps, lot); }
 };
 
 /// The number of failures kept per method: wrong final answers first, then those farther from the threshold, then by
 /// lot.
 inline constexpr std::size_t kKeptFailures = 20;
 
+/// The results about some faces.
 struct Result {
   std::vector<MeshCounts> meshes;      ///< in the order given
   std::vector<RejectedFace> rejected;  ///< by mesh, then face
   std::vector<Failure> failures;       ///< by method, the worst first
-  std::uint64_t faces = 0;             ///< the number of requested faces in all meshes
+
+  /// Adds the results about other faces.
+  Result& operator+=(const Result& other);
+  auto members() { return std::tie(meshes, rejected, failures); }
 };
 
-/// Asks every method about every ball of every face, and compares the answers with `exact` as cases::compare does.
+/// Returns the number of faces.
+[[nodiscard]] std::uint64_t items_done(const Result& result);
+
+/// Returns the number of requested faces in all meshes.
+[[nodiscard]] std::uint64_t face_count(const Settings& settings, const std::vector<NamedMesh>& meshes);
+
+/// Returns the result about no faces.
+[[nodiscard]] Result no_result(const Settings& settings, const std::vector<NamedMesh>& meshes);
+
+/// Asks every method about every ball of the faces from items_done(result) on, in the order of the meshes, and compares
+/// the answers with `exact` as cases::compare does.
 ///
 /// A function of settings and meshes. `threads` does not change it, and the counts of one mesh and method do not depend
-/// on the others. A stopped run has processed the first faces, in the order of the meshes.
-[[nodiscard]] Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes,
-                               const std::atomic<bool>& stop, const run::Progress& progress);
-
-/// Returns the number of blocks, in which progress is counted.
-[[nodiscard]] std::uint64_t block_count(const Settings& settings, const std::vector<NamedMesh>& meshes);
+/// on the others.
+void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl<Result>& control,
+             Result& result);
 
 // Results only: byte for byte the same for the same settings and meshes, whatever the number of threads. Faces are
 // numbered from 0. Each throws std::runtime_error, which names the file, if it cannot be written. tables() says what

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -20,13 +19,8 @@
 #include "experiments/cases/workloads/meshes/unit.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
+#include "experiments/run/command_run.h"
 #include "experiments/run/counted.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/stop_signal.h"
 #include "experiments/run/study.h"
 #include "experiments/run/write_file.h"
 #include "experiments/studies/scenes/measure.h"
@@ -44,16 +38,15 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return parts;
 }
 
-struct SceneOptions : run::Printing {
+struct SceneOptions : run::FolderOptions {
   std::vector<std::string> files, objects, units, engines;
-  std::string balls, scene_unit, output, method = "filtered";
+  std::string balls, scene_unit, method = "filtered";
   std::uint64_t random = 0, seed = 1;
   unsigned threads = run::all_threads();
-  bool any = false, all = false, nearest = false, skip_bad = false, force = false;
+  bool any = false, all = false, nearest = false, skip_bad = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
   [[nodiscard]] bool filtered() const { return method == "filtered" && engines.empty(); }
-  std::string line;  ///< that repeats the run
 };
 
 /// The units of the meshes, one each, and of balls and answers; empty if no units are given.
@@ -91,14 +84,14 @@ struct Loaded {
 };
 
 /// Returns nothing if a file cannot be read as requested, and reports that on standard error.
-std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
+std::optional<Loaded> load(const run::CommandRun& run, const SceneOptions& options, const Units& units) {
   constexpr std::size_t kShown = 3;
   workloads::NamedFiles files =
       workloads::read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
   if (!files.all_read) return std::nullopt;
   Loaded loaded{{}, workloads::left_out_text(files), files.parts_left_out};
   bool refused = false, empty = false;
-  run::ProgressLine line("scene: meshes", files.read.size(), 0, !options.quiet);
+  run::ProgressLine line = run.progress("scene: meshes", files.read.size());
   for (std::size_t i = 0; i < files.read.size(); ++i) {
     workloads::NamedFile& file = files.read[i];
     if (units.scene) {
@@ -238,14 +231,15 @@ class Lines {
 };
 
 /// Asks about the balls in legs, one after the other, and writes the answers as they come.
-Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const scene::Scene& scene, const Order& order,
-         const Source& source, const std::atomic<bool>& stop, Lines& lines) {
+Sums ask(run::CommandRun& run, const SceneOptions& options, const std::vector<Object>& objects,
+         const scene::Scene& scene, const Order& order, const Source& source, Lines& lines) {
+  const std::atomic<bool>& stop = run.stop();
   const cases::Method* const method = options.filtered() ? nullptr : &method_of(options);
   const std::uint64_t leg = method == nullptr ? 4096 : 256;
   const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
   Sums sums;
-  run::ProgressLine progress("scenes", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks, 0,
-                             !options.quiet);
+  run::ProgressLine progress =
+      run.progress("scenes", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks);
   for (std::uint64_t begin = 0; begin < source.count && !stop; begin += leg) {
     std::vector<NamedBall> part;
     for (std::uint64_t i = begin; i < std::min(begin + leg, source.count); ++i) part.push_back(source.ball(i));
@@ -269,13 +263,11 @@ Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const 
 
 int run(const SceneOptions& options) {
   constexpr int kBadInput = 2;
-  const auto begin = std::chrono::steady_clock::now();
-  std::optional<run::OutputFolder> held;
-  if (!options.output.empty()) held.emplace(options.output, options.line, run::Existing{.force = options.force});
+  run::CommandRun run(options);
   Lines lines(options.output);
   const Units units = units_of(options);
   (void)method_of(options);
-  const std::optional<Loaded> loaded = load(options, units);
+  const std::optional<Loaded> loaded = load(run, options, units);
   if (!loaded) return kBadInput;
   const std::vector<Object>& objects = loaded->objects;
   const Order order{options.question(), chosen(options, objects), options.threads};
@@ -283,27 +275,22 @@ int run(const SceneOptions& options) {
 
   scene::Scene scene;
   for (const Object& object : objects) scene.add(object.name, object.faces);
-  const run::StopSignal stop_signal;
   lines.begin();
-  const Sums sums = ask(options, objects, scene, order, source, stop_signal.requested(), lines);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const Sums sums = ask(run, options, objects, scene, order, source, lines);
 
   const bool interrupted = sums.balls < source.count;
   const std::string text = summary(options, units, *loaded, sums);
-  if (options.output.empty()) {
-    if (!options.quiet) fmt::print(stderr, "{}", text);
-  } else {
-    const std::filesystem::path folder = options.output;
-    run::write_file(folder / "left-out.txt", loaded->left_out);
-    run::write_run_record(folder, {.command = options.line,
-                                   .seed = options.seed,
-                                   .samples_asked = source.count,
-                                   .samples_done = sums.balls,
-                                   .samples_missing = source.count - sums.balls,
-                                   .threads = options.threads,
-                                   .seconds = seconds,
-                                   .interrupted = interrupted});
-    options.print(text + fmt::format("Results: {}\n", io::all_legible(folder.string())), folder);
+  if (run.has_folder()) {
+    run::write_file(run.folder() / "left-out.txt", loaded->left_out);
+    run.finish({.seed = options.seed,
+                .samples_asked = source.count,
+                .samples_done = sums.balls,
+                .samples_missing = source.count - sums.balls,
+                .threads = options.threads,
+                .interrupted = interrupted},
+               text + fmt::format("Results: {}\n", io::all_legible(options.output)));
+  } else if (!options.quiet) {
+    fmt::print(stderr, "{}", text);
   }
   if (!interrupted) return 0;
   fmt::print(stderr, "touchstone: interrupted: these are the answers to the first {} of {} balls\n", sums.balls,
@@ -316,7 +303,6 @@ int run(const SceneOptions& options) {
 run::Command scenes_command() {
   run::Command command("scenes", "Find the faces of meshes (OBJ, OFF, STL, PLY) that balls touch, or the nearest");
   auto options = std::make_shared<SceneOptions>();
-  command.keep_line(options->line);
   command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
   command
       .text("--balls", options->balls,
@@ -349,11 +335,10 @@ run::Command scenes_command() {
   command.flag("--skip-bad", options->skip_bad,
                "Leave out faulty parts of a file and faces that are not valid polygons, and report them");
   command.threads(options->threads);
-  command.output(options->output,
-                 "A folder for answers.jsonl, left-out.txt and run.json (default: answers go to standard "
-                 "output, their number to standard error)");
+  run::declare_output(command, *options,
+                      "A folder for answers.jsonl, left-out.txt and run.json (default: answers go to standard "
+                      "output, their number to standard error)");
   command.footer("Exit status: 2 for wrong input, 130 if interrupted, otherwise 0.");
-  command.force(options->force);
   command.quiet(options->quiet, "Print no number of answers and no progress; without --output, the answers alone");
   command.example("scenes part.obj --samples 100 --nearest");
   command.runs([options] { return run(*options); });

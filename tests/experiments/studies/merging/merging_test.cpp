@@ -137,14 +137,57 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
   ended = true;
   interrupting.join();
   EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
-  EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers the first 0 of 1 meshes"),
+  EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers 0 of 1 samples"),
             std::string::npos)
       << ran.err;
   const auto record = nlohmann::json::parse(run_tests::text_of(scratch.path / "out" / "run.json"));
   EXPECT_EQ(record["interrupted"], true);
   EXPECT_EQ(record["samples_asked"], 1);
   EXPECT_EQ(record["samples_done"], 0);
-  EXPECT_EQ(record["samples_missing"], 1);
+  EXPECT_EQ(record["samples_missing"], 0);
+}
+
+std::vector<std::string> two_meshes_and_a_bad_one(const std::filesystem::path& folder) {
+  std::vector<std::string> files;
+  for (const char* name : {"a", "none", "b"}) files.push_back((folder / (std::string(name) + ".obj")).string());
+  run::write_file(files[0], "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  run::write_file(files[1], "v 0 0 0\n");
+  run::write_file(files[2], "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  return files;
+}
+
+TEST(MergeCommand, PartsAddUpToTheCountsOfOneRun) {
+  const run_tests::Scratch scratch;
+  const auto run = [&](const char* output, std::vector<std::string> arguments = {}) {
+    const auto files = two_meshes_and_a_bad_one(scratch.path);
+    arguments.insert(arguments.begin(), files.begin(), files.end());
+    for (const auto& word :
+         {std::string("--compare"), std::string("9"), std::string("--output"), (scratch.path / output).string()})
+      arguments.push_back(word);
+    return arguments;
+  };
+  EXPECT_EQ(run_tests::run_captured(commands::merging_command, run("whole")).status, 2) << "for the bad file";
+  EXPECT_EQ(run_tests::run_captured(commands::merging_command, run("one", {"--part", "1/2"})).status, 2);
+  EXPECT_EQ(run_tests::run_captured(commands::merging_command, run("two", {"--part", "2/2"})).status, 0);
+  const std::vector<std::filesystem::path> parts{scratch.path / "one", scratch.path / "two"};
+  EXPECT_EQ(commands::merging_command().merge(parts, run("merged", {"--quiet"})), 2);
+  for (const char* file : {"merge.csv", "polygons.csv"})
+    EXPECT_EQ(run_tests::text_of(scratch.path / "merged" / file), run_tests::text_of(scratch.path / "whole" / file));
+}
+
+// What is done is not done again: the times are those of the first run.
+TEST(MergeCommand, ResumesBehindTheFilesThatAreDone) {
+  const run_tests::Scratch scratch;
+  std::vector<std::string> arguments = two_meshes_and_a_bad_one(scratch.path);
+  for (const auto& word :
+       {std::string("--compare"), std::string("9"), std::string("--output"), (scratch.path / "out").string()})
+    arguments.push_back(word);
+  EXPECT_EQ(run_tests::run_captured(commands::merging_command, arguments).status, 2);
+  const std::string times = run_tests::text_of(scratch.path / "out" / "merge-times.csv");
+  std::filesystem::remove(scratch.path / "a.obj");
+  arguments.emplace_back("--resume");
+  EXPECT_EQ(run_tests::run_captured(commands::merging_command, arguments).err, "");
+  EXPECT_EQ(run_tests::text_of(scratch.path / "out" / "merge-times.csv"), times);
 }
 
 TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
