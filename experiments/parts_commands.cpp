@@ -11,9 +11,10 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/quoting.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/study.h"
+#include "experiments/run/sweep.h"
 
 namespace touchstone::commands {
 namespace {

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "experiments/run/help.h"
-#include "experiments/run/real_number.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/quoting.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/similar_words.h"
-#include "experiments/run/standard_output.h"
-#include "experiments/run/whole_number.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::run {

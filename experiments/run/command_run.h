@@ -9,11 +9,11 @@
 #include <string>
 
 #include "experiments/run/command.h"
-#include "experiments/run/output_folder.h"
+#include "experiments/run/output.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
+#include "experiments/run/terminal.h"
 
 namespace touchstone::run {
 

@@ -6,21 +6,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "experiments/run/counted.h"
-#include "experiments/run/whole_number.h"
+#include "experiments/run/numbers.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::run {
-
-std::optional<Part> Part::read(const std::string& text) {
-  const auto slash = std::min(text.find('/'), text.size());
-  const auto number = read_whole_number(text.substr(0, slash));
-  const auto of = read_whole_number(slash < text.size() ? text.substr(slash + 1) : "");
-  if (!number || !of || *number < 1 || *number > *of || *of > kMostParts) return std::nullopt;
-  return Part{*number, *of};
-}
-
-std::string to_string(const Part& part) { return fmt::format("{}/{}", part.number, part.of); }
 
 Option declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about) {
   const Option option = command.whole(samples, options.samples, about, 1, kMostSamples);

@@ -9,8 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/run/checkpoint.h"
 #include "experiments/run/command_run.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/sweep.h"
 
 namespace touchstone::run {
 

@@ -9,7 +9,6 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/run/data.h"
 #include "experiments/run/input.h"
 
 namespace touchstone::corpus {

@@ -13,10 +13,10 @@
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command_run.h"
-#include "experiments/run/counted.h"
-#include "experiments/run/statistics/percent.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/exact.h"
 

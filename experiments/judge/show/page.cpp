@@ -5,7 +5,7 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/judge/show/picture.h"
-#include "experiments/run/xml_text.h"
+#include "experiments/run/quoting.h"
 
 namespace touchstone::show {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {

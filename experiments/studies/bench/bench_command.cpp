@@ -11,9 +11,9 @@
 #include <system_error>
 
 #include "experiments/run/command_run.h"
-#include "experiments/run/standard_output.h"
-#include "experiments/run/timing/output.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/timing.h"
 #include "experiments/studies/bench/families.h"
 
 namespace touchstone::commands {

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/run/command_run.h"
-#include "experiments/run/counted.h"
-#include "experiments/run/standard_output.h"
-#include "experiments/run/timing/output.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/timing.h"
 #include "experiments/studies/bench_scenes/study.h"
 
 namespace touchstone::commands {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/statistics/percent.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/scenes.h"
 

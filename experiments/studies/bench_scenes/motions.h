@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/run/timing/measurement.h"
+#include "experiments/run/timing.h"
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/study.h"
 #include "geometry/shapes/motion.h"

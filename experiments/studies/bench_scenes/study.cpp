@@ -9,8 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/run/progress_line.h"
-#include "experiments/run/statistics/percent.h"
+#include "experiments/run/statistics/shares.h"
+#include "experiments/run/terminal.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/motions.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "experiments/run/table.h"
-#include "experiments/run/timing/measurement.h"
+#include "experiments/run/timing.h"
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/scenes.h"
 #include "geometry/shapes/ball.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/run/table.h"
-#include "experiments/run/timing/output.h"
+#include "experiments/run/timing.h"
 #include "experiments/studies/bench_scenes/study.h"
 
 namespace touchstone::bench_scenes {

@@ -13,9 +13,9 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/run/sum.h"
+#include "experiments/run/state.h"
 #include "experiments/run/table.h"
-#include "experiments/run/timing/measurement.h"
+#include "experiments/run/timing.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/mesh.h"
 #include "robust/mesh/merge.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
 #include "experiments/studies/merging/study.h"
 #include "geometry/io/detail/legible.h"

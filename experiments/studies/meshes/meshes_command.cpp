@@ -7,9 +7,9 @@
 #include "experiments/cases/workloads/meshes/named_meshes.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/counted.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
 #include "experiments/run/study.h"
-#include "experiments/run/write_file.h"
 #include "experiments/studies/meshes/study.h"
 
 namespace touchstone::commands {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
 #include "experiments/studies/meshes/mesh_balls.h"
 #include "geometry/shapes/mesh.h"

@@ -12,10 +12,9 @@
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/meshes/face_polygon.h"
-#include "experiments/run/statistics/clopper_pearson.h"
-#include "experiments/run/statistics/percent.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
 #include "experiments/studies/meshes/study.h"
 #include "geometry/io/detail/legible.h"
 

@@ -5,7 +5,7 @@
 
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/counted.h"
+#include "experiments/run/numbers.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/search.h"

@@ -11,7 +11,7 @@
 
 #include "experiments/cases/failures.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
 
 namespace touchstone::near_edge {

@@ -20,9 +20,9 @@
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command_run.h"
-#include "experiments/run/counted.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
 #include "experiments/run/study.h"
-#include "experiments/run/write_file.h"
 #include "experiments/studies/scenes/measure.h"
 #include "geometry/io/detail/legible.h"
 

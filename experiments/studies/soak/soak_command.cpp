@@ -8,7 +8,7 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/cases/workloads/adversarial/motions.h"
-#include "experiments/run/standard_output.h"
+#include "experiments/run/printing.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/soak/measure.h"
 

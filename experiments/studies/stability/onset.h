@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/sweep.h"
 
 namespace touchstone::stability {
 

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
 
 namespace touchstone::stability {
 namespace {

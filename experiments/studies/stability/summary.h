@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/run/distribution.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/statistics/errors.h"
+#include "experiments/run/sweep.h"
 #include "experiments/studies/stability/study.h"
 
 namespace touchstone::stability {

@@ -9,9 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/run/statistics/bounded_mean.h"
-#include "experiments/run/statistics/clopper_pearson.h"
-#include "experiments/run/statistics/percent.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/studies/stability/output.h"
 
 namespace touchstone::stability {

@@ -12,7 +12,7 @@
 #include "experiments/cases/method.h"
 #include "experiments/methods/registry.h"
 #include "experiments/run/command_run.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"

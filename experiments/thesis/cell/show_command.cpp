@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/run/command_run.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"

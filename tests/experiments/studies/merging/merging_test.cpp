@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "experiments/commands.h"
+#include "experiments/run/output.h"
 #include "experiments/run/stop_signal.h"
-#include "experiments/run/write_file.h"
 #include "experiments/studies/merging/study.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/mesh/scene_faces.h"
