@@ -6,7 +6,7 @@
 
 #include "experiments/run/table.h"
 #include "experiments/run/timing.h"
-#include "experiments/studies/bench_scenes/study.h"
+#include "experiments/studies/bench_scenes/measure.h"
 
 namespace touchstone::bench_scenes {
 namespace {

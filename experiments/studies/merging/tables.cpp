@@ -6,7 +6,7 @@
 
 #include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/studies/merging/study.h"
+#include "experiments/studies/merging/measure.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::merging {

@@ -15,7 +15,7 @@
 #include "experiments/run/output.h"
 #include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/studies/meshes/study.h"
+#include "experiments/studies/meshes/measure.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::meshes {

@@ -13,7 +13,7 @@
 #include "experiments/commands.h"
 #include "experiments/run/output.h"
 #include "experiments/run/stop_signal.h"
-#include "experiments/studies/merging/study.h"
+#include "experiments/studies/merging/measure.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"

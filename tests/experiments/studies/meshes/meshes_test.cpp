@@ -16,7 +16,7 @@
 #include "experiments/cases/workloads/meshes/face_polygon.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/meshes/study.h"
+#include "experiments/studies/meshes/measure.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/support/unwatched.h"

@@ -13,7 +13,7 @@
 #include "experiments/cases/failures.h"
 #include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
-#include "experiments/studies/meshes/mesh_balls.h"
+#include "experiments/studies/meshes/balls.h"
 #include "geometry/shapes/mesh.h"
 #include "geometry/shapes/rejection.h"
 

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "experiments/cases/method.h"
 #include "experiments/run/sweep.h"
+#include "experiments/run/table.h"
 
 namespace touchstone::stability {
 
@@ -68,5 +71,31 @@ class Onset {
 /// (methods, triangles done, seed), independent of threads and stops.
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
                 unsigned threads, const run::RunControl<Onset>& control, Onset& onset);
+
+/// The effect of contracting products and sums to fused multiply-adds on the sign of an expression in doubles: the same
+/// expressions of signs.h, with and without std::fma, independently of the compiler's flags.
+struct ContractionCount {
+  std::string_view sign;    ///< orientation (of three points in the plane), side, line, plane
+  std::string_view family;  ///< the exact sign is zero, or one double beside zero
+  std::uint64_t trials = 0, plain_wrong = 0, fused_wrong = 0, differ = 0;
+};
+
+/// Runs `trials` of each sign and family; a function of (trials, seed). Orientation and side use vectors with all bits
+/// set, one of them a power of two times the other; line and plane use balls that touch a lattice triangle exactly
+/// (bench). For signs beside zero, one coordinate or the radius is moved by one double. Cost: about 30 us per trial of
+/// all signs.
+[[nodiscard]] std::vector<ContractionCount> count_contractions(std::uint64_t trials, std::uint64_t seed);
+
+/// Results that reproduce experience known from the literature.
+struct Known {
+  Onset onset;
+  std::vector<ContractionCount> contractions;
+};
+
+/// Writes onset.csv and contraction.csv: known_tables() says what they hold. The same bytes for the same settings,
+/// whatever the threads. Throws std::runtime_error, which names the file, if it cannot be written.
+void write_known(const std::filesystem::path& folder, const Known& known);
+
+[[nodiscard]] std::vector<run::TableDescription> known_tables();
 
 }  // namespace touchstone::stability

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/near_edge/study.h"
+#include "experiments/studies/near_edge/measure.h"
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "experiments/run/statistics/shares.h"
-#include "experiments/studies/stability/output.h"
+#include "experiments/studies/stability/summary.h"
 
 namespace touchstone::stability {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/bench_scenes/study.h"
+#include "experiments/studies/bench_scenes/measure.h"
 
 #include <fmt/core.h>
 #include <malloc.h>
@@ -11,7 +11,7 @@
 
 #include "experiments/run/statistics/shares.h"
 #include "experiments/run/terminal.h"
-#include "experiments/studies/bench_scenes/brute_force.h"
+#include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/motions.h"
 
 namespace touchstone::bench_scenes {

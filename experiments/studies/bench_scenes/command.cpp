@@ -11,7 +11,7 @@
 #include "experiments/run/output.h"
 #include "experiments/run/printing.h"
 #include "experiments/run/timing.h"
-#include "experiments/studies/bench_scenes/study.h"
+#include "experiments/studies/bench_scenes/measure.h"
 
 namespace touchstone::commands {
 namespace {

@@ -9,7 +9,7 @@
 #include "experiments/methods/selection.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/stability/output.h"
+#include "experiments/studies/stability/summary.h"
 
 namespace touchstone::commands {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/meshes/study.h"
+#include "experiments/studies/meshes/measure.h"
 
 #include <algorithm>
 #include <cstdlib>

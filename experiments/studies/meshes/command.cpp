@@ -10,7 +10,7 @@
 #include "experiments/run/numbers.h"
 #include "experiments/run/output.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/meshes/study.h"
+#include "experiments/studies/meshes/measure.h"
 
 namespace touchstone::commands {
 namespace {

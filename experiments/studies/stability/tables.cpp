@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/stability/output.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "experiments/run/output.h"
 #include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
+#include "experiments/studies/stability/summary.h"
 
 namespace touchstone::stability {
 namespace {

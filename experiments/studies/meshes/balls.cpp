@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/meshes/mesh_balls.h"
+#include "experiments/studies/meshes/balls.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -8,7 +8,7 @@
 
 #include "experiments/cases/workloads/meshes/named_meshes.h"
 #include "experiments/run/study.h"
-#include "experiments/studies/merging/study.h"
+#include "experiments/studies/merging/measure.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/read_mesh.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/merging/study.h"
+#include "experiments/studies/merging/measure.h"
 
 #include <malloc.h>
 
