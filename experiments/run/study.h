@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -122,12 +123,12 @@ class StudyRun : public CommandRun {
   std::optional<Part> part_;
 };
 
-/// Returns the function of a command that runs a study; run(StudyRun&) returns the exit status.
-template <class Run>
-std::function<int()> study_runner(std::string study, int version, const StudyOptions& options, Run run) {
-  return [study = std::move(study), version, &options, run = std::move(run)] {
-    StudyRun study_run(study, version, options);
-    return run(study_run);
+/// Returns the function of a command that runs a study: run(StudyRun&, options) returns the exit status.
+template <class Options, class Run>
+std::function<int()> study_runner(const Command& command, int version, std::shared_ptr<Options> options, Run run) {
+  return [study = command.name(), version, options = std::move(options), run = std::move(run)] {
+    StudyRun study_run(study, version, *options);
+    return run(study_run, *options);
   };
 }
 

@@ -200,8 +200,7 @@ run::Command angles_command() {
   run::declare_study(command, *options, "--samples", "Polygons of each family");
   command.writes({angles::table().description()});
   command.example("angles --samples 10");
-  command.runs(run::study_runner("angles", kVersion, *options,
-                                 [options](run::StudyRun& run) { return angles::run_angles(run, *options); }));
+  command.runs(run::study_runner(command, kVersion, options, angles::run_angles));
   return command;
 }
 

@@ -133,8 +133,7 @@ run::Command merging_command() {
   run::declare_parts(command, *options);
   command.writes(tables());
   command.example("merging part.obj");
-  command.runs(run::study_runner("merging", kVersion, *options,
-                                 [options](run::StudyRun& run) { return run_merging(run, *options); }));
+  command.runs(run::study_runner(command, kVersion, options, run_merging));
   return command;
 }
 

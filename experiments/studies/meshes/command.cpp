@@ -79,8 +79,7 @@ run::Command meshes_command() {
       .changes_results();
   command.writes(tables());
   command.example("meshes part.obj --methods fast,filtered");
-  command.runs(run::study_runner("meshes", kVersion, *options,
-                                 [options](run::StudyRun& run) { return run_meshes(run, *options); }));
+  command.runs(run::study_runner(command, kVersion, options, run_meshes));
   return command;
 }
 

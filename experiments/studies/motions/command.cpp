@@ -60,8 +60,7 @@ run::Command motions_command() {
   run::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement");
   command.writes(tables());
   command.example("motions --methods fast,filtered --samples 20");
-  command.runs(run::study_runner("motions", kVersion, *options,
-                                 [options](run::StudyRun& run) { return run_motions(run, *options); }));
+  command.runs(run::study_runner(command, kVersion, options, run_motions));
   return command;
 }
 

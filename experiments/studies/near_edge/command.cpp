@@ -166,8 +166,8 @@ run::Command near_edge_command() {
   command.writes(tables());
   command.writes(search_tables());
   command.example("near-edge --methods fast,filtered --samples 20 --search 0");
-  command.runs(run::study_runner("near-edge", kVersion, *options,
-                                 [options](run::StudyRun& run) { return Run(run, *options)(); }));
+  command.runs(run::study_runner(command, kVersion, options,
+                                 [](run::StudyRun& run, const Options& options) { return Run(run, options)(); }));
   return command;
 }
 

@@ -253,8 +253,7 @@ run::Command recorded_command() {
   run::declare_study(command, *options, "--samples", "Piles");
   command.writes({recorded::table().description(), recorded::near_table().description()});
   command.example("recorded --samples 2");
-  command.runs(run::study_runner("recorded", kVersion, *options,
-                                 [options](run::StudyRun& run) { return recorded::run_recorded(run, *options); }));
+  command.runs(run::study_runner(command, kVersion, options, recorded::run_recorded));
   return command;
 }
 

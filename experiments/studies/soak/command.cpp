@@ -97,8 +97,7 @@ run::Command soak_command() {
   command.flag("--print", options->print, "Only print the cases, as `judge` takes them")
       .excludes_all_but({"--from", "--moving", "--samples", "--seed"});
   command.writes(tables());
-  const auto compare =
-      run::study_runner("soak", kVersion, *options, [options](run::StudyRun& run) { return run_cases(run, *options); });
+  const auto compare = run::study_runner(command, kVersion, options, run_cases);
   command.example("soak --samples 10000");
   command.runs([options, compare] {
     if (options->from > std::numeric_limits<std::uint64_t>::max() - options->samples)

@@ -92,8 +92,7 @@ run::Command stability_command() {
   command.writes(tables());
   command.writes(known_tables());
   command.example("stability --methods fast,filtered --axes aspect,origin --samples 20");
-  command.runs(run::study_runner("stability", kVersion, *options,
-                                 [options](run::StudyRun& run) { return run_stability(run, *options); }));
+  command.runs(run::study_runner(command, kVersion, options, run_stability));
   return command;
 }
 

@@ -93,8 +93,7 @@ run::Command tradeoff_command() {
   command.flag("--redraw", options->redraw, "Do not measure; only draw pictures of the results in --output")
       .excludes_all_but({"--output"});
   command.writes(tables());
-  const auto measure = run::study_runner("tradeoff", kVersion, *options,
-                                         [options](run::StudyRun& run) { return run_tradeoff(run, *options); });
+  const auto measure = run::study_runner(command, kVersion, options, run_tradeoff);
   command.example("tradeoff --methods fast,filtered --samples 20");
   command.runs([options, measure] { return options->redraw ? redraw(*options) : measure(); });
   return command;

@@ -59,8 +59,7 @@ run::Command tunnelling_command() {
   run::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");
   command.writes(tables());
   command.example("tunnelling --samples 1000");
-  command.runs(run::study_runner("tunnelling", kVersion, *options,
-                                 [options](run::StudyRun& run) { return run_tunnelling(run, *options); }));
+  command.runs(run::study_runner(command, kVersion, options, run_tunnelling));
   return command;
 }
 
