@@ -66,19 +66,19 @@ int StudyRun::finish(const End& end) {
   std::string script;
   if (options_.has_pictures && end.pictures && !is_part() && !interrupted) script = study_;
   std::ranges::replace(script, '-', '_');
-  const int drawn =
-      CommandRun::finish({.seed = options_.seed,
-                          .samples_asked = asked,
-                          .samples_done = end.done,
-                          .samples_missing = end.missing,
-                          .threads = options_.threads,
-                          .part = options_.part,
-                          .parts = std::max<std::uint64_t>(options_.merged.size(), 1),
-                          .interrupted = interrupted},
-                         fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), options_.output), script);
+  const int drawn = CommandRun::finish(
+      {.seed = options_.seed,
+       .samples_asked = asked,
+       .samples_done = end.done,
+       .samples_missing = end.missing,
+       .threads = options_.threads,
+       .part = options_.part,
+       .parts = std::max<std::uint64_t>(options_.merged.size(), 1),
+       .interrupted = interrupted},
+      fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), io::all_legible(options_.output)), script);
   if (interrupted)
     fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume continues\n",
-               options_.output, end.done, asked);
+               io::all_legible(options_.output), end.done, asked);
   if (end.status != 0) return end.status;
   return interrupted ? kInterrupted : drawn;
 }

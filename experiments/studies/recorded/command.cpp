@@ -33,14 +33,9 @@ std::string_view to_string(Radius radius) { return radius == Radius::Own ? "own"
 
 /// The answers of one method about piles, which are the samples.
 struct MethodFailures : cases::SampledFailures {
-  double furthest = 0;  ///< wrong answer from contact, as a share of the triangle's size
+  run::Maximum<double> furthest;  ///< wrong answer from contact, as a share of the triangle's size
 
   auto members() { return std::tuple_cat(SampledFailures::members(), std::tie(furthest)); }
-  MethodFailures& operator+=(const MethodFailures& other) {
-    run::add<SampledFailures>(*this, other);
-    furthest = std::max(furthest, other.furthest);
-    return *this;
-  }
 };
 
 constexpr std::size_t kMostExponent = 60;
@@ -98,7 +93,7 @@ const run::Table<Row>& table() {
            {{"furthest",
              "of the wrong answers, the largest difference of distance and radius, as a share of the triangle's "
              "largest coordinate difference",
-             path(&Row::failures, &MethodFailures::furthest)}}}));
+             path(&Row::failures, path(&MethodFailures::furthest, &run::Maximum<double>::value))}}}));
   return table;
 }
 
@@ -201,7 +196,7 @@ class Study {
           const auto outcome = compare(cases::Test::Contact, answer, right, true);
           part.methods[m].answers.add(outcome);
           if (!outcome || *outcome == cases::Outcome::Right) return;
-          part.methods[m].furthest = std::max(part.methods[m].furthest, share);
+          part.methods[m].furthest += share;
           failed[r][m] = true;
         };
         cases::PartialAnswer simulated;
