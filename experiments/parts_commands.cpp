@@ -158,16 +158,12 @@ struct PlanOptions {
   std::uint64_t parts = 2;
 };
 
-bool needs_arguments(const Command& command) {
-  const std::vector<run::OptionDescription> options = command.description().options;
-  return std::ranges::any_of(options, &run::OptionDescription::required);
-}
-
 int plan(const PlanOptions& options, const std::vector<Command>& commands) {
   std::vector<std::string> lines = options.studies;
   if (lines.empty())
     for (const Command& command : commands)
-      if (command.has_parts() && !needs_arguments(command)) lines.push_back(command.name());
+      if (command.has_parts() && std::ranges::none_of(command.description().options, &run::OptionDescription::required))
+        lines.push_back(command.name());
   nlohmann::ordered_json studies = nlohmann::ordered_json::object();
   for (const std::string& line : lines) {
     auto words = run::shell_words(line);

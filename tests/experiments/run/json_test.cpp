@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run/json.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "experiments/run/json.h"
 
 namespace touchstone::run {
 namespace {

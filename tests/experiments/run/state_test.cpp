@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run/state.h"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -6,7 +8,6 @@
 #include <limits>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/state.h"
 
 namespace touchstone::run {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run/statistics/errors.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "experiments/run/statistics/errors.h"
 
 namespace touchstone::statistics {
 namespace {

@@ -147,30 +147,27 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
   EXPECT_EQ(record["samples_missing"], 0);
 }
 
-std::vector<std::string> two_meshes_and_a_bad_one(const std::filesystem::path& folder) {
-  std::vector<std::string> files;
-  for (const char* name : {"a", "none", "b"}) files.push_back((folder / (std::string(name) + ".obj")).string());
-  run::write_file(files[0], "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  run::write_file(files[1], "v 0 0 0\n");
-  run::write_file(files[2], "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
-  return files;
+/// Two meshes and a bad file, and where the run writes.
+std::vector<std::string> three_files(const std::filesystem::path& folder, const std::string& output) {
+  run::write_file(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  run::write_file(folder / "none.obj", "v 0 0 0\n");
+  run::write_file(folder / "b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  return {folder / "a.obj", folder / "none.obj", folder / "b.obj", "--compare", "9", "--output", folder / output};
 }
 
 TEST(MergeCommand, PartsAddUpToTheCountsOfOneRun) {
   const run_tests::Scratch scratch;
-  const auto run = [&](const char* output, std::vector<std::string> arguments = {}) {
-    const auto files = two_meshes_and_a_bad_one(scratch.path);
-    arguments.insert(arguments.begin(), files.begin(), files.end());
-    for (const auto& word :
-         {std::string("--compare"), std::string("9"), std::string("--output"), (scratch.path / output).string()})
-      arguments.push_back(word);
-    return arguments;
+  const auto status = [&](const std::string& output, const std::string& part) {
+    auto arguments = three_files(scratch.path, output);
+    if (!part.empty()) arguments.insert(arguments.end(), {"--part", part});
+    return run_tests::run_captured(commands::merging_command, arguments).status;
   };
-  EXPECT_EQ(run_tests::run_captured(commands::merging_command, run("whole")).status, 2) << "for the bad file";
-  EXPECT_EQ(run_tests::run_captured(commands::merging_command, run("one", {"--part", "1/2"})).status, 2);
-  EXPECT_EQ(run_tests::run_captured(commands::merging_command, run("two", {"--part", "2/2"})).status, 0);
-  const std::vector<std::filesystem::path> parts{scratch.path / "one", scratch.path / "two"};
-  EXPECT_EQ(commands::merging_command().merge(parts, run("merged", {"--quiet"})), 2);
+  EXPECT_EQ(status("whole", ""), 2) << "for the bad file";
+  EXPECT_EQ(status("one", "1/2"), 2);
+  EXPECT_EQ(status("two", "2/2"), 0);
+  auto arguments = three_files(scratch.path, "merged");
+  arguments.emplace_back("--quiet");
+  EXPECT_EQ(commands::merging_command().merge({scratch.path / "one", scratch.path / "two"}, arguments), 2);
   for (const char* file : {"merge.csv", "polygons.csv"})
     EXPECT_EQ(run_tests::text_of(scratch.path / "merged" / file), run_tests::text_of(scratch.path / "whole" / file));
 }
@@ -178,10 +175,7 @@ TEST(MergeCommand, PartsAddUpToTheCountsOfOneRun) {
 // What is done is not done again: the times are those of the first run.
 TEST(MergeCommand, ResumesBehindTheFilesThatAreDone) {
   const run_tests::Scratch scratch;
-  std::vector<std::string> arguments = two_meshes_and_a_bad_one(scratch.path);
-  for (const auto& word :
-       {std::string("--compare"), std::string("9"), std::string("--output"), (scratch.path / "out").string()})
-    arguments.push_back(word);
+  auto arguments = three_files(scratch.path, "out");
   EXPECT_EQ(run_tests::run_captured(commands::merging_command, arguments).status, 2);
   const std::string times = run_tests::text_of(scratch.path / "out" / "merge-times.csv");
   std::filesystem::remove(scratch.path / "a.obj");
