@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shares in percent, for people. Nothing looks like 0 or 100 % that is not: `<0.01`, `>99.9`.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +30,8 @@ struct Limits {
 ///  (2) lower <= mean <= upper.
 /// Requires 0 <= mean <= 1 and 0 < confidence < 1. Source: [hoeffding1963, theorem 1].
 [[nodiscard]] Limits bounded_mean(double mean, std::uint64_t samples, double confidence = 0.95);
+
+// Shares in percent, for people. Nothing looks like 0 or 100 % that is not: `<0.01`, `>99.9`.
 
 /// Returns part / whole; 0 / 0 gives 0.
 [[nodiscard]] double share_of(std::uint64_t part, std::uint64_t whole);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What checks the exact scene: `exact`, triangle by triangle, and no hierarchy.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +34,8 @@ using methods::Mesh;
 [[nodiscard]] std::vector<Library> all_libraries();
 /// Returns the libraries that it was built without, and the Debian package that each needs.
 [[nodiscard]] std::vector<std::string> absent_libraries();
+
+// What checks the exact scene: `exact`, triangle by triangle, and no hierarchy.
 
 /// Returns the triangles that the ball touches, ascending. Tests all triangles if there are at most 2,000; otherwise
 /// those whose box is less than half a radius beyond the ball's surface.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The actual stress of a polygon of doubles, computed in rationals and finally rounded to a relative 1e-15 or so. It
-// verifies that a scene has the stress of its level.
 #pragma once
 
 #include <gmpxx.h>
@@ -37,6 +35,9 @@ inline RationalVector operator-(const RationalVector& a, const RationalVector& b
 
 /// Converts to a number with 512 bits and any exponent.
 inline mpf_class real(const Rational& number) { return {number.value, 512}; }
+
+// The actual stress of a polygon of doubles, computed in rationals and finally rounded to a relative 1e-15 or so. It
+// verifies that a scene has the stress of its level.
 
 /// Returns the distance of the two farthest vertices divided by the width perpendicular to their connection, in the
 /// supporting plane of the first loop: for a triangle, its longest side over the height on it; for a square, 1.
