@@ -5,12 +5,10 @@
 #include <memory>
 
 #include "experiments/commands.h"
-#include "experiments/run/completion.h"
-#include "experiments/run/counted.h"
-#include "experiments/run/manual.h"
-#include "experiments/run/output_folder.h"
+#include "experiments/run/help.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
 #include "experiments/run/run_record.h"
-#include "experiments/run/write_file.h"
 
 namespace touchstone::commands {
 

@@ -11,9 +11,10 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/quoting.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/study.h"
+#include "experiments/run/sweep.h"
 
 namespace touchstone::commands {
 namespace {
@@ -161,7 +162,8 @@ int plan(const PlanOptions& options, const std::vector<Command>& commands) {
   std::vector<std::string> lines = options.studies;
   if (lines.empty())
     for (const Command& command : commands)
-      if (command.has_parts()) lines.push_back(command.name());
+      if (command.has_parts() && std::ranges::none_of(command.description().options, &run::OptionDescription::required))
+        lines.push_back(command.name());
   nlohmann::ordered_json studies = nlohmann::ordered_json::object();
   for (const std::string& line : lines) {
     auto words = run::shell_words(line);
@@ -204,7 +206,8 @@ std::vector<Command> parts_commands(const std::vector<Command>& commands) {
 
   auto planned = std::make_shared<PlanOptions>();
   Command planning("plan", "Print a Snakefile, with which Snakemake runs studies by parts and merges them");
-  planning.texts("STUDY", planned->studies, "Studies, each with its options as one argument; without any, all studies");
+  planning.texts("STUDY", planned->studies,
+                 "Studies, each with its options as one argument; without any, all that need no arguments");
   planning.whole("--parts", planned->parts, "The number of parts of each study", 1, run::kMostParts);
   planning.footer("The folders of the studies and `parts` lie where Snakemake runs.");
   planning.example("plan --parts 4 'soak --samples 100000' tunnelling > Snakefile");

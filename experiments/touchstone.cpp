@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/run/colour.h"
-#include "experiments/run/json/json_fault.h"
+#include "experiments/run/json.h"
+#include "experiments/run/printing.h"
 #include "experiments/run/run_record.h"
-#include "experiments/run/standard_output.h"
+#include "experiments/run/terminal.h"
 #include "experiments/thesis/convex/convex.h"
 #include "geometry/io/detail/legible.h"
 

@@ -13,7 +13,7 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/run/input.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"

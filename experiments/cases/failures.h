@@ -11,7 +11,7 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/threshold.h"
-#include "experiments/run/sum.h"
+#include "experiments/run/state.h"
 #include "experiments/run/table.h"
 
 // The one count of studies: how many answers are wrong or undecided, of how many; and what their tables share.

@@ -16,11 +16,10 @@
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/colour.h"
 #include "experiments/run/command.h"
-#include "experiments/run/progress_line.h"
+#include "experiments/run/output.h"
 #include "experiments/run/similar_words.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/terminal.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {

@@ -13,10 +13,10 @@
 
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/judge/show/page.h"
-#include "experiments/run/counted.h"
-#include "experiments/run/statistics/percent.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/quoting.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/run/xml_text.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {

@@ -46,7 +46,7 @@ def of_seed(seed, *samples):
 QUICK_BENCH = "random-triangles,half-near,lattice-tangent,slivers,far,extreme,nearness,polygons-128"
 
 STUDIES = [
-    Study("meshes", "every face of real meshes",
+    Study("meshes", "every face of real meshes", resumes=True,
           **same(["meshes", MESHES, "--skip-bad", "--methods", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
     Study("cell", "the manufacturing cell",
           **same(["cell", "run", CELL, "--output", OUTPUT], ["cell", "export", CELL, f"{OUTPUT}/cell.html"],
@@ -73,7 +73,7 @@ STUDIES = [
     Study("soak-moving", "the certified path under attack by moving balls", resumes=True,
           full=[["soak", "--moving", "--output", OUTPUT]], quick=[["soak", "--moving", "--samples", "20000", "--output", OUTPUT]]),
     Study("cell-area", "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]]),
-    Study("merging", "coplanar faces as polygons", full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]]),
+    Study("merging", "coplanar faces as polygons", resumes=True, full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]]),
     Study("seeds", "random polygons, with other seeds", resumes=True, full=[of_seed(seed) for seed in SEEDS],
           paper=[of_seed(seed, "--samples", "60") for seed in SEEDS]),
     Study("recorded", "questions of a third-party simulation", resumes=True,

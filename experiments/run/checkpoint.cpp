@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "experiments/run/json/json_fault.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/json.h"
+#include "experiments/run/output.h"
 
 namespace touchstone::run {
 

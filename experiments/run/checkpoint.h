@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fmt/core.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/archive.h"
+#include "experiments/run/state.h"
 
 namespace touchstone::run {
 
@@ -76,5 +78,24 @@ class Checkpoint {
   std::filesystem::path path_;
   ResultSettings settings_;
 };
+
+/// Returns the state from which a run begins: `zero`, or what the checkpoint holds if `resume` is true, and writes it
+/// to the checkpoint. Without `resume` renames an existing checkpoint first, and says so on stderr. Throws as
+/// Checkpoint does, and std::runtime_error if the checkpoint holds more than `asked` items, as items_done(state) counts
+/// them.
+template <class State>
+State begin(const Checkpoint& checkpoint, bool resume, std::uint64_t asked, State zero) {
+  State state = std::move(zero);
+  if (resume) {
+    if (auto held = checkpoint.read(state)) state = std::move(*held);
+  } else if (checkpoint.set_aside()) {
+    fmt::print(stderr,
+               "touchstone: starting over, without --resume; the previous checkpoint is saved as {0}.previous\n",
+               checkpoint.path().string());
+  }
+  checkpoint.refuse_more(items_done(state), asked);
+  checkpoint.write(state);
+  return state;
+}
 
 }  // namespace touchstone::run

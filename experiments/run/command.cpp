@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "experiments/run/help.h"
-#include "experiments/run/real_number.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/printing.h"
+#include "experiments/run/quoting.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/similar_words.h"
-#include "experiments/run/standard_output.h"
-#include "experiments/run/whole_number.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::run {
@@ -179,7 +179,8 @@ std::string CommandParts::line() const {
 std::vector<std::pair<std::string, std::string>> CommandParts::result_options() const {
   std::vector<std::pair<std::string, std::string>> values;
   for (const auto& declared : options)
-    if (declared->changes_results) values.emplace_back(declared->name.substr(2), declared->compared());
+    if (declared->changes_results)
+      values.emplace_back(declared->name.substr(is_positional(declared->name) ? 0 : 2), declared->compared());
   return values;
 }
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/command_description.h"
+#include "experiments/run/help.h"
 #include "experiments/run/table.h"
 
 namespace CLI {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/run/completion.h"
-
 #include <fmt/core.h>
 
 #include <vector>
+
+#include "experiments/run/help.h"
 
 namespace touchstone::run {
 namespace {

@@ -2,11 +2,45 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
-
-#include "experiments/run/command_description.h"
+#include <vector>
 
 namespace touchstone::run {
+
+/// The description of an option in the help.
+struct OptionDescription {
+  std::string name;                 ///< `--name`, or the name of a positional argument
+  std::string value;                ///< what its value is called, such as `N`; empty for a flag
+  std::string about;                ///< its meaning
+  std::string fallback;             ///< its default; empty if it has none
+  std::vector<std::string> words;   ///< the only values that it takes, if they are listed
+  std::vector<std::string> limits;  ///< sentences on which other options it needs or excludes
+  bool required = false;
+  bool repeats = false;  ///< takes all remaining arguments
+
+  [[nodiscard]] bool positional() const { return !name.starts_with("--"); }
+  /// Returns the meaning, the limits and the default, as sentences.
+  [[nodiscard]] std::string explanation() const;
+};
+
+/// The description of a command in the help.
+struct CommandDescription {
+  std::string name;     ///< with the names of its groups, as in `corpus shrink`
+  std::string heading;  ///< under which the help of the program lists it; empty for one list
+  std::string about;
+  std::string footer;  ///< each line a paragraph; one that begins with a space is printed as it is
+  std::vector<OptionDescription> options;
+  std::vector<std::string> examples;  ///< command lines without the name of the program
+  std::vector<CommandDescription> subcommands;
+
+  /// Returns the last word of the name.
+  [[nodiscard]] std::string word() const { return name.substr(name.rfind(' ') + 1); }
+  /// Returns the headings of the subcommands, in their order.
+  [[nodiscard]] std::vector<std::string> headings() const;
+  /// Returns the arguments, as the first line of the help has them: `judge [OPTIONS] [FILE...]`.
+  [[nodiscard]] std::vector<std::string> usage() const;
+};
 
 /// Returns the help of a command, or of the program for an empty name.
 ///
@@ -17,5 +51,18 @@ namespace touchstone::run {
 /// Returns the number of columns for help: the environment variable COLUMNS or, without it, the width of the terminal
 /// to which standard output goes; otherwise 80.
 [[nodiscard]] std::size_t help_width();
+
+/// Returns a script that completes commands, options and their listed values in bash (4 or later). Other words are
+/// completed as names of files.
+[[nodiscard]] std::string bash_completion(const CommandDescription& program);
+
+/// Returns the same for zsh, with the meanings of commands and options: the file `_touchstone` of a folder of $fpath.
+[[nodiscard]] std::string zsh_completion(const CommandDescription& program);
+
+/// Returns the manual pages of the program and of each of its commands, in the language of man(7), by the names of
+/// their files: `touchstone.1`, `touchstone-near-edge.1`. The same texts as those of the help. `version`: one line for
+/// the foot of each page. Equal arguments give equal bytes.
+[[nodiscard]] std::map<std::string, std::string> manual_pages(const CommandDescription& program,
+                                                              const std::string& version);
 
 }  // namespace touchstone::run

@@ -6,10 +6,32 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <system_error>
 
 namespace touchstone::run {
+namespace {
+
+/// Returns the folder of this name in the folder of the program or, if there is none, beside that.
+std::filesystem::path folder_near_program(const char* name) {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  return (std::filesystem::exists(program / name) ? program : program.parent_path()) / name;
+}
+
+}  // namespace
+
+std::filesystem::path data(const std::string& name) {
+  const char* const chosen = std::getenv("TOUCHSTONE_DATA");
+  std::filesystem::path path = (chosen != nullptr ? chosen : folder_near_program("share/touchstone")) / name;
+  std::error_code error;
+  if (std::filesystem::exists(path, error)) return path;
+  throw std::runtime_error(path.string() + ": is missing; the variable TOUCHSTONE_DATA names the folder of the data");
+}
+
+std::filesystem::path helper_program(const std::string& name) {
+  return folder_near_program("libexec/touchstone") / name;
+}
 
 std::ifstream open_file(const std::filesystem::path& file) {
   errno = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/run/manual.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <sstream>
+
+#include "experiments/run/help.h"
 
 namespace touchstone::run {
 namespace {

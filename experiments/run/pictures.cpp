@@ -10,8 +10,8 @@
 #include <optional>
 #include <system_error>
 
-#include "experiments/run/data.h"
-#include "experiments/run/run_record.h"
+#include "experiments/run/input.h"
+#include "experiments/run/quoting.h"
 
 namespace touchstone::run {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "experiments/run/output_folder.h"
+#include "experiments/run/output.h"
 
 namespace touchstone::run {
 

@@ -15,7 +15,7 @@
 #include <thread>
 #include <utility>
 
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "touchstone_commit.h"
 
 #ifndef TOUCHSTONE_COMPILE_FLAGS
@@ -75,31 +75,6 @@ std::string utc_now() {
   gmtime_r(&time, &utc);
   char text[32];
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
-}
-
-std::string shell_quoted(const std::string& word) {
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-std::vector<std::string> shell_words(const std::string& line) {
-  std::vector<std::string> words;
-  bool quoted = false, within = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (!quoted && line[i] == ' ') {
-      within = false;
-      continue;
-    }
-    if (!std::exchange(within, true)) words.emplace_back();
-    if (line[i] == '\'')
-      quoted = !quoted;
-    else if (!quoted && line[i] == '\\' && i + 1 < line.size())
-      words.back() += line[++i];
-    else
-      words.back() += line[i];
-  }
-  return words;
 }
 
 void write_run_record(const std::filesystem::path& folder, const Run& run) {

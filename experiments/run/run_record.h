@@ -11,7 +11,7 @@ namespace touchstone::run {
 
 /// The facts that run.json records about a run besides the compiler, the flags, the commit, the machine and the date.
 struct Run {
-  std::string command;
+  std::string command{};
   std::uint64_t seed = 0;
   std::uint64_t samples_asked = 0, samples_done = 0, samples_missing = 0;
   unsigned threads = 1;
@@ -28,10 +28,6 @@ void write_run_record(const std::filesystem::path& folder, const Run& run);
 [[nodiscard]] std::string version_text();
 /// Returns the current time as `2026-11-23T03:19:51Z`.
 [[nodiscard]] std::string utc_now();
-/// Quotes a text as one word of a shell command.
-[[nodiscard]] std::string shell_quoted(const std::string& word);
-/// Returns the words of a line of plain and quoted words, with what a shell would take of quotes and backslashes.
-[[nodiscard]] std::vector<std::string> shell_words(const std::string& line);
 /// Joins words with commas, as the value of an option.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 

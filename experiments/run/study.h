@@ -1,34 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "experiments/run/command.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_control.h"
-#include "experiments/run/stop_signal.h"
+#include "experiments/run/checkpoint.h"
+#include "experiments/run/command_run.h"
+#include "experiments/run/sweep.h"
 
 namespace touchstone::run {
 
-/// The options of every study that draws samples.
-struct StudyOptions : Printing {
+/// The options of every study.
+struct StudyOptions : FolderOptions {
   std::uint64_t samples = 1;
   std::uint64_t seed = 1;
   unsigned threads = all_threads();
-  std::string output, part;
-  bool force = false, resume = false, no_pictures = false;
+  std::string part;
+  bool resume = false;
   bool has_pictures = true;  ///< whether the study draws pictures at all
 
   // Set by the command before it runs.
-  std::string line;  ///< repeats the run
   std::function<std::vector<std::pair<std::string, std::string>>()> result_options;
   std::vector<std::filesystem::path> merged;  ///< the folders of all parts in their order, if the run adds them up
 };
@@ -38,15 +35,17 @@ struct StudyOptions : Printing {
 inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
 
 /// Declares these options, after those of the study itself. `samples`: the name and the meaning of the number of
-/// samples.
-void declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about);
+/// samples. Returns the option of that name.
+Option declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about);
+/// Declares those of a study of given items: of threads, checkpoints, the folder and parts.
+void declare_parts(Command& command, StudyOptions& options);
 
-/// One run of a study: its folder, its phases and its end.
+/// One run of a study: its phases and its end.
 ///
 /// A run of a part runs its share of each phase that a checkpoint continues, and writes nothing but the checkpoints and
 /// run.json. A run that merges parts begins each of these phases with the sum of the parts', which are complete. So
 /// only whole runs and merging ones have something to write, and run other phases.
-class StudyRun {
+class StudyRun : public CommandRun {
  public:
   /// Locks the folder of the results. `study`: the name of the command. `version`: see ResultSettings. Throws as
   /// OutputFolder does.
@@ -54,11 +53,6 @@ class StudyRun {
 
   /// Returns whether this is the run of a part.
   [[nodiscard]] bool is_part() const { return part_.has_value(); }
-  [[nodiscard]] const std::filesystem::path& folder() const { return held_.path(); }
-  /// Returns whether the run was stopped.
-  [[nodiscard]] bool stopped() const { return stop_signal_.requested(); }
-  /// Returns the seconds since this run began.
-  [[nodiscard]] double seconds() const;
 
   /// Runs a phase that a checkpoint continues: run(control, state) processes the items of the part from
   /// items_done(state) on, of `items`. Returns the state at the end. `what`: the items, for the line of progress.
@@ -68,8 +62,8 @@ class StudyRun {
     const Checkpoint file(folder() / checkpoint, settings(part_, items));
     const std::uint64_t size = share().size(items);
     State state = begin(file, options_.resume, size, beginning(checkpoint, items, std::move(zero)));
-    ProgressLine line(study_ + ": " + what, size, items_done(state), !options_.quiet);
-    run(RunControl<State>{.stop = stop_signal_.requested(),
+    ProgressLine line = progress(study_ + ": " + what, size, items_done(state));
+    run(RunControl<State>{.stop = stop(),
                           .progress = [&line](std::uint64_t done) { line(done); },
                           .save = [&file](const State& now) { file.write(now); },
                           .part = share()},
@@ -88,8 +82,8 @@ class StudyRun {
   /// Runs a short phase without a checkpoint: run(control). Returns its result.
   template <class State, class Run>
   auto phase(const std::string& what, std::uint64_t items, const Run& run) {
-    ProgressLine line(study_ + ": " + what, items, 0, !options_.quiet);
-    return run(RunControl<State>{stop_signal_.requested(), [&line](std::uint64_t done) { line(done); }});
+    ProgressLine line = progress(study_ + ": " + what, items);
+    return run(RunControl<State>{stop(), [&line](std::uint64_t done) { line(done); }});
   }
 
   /// Removes the files of an earlier run whose names begin so, because they would belong to other data.
@@ -97,10 +91,11 @@ class StudyRun {
 
   /// The end of a run.
   struct End {
-    std::uint64_t done = 0, missing = 0;  ///< samples
-    std::string text{};                   ///< tables and sentences for standard output
-    int status = 0;                       ///< the exit status of a complete run
-    bool pictures = true;                 ///< whether a complete run has pictures
+    std::uint64_t done = 0, missing = 0;   ///< samples
+    std::optional<std::uint64_t> items{};  ///< of the whole study, if --samples does not say how many
+    std::string text{};                    ///< tables and sentences for standard output
+    int status = 0;                        ///< the exit status of a complete run
+    bool pictures = true;                  ///< whether a complete run has pictures
   };
   /// Writes run.json, prints the text, the time and the folder, or with --json the tables, or with --quiet nothing;
   /// reports an interruption and draws the pictures. Returns the exit status: that of the study or, if that is 0, that
@@ -122,21 +117,18 @@ class StudyRun {
     return sum;
   }
 
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::string study_;
   int version_;
   const StudyOptions& options_;
   std::optional<Part> part_;
-  OutputFolder held_;
-  StopSignal stop_signal_;
 };
 
-/// Returns the function of a command that runs a study; run(StudyRun&) returns the exit status.
-template <class Run>
-std::function<int()> study_runner(std::string study, int version, const StudyOptions& options, Run run) {
-  return [study = std::move(study), version, &options, run = std::move(run)] {
-    StudyRun study_run(study, version, options);
-    return run(study_run);
+/// Returns the function of a command that runs a study: run(StudyRun&, options) returns the exit status.
+template <class Options, class Run>
+std::function<int()> study_runner(const Command& command, int version, std::shared_ptr<Options> options, Run run) {
+  return [study = command.name(), version, options = std::move(options), run = std::move(run)] {
+    StudyRun study_run(study, version, *options);
+    return run(study_run, *options);
   };
 }
 

@@ -1,10 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/run/sweep.h"
 
+#include <fmt/core.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <chrono>
 
+#include "experiments/run/numbers.h"
+
 namespace touchstone::run {
+
+std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atomic<bool>& stop,
+                         const Progress& progress,
+                         const std::function<void(unsigned thread, std::uint64_t block)>& work) {
+  std::uint64_t begun = 0, done = 0;
+  const auto begin = [&](tbb::flow_control& control) -> std::uint64_t {
+    if (stop || begun == blocks) {
+      control.stop();
+      return 0;
+    }
+    return begun++;
+  };
+  const auto run = [&](std::uint64_t block) {
+    work(static_cast<unsigned>(tbb::this_task_arena::current_thread_index()), block);
+  };
+  // Only the count matters: blocks end in any order.
+  const auto end = [&](int) { progress(++done); };
+
+  const tbb::global_control as_many(tbb::global_control::max_allowed_parallelism, threads);
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::parallel_pipeline(threads, tbb::make_filter<void, std::uint64_t>(tbb::filter_mode::serial_in_order, begin) &
+                                        tbb::make_filter<std::uint64_t, int>(tbb::filter_mode::parallel,
+                                                                             [&](std::uint64_t block) {
+                                                                               run(block);
+                                                                               return 0;
+                                                                             }) &
+                                        tbb::make_filter<int, void>(tbb::filter_mode::serial_out_of_order, end));
+  });
+  return done;
+}
 
 std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, std::uint64_t& blocks,
                       const std::function<void(unsigned thread, std::uint64_t item)>& work) {
@@ -23,5 +61,15 @@ std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, std::uint64_t& bl
   if (seconds > sweep.seconds * 2) blocks = std::max<std::uint64_t>(blocks / 2, 1);
   return item(done);
 }
+
+std::optional<Part> Part::read(const std::string& text) {
+  const auto slash = std::min(text.find('/'), text.size());
+  const auto number = read_whole_number(text.substr(0, slash));
+  const auto of = read_whole_number(slash < text.size() ? text.substr(slash + 1) : "");
+  if (!number || !of || *number < 1 || *number > *of || *of > kMostParts) return std::nullopt;
+  return Part{*number, *of};
+}
+
+std::string to_string(const Part& part) { return fmt::format("{}/{}", part.number, part.of); }
 
 }  // namespace touchstone::run

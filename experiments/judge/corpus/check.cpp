@@ -12,7 +12,7 @@
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/rational_answer.h"
 #include "experiments/run/input.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/motion.h"

@@ -7,7 +7,9 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 
 namespace touchstone::corpus {
 

@@ -21,12 +21,11 @@
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command.h"
-#include "experiments/run/counted.h"
-#include "experiments/run/data.h"
-#include "experiments/run/output_folder.h"
+#include "experiments/run/input.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
-#include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {

@@ -20,7 +20,6 @@
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/run/data.h"
 #include "experiments/run/input.h"
 
 namespace touchstone::corpus {

@@ -16,8 +16,8 @@
 
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/families.h"
-#include "experiments/run/blocks.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
+#include "experiments/run/sweep.h"
 
 namespace touchstone::corpus {
 namespace {

@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "experiments/run/input.h"
-#include "experiments/run/json/json_fault.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::regress {

@@ -12,7 +12,7 @@
 
 #include "experiments/cases/method.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/run/blocks.h"
+#include "experiments/run/sweep.h"
 
 /// The outcome of each method for each case, so that a changed answer is noticed.
 namespace touchstone::regress {

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,16 +12,11 @@
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
-#include "experiments/run/counted.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/statistics/percent.h"
-#include "experiments/run/stop_signal.h"
+#include "experiments/run/command_run.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -30,13 +24,12 @@ namespace {
 
 using namespace regress;
 
-struct Options : run::Printing {
-  std::string baseline, write, output;
+struct Options : run::FolderOptions {
+  std::string baseline, write;
   methods::Selection methods{{"all"}};
-  bool allow_missing = false, force = false;
+  bool allow_missing = false;
   Settings settings;
   unsigned threads = run::all_threads();
-  std::string line;  ///< the command line that repeats the run
 };
 
 std::string cell(const Summary& summary) {
@@ -157,7 +150,6 @@ void refuse_missing(const Options& options, const Baseline& baseline,
 }
 
 int run(const Options& options) {
-  const auto begin = std::chrono::steady_clock::now();
   auto methods = options.methods.methods();
   std::erase_if(methods, [&](const cases::Method* method) {
     if (answers(*method)) return false;
@@ -168,23 +160,18 @@ int run(const Options& options) {
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   if (baseline) refuse_missing(options, *baseline, methods);
   const Settings settings = baseline ? baseline->settings : options.settings;
-  std::optional<run::OutputFolder> held;
-  if (!options.output.empty()) held.emplace(options.output, options.line, run::Existing{.force = options.force});
+  run::CommandRun run(options);
   if (!options.write.empty()) {
     run::refuse_overwrite(options.write, options.force);
     run::make_folder(std::filesystem::absolute(options.write).parent_path());
   }
 
-  const run::StopSignal stop_signal;
   std::optional<OutcomeTable> table;
   {
-    run::ProgressLine line("regress", blocks_of(settings), 0, !options.quiet);
-    table = find_outcomes(settings, methods, options.threads, stop_signal.requested(), std::ref(line));
+    run::ProgressLine line = run.progress("regress", blocks_of(settings));
+    table = find_outcomes(settings, methods, options.threads, run.stop(), std::ref(line));
   }
-  if (!table) {
-    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
-    return run::kInterrupted;
-  }
+  if (!table) return run.finish_unwritten();
   options.print(
       table_of(*table, settings, Numbers::Doubles) + "\n" + table_of(*table, settings, Numbers::Floats) + "\n",
       [&](const std::filesystem::path& folder) { outcomes_csv().write(folder, rows_of(*table)); });
@@ -197,17 +184,13 @@ int run(const Options& options) {
   }
   const bool worse = std::ranges::any_of(changed, [](const Change& change) { return !change.worse.empty(); });
   if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *table}), options.force);
-  if (!options.output.empty()) {
-    const std::filesystem::path folder = options.output;
-    outcomes_csv().write(folder, rows_of(*table));
-    run::write_file(folder / "worse.jsonl", worse_text(settings, changed));
-    run::write_run_record(folder,
-                          {.command = options.line,
-                           .seed = settings.seed,
-                           .samples_asked = settings.samples,
-                           .samples_done = settings.samples,
-                           .threads = options.threads,
-                           .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+  if (run.has_folder()) {
+    outcomes_csv().write(run.folder(), rows_of(*table));
+    run::write_file(run.folder() / "worse.jsonl", worse_text(settings, changed));
+    run.write_record({.seed = settings.seed,
+                      .samples_asked = settings.samples,
+                      .samples_done = settings.samples,
+                      .threads = options.threads});
   }
   return worse ? 1 : 0;
 }
@@ -217,7 +200,6 @@ int run(const Options& options) {
 run::Command regress_command() {
   run::Command command("regress", "Compare the failures of every method with a baseline");
   auto options = std::make_shared<Options>();
-  command.keep_line(options->line);
   command.footer(
       "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative "
       "offsets of 2^-8 to 2^-52 from the exact distance; then with as many cases whose coordinates and radii are floats, "
@@ -239,9 +221,8 @@ run::Command regress_command() {
              kMostSamples)
       .excludes("--baseline");
   command.threads(options->threads);
-  command.output(options->output,
-                 "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
-  command.force(options->force);
+  run::declare_output(command, *options,
+                      "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
   command.quiet(options->quiet, "Print no table, no changes and no progress; the exit status tells");
   command.json(options->json).excludes("--quiet");
   command.keep_tables(options->tables);

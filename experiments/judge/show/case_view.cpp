@@ -9,7 +9,7 @@
 #include <set>
 
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/run/counted.h"
+#include "experiments/run/numbers.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 

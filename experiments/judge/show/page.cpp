@@ -10,7 +10,7 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/judge/show/flat_case.h"
-#include "experiments/run/xml_text.h"
+#include "experiments/run/quoting.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::show {

@@ -15,11 +15,11 @@
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command.h"
-#include "experiments/run/counted.h"
 #include "experiments/run/input.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
 #include "experiments/run/pictures.h"
-#include "experiments/run/write_file.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {

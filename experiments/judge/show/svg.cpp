@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "experiments/run/xml_text.h"
+#include "experiments/run/quoting.h"
 
 namespace touchstone::show {
 namespace {

@@ -2,8 +2,8 @@
 // Bullet's float build has the names of the double build, so it runs as a program: bullet_float_program.cpp.
 #include "experiments/methods/engines/engines.h"
 #include "experiments/methods/process/engine.h"
-#include "experiments/run/data.h"
-#include "experiments/run/run_record.h"
+#include "experiments/run/input.h"
+#include "experiments/run/quoting.h"
 
 namespace touchstone::methods {
 

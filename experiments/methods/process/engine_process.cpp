@@ -20,7 +20,7 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "experiments/run/stop_signal.h"
 #include "geometry/io/detail/legible.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/timing/benchmark.h"
+#include "experiments/run/timing.h"
 #include "experiments/studies/bench/families.h"
 #include "geometry/contact/fast.h"
 #include "geometry/shapes/polygon.h"

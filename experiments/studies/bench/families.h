@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/timing/benchmark.h"
+#include "experiments/run/timing.h"
 
 namespace touchstone::bench {
 

@@ -5,8 +5,8 @@
 
 #include "experiments/studies/bench/asked_polygons.h"
 #include "experiments/studies/bench/families.h"
-#include "experiments/studies/bench/fast_tree.h"
 #include "experiments/studies/bench/polygon_queries.h"
+#include "experiments/studies/bench/variants.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"

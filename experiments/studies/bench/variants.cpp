@@ -33,4 +33,16 @@ void set_contact_without_floats(const Ball& ball, const filtered::TriangleSet& s
   contact(ball, set, touches);
 }
 
+bool detail::baseline_tree_contact(const Ball& ball, const filtered::PreparedPolygon& polygon) {
+  return tree_contact(ball, polygon);
+}
+
+bool contact(const Ball& ball, const FastTree& polygon) {
+#if defined(__x86_64__)
+  static const bool uses_avx2 = has_avx2();
+  if (uses_avx2) return detail::avx2_tree_contact(ball, polygon.prepared_);
+#endif
+  return detail::baseline_tree_contact(ball, polygon.prepared_);
+}
+
 }  // namespace touchstone::bench

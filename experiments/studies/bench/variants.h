@@ -7,6 +7,7 @@
 
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
+#include "robust/filtered/filtered.h"
 #include "robust/filtered/triangle_set.h"
 
 namespace touchstone::bench {
@@ -35,6 +36,26 @@ using SetContact = void (*)(const Ball& ball, const filtered::TriangleSet& set, 
 [[nodiscard]] const std::vector<Variant>& avx2_variants();
 [[nodiscard]] SetContact baseline_set_contact();
 [[nodiscard]] SetContact avx2_set_contact();
+}  // namespace detail
+
+/// `fast` with the frame, the edges and the hierarchy of `filtered`, in plain doubles without error bounds: what
+/// certainty costs when both look at the same edges. Uses AVX2 where the machine has it. Wrong if the input is within
+/// rounding error of contact.
+class FastTree {
+ public:
+  explicit FastTree(const Polygon& polygon) : prepared_(polygon) { prepared_.complete(); }
+
+ private:
+  friend bool contact(const Ball& ball, const FastTree& polygon);
+  filtered::PreparedPolygon prepared_;
+};
+
+/// Returns whether the ball touches the polygon. Requires a ball that is no farther from it than 2^60 of its sizes.
+[[nodiscard]] bool contact(const Ball& ball, const FastTree& polygon);
+
+namespace detail {
+[[nodiscard]] bool baseline_tree_contact(const Ball& ball, const filtered::PreparedPolygon& polygon);
+[[nodiscard]] bool avx2_tree_contact(const Ball& ball, const filtered::PreparedPolygon& polygon);
 }  // namespace detail
 
 }  // namespace touchstone::bench

@@ -9,5 +9,9 @@ namespace touchstone::bench {
 const std::vector<Variant>& detail::avx2_variants() { return all_variants(); }
 detail::SetContact detail::avx2_set_contact() { return without_floats; }
 
+bool detail::avx2_tree_contact(const Ball& ball, const filtered::PreparedPolygon& polygon) {
+  return tree_contact(ball, polygon);
+}
+
 }  // namespace touchstone::bench
 #endif

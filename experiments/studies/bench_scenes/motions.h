@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/run/timing/measurement.h"
+#include "experiments/run/timing.h"
 #include "experiments/studies/bench_scenes/library.h"
-#include "experiments/studies/bench_scenes/study.h"
+#include "experiments/studies/bench_scenes/measure.h"
 #include "geometry/shapes/motion.h"
 
 namespace touchstone::bench_scenes {

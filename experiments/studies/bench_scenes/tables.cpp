@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/run/table.h"
-#include "experiments/run/timing/output.h"
-#include "experiments/studies/bench_scenes/study.h"
+#include "experiments/run/timing.h"
+#include "experiments/studies/bench_scenes/measure.h"
 
 namespace touchstone::bench_scenes {
 namespace {

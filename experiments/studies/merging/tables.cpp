@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/studies/merging/study.h"
+#include "experiments/studies/merging/measure.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::merging {
@@ -19,8 +19,8 @@ double mean_vertices(const Counts& counts) {
 std::string counts_row(const std::string& name, const Counts& c, double seconds) {
   const std::size_t unmergeable = c.edges.non_manifold + c.edges.inconsistent + c.edges.folded;
   return fmt::format("{:<28}{:>8}{:>6}{:>9}{:>8}{:>7}{:>8}{:>8.2f}{:>8}{:>7}{:>8}{:>10}{:>10.3g}{:>9.1f}\n", name,
-                     c.faces, c.rejected, c.polygons, c.single, c.holes, c.largest, mean_vertices(c), c.splits,
-                     c.edges.kept_apart, c.edges.border, unmergeable, c.off_plane, 1e3 * seconds);
+                     c.faces, c.rejected, c.polygons, c.single, c.holes, c.largest.value, mean_vertices(c), c.splits,
+                     c.edges.kept_apart, c.edges.border, unmergeable, c.off_plane.value, 1e3 * seconds);
 }
 
 std::string counts_lines(const std::vector<MeshResult>& results) {
@@ -31,7 +31,7 @@ std::string counts_lines(const std::vector<MeshResult>& results) {
   double seconds = 0;
   for (const MeshResult& result : results) {
     text += counts_row(io::legible(result.name), result.counts, result.merge_seconds);
-    sum += result.counts;
+    run::add(sum, result.counts);
     seconds += result.merge_seconds;
   }
   if (results.size() > 1) text += counts_row("all", sum, seconds);
@@ -76,20 +76,14 @@ std::string costs_table(const std::vector<MeshResult>& results) {
 
 std::string differences_lines(const std::vector<MeshResult>& results) {
   Differences sum;
-  for (const MeshResult& result : results) {
-    for (std::size_t i = 0; i < kQuestions.size(); ++i) {
-      sum.asked[i] += result.differences.asked[i];
-      sum.differ[i] += result.differences.differ[i];
-    }
-    sum.distance = std::max(sum.distance, result.differences.distance);
-  }
+  for (const MeshResult& result : results) run::add(sum, result.differences);
   std::string text = "\nAnswers that differ from those of the faces (95 % limits):\n";
   for (std::size_t i = 0; i < kQuestions.size(); ++i) {
     const auto limits = statistics::clopper_pearson(sum.differ[i], sum.asked[i]);
     text += fmt::format("  {:<8} {} of {}, at most {:.2g} %\n", to_string(kQuestions[i]), sum.differ[i], sum.asked[i],
                         100 * limits.upper);
   }
-  return text + fmt::format("  the largest difference of nearest distances: {:.3g}\n", sum.distance);
+  return text + fmt::format("  the largest difference of nearest distances: {:.3g}\n", sum.distance.value);
 }
 
 constexpr const char* kLegend = R"(
@@ -109,6 +103,9 @@ const run::Table<MeshResult>& counts_table() {
   using Row = MeshResult;
   using Edges = mesh::EdgeCounts;
   const auto count = [](auto Counts::*member) { return run::path(&Row::counts, member); };
+  const auto largest = [](auto Counts::*member) {
+    return run::path(&Row::counts, [member](const Counts& counts) { return (counts.*member).value; });
+  };
   const auto edges = [](std::size_t Edges::*member) {
     return run::path(&Row::counts, run::path(&Counts::edges, member));
   };
@@ -121,7 +118,7 @@ const run::Table<MeshResult>& counts_table() {
         {"single", "polygons of one face", count(&Counts::single)},
         {"holes", "holes", count(&Counts::holes)},
         {"vertices", "vertices of the polygons", count(&Counts::vertices)},
-        {"largest", "vertices of the largest polygon", count(&Counts::largest)},
+        {"largest", "vertices of the largest polygon", largest(&Counts::largest)},
         {"splits", "cuts of a region that touched or covered itself", count(&Counts::splits)},
         {"border", "edges of one face", edges(&Edges::border)},
         {"non_manifold", "edges of more than two faces", edges(&Edges::non_manifold)},
@@ -130,7 +127,7 @@ const run::Table<MeshResult>& counts_table() {
         {"folded", "edges of two faces that are folded onto each other", edges(&Edges::folded)},
         {"kept_apart", "edges between coplanar faces left by splits", edges(&Edges::kept_apart)},
         {"crease", "edges between faces that are not coplanar", edges(&Edges::crease)},
-        {"off_plane", "the largest move of a vertex onto its polygon's plane", count(&Counts::off_plane)}};
+        {"off_plane", "the largest move of a vertex onto its polygon's plane", largest(&Counts::off_plane)}};
     for (std::size_t i = 0; i < kQuestions.size(); ++i) {
       const std::string question(to_string(kQuestions[i]));
       columns.emplace_back(question + "_asked", "balls compared with the faces",
@@ -139,7 +136,7 @@ const run::Table<MeshResult>& counts_table() {
                            [i](const Row& row) { return row.differences.differ[i]; });
     }
     columns.emplace_back("distance_difference", "the largest difference of nearest distances",
-                         run::path(&Row::differences, &Differences::distance));
+                         [](const Row& row) { return row.differences.distance.value; });
     return run::Table<Row>("merge.csv", "a mesh", columns);
   }();
   return table;

@@ -12,11 +12,10 @@
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/meshes.h"
-#include "experiments/run/statistics/clopper_pearson.h"
-#include "experiments/run/statistics/percent.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
-#include "experiments/studies/meshes/study.h"
+#include "experiments/studies/meshes/measure.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::meshes {

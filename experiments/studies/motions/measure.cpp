@@ -11,7 +11,7 @@
 #include "experiments/cases/workloads/grazing_radius.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/statistics/units.h"
+#include "experiments/run/statistics/errors.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/motion.h"

@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "experiments/studies/motions/measure.h"
 
 namespace touchstone::motions {

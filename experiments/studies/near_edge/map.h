@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/run/sweep.h"
-#include "experiments/studies/near_edge/study.h"
+#include "experiments/studies/near_edge/measure.h"
 
 namespace touchstone::near_edge {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/studies/near_edge/study.h"
+#include "experiments/studies/near_edge/measure.h"
 
 namespace touchstone::near_edge {
 

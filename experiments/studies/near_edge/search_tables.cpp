@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/statistics/clopper_pearson.h"
-#include "experiments/run/statistics/percent.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/studies/near_edge/search.h"
 
 namespace touchstone::near_edge {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "experiments/run/statistics/percent.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/studies/near_edge/map.h"
 
 namespace touchstone::near_edge {

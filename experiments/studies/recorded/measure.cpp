@@ -10,8 +10,8 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/methods/process/engine_process.h"
-#include "experiments/run/data.h"
-#include "experiments/run/run_record.h"
+#include "experiments/run/input.h"
+#include "experiments/run/quoting.h"
 
 namespace touchstone::recorded {
 namespace {

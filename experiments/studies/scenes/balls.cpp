@@ -12,7 +12,7 @@
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/run/input.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/detail/text_number.h"
 

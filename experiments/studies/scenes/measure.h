@@ -10,7 +10,7 @@
 
 #include "experiments/cases/method.h"
 #include "experiments/cases/workloads/meshes.h"
-#include "experiments/run/blocks.h"
+#include "experiments/run/sweep.h"
 #include "experiments/studies/scenes/balls.h"
 #include "robust/scene/scene.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "experiments/cases/workloads/adversarial/case.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
 #include "experiments/studies/soak/system_under_test.h"
 #include "robust/filtered/stage.h"

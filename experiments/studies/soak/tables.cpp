@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include "experiments/run/counted.h"
-#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
 #include "experiments/studies/soak/measure.h"
 
 namespace touchstone::soak {

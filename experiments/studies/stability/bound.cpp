@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-#include "experiments/studies/stability/measure.h"
+#include "experiments/studies/stability/stress.h"
 #include "geometry/contact/fast.h"
 #include "robust/filtered/detail/polygon/exact_edges.h"
 #include "robust/filtered/detail/polygon/frame_query.h"

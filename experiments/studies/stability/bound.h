@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/studies/stability/environment.h"
-#include "experiments/studies/stability/rational.h"
+#include "experiments/studies/stability/axis.h"
+#include "experiments/studies/stability/stress.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 #include "robust/filtered/filtered.h"

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <tuple>
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/run/distribution.h"
-#include "experiments/run/run_control.h"
-#include "experiments/studies/stability/study.h"
+#include "experiments/run/statistics/errors.h"
+#include "experiments/run/sweep.h"
+#include "experiments/run/table.h"
+#include "experiments/studies/stability/known.h"
+#include "experiments/studies/stability/measure.h"
 
 namespace touchstone::stability {
 
@@ -92,5 +95,20 @@ struct Summary {
 /// function of the settings and the number of its blocks, which are the first ones, independent of threads
 /// and stops.
 void run_study(const Settings& settings, const run::RunControl<Summary>& course, Summary& summary);
+
+// Results only: byte for byte the same for the same settings, whatever the threads. Each throws std::runtime_error,
+// which names the file, if it cannot be written. tables() says what the tables hold.
+
+void write_failures(const std::filesystem::path& folder, const Settings& settings, const Summary& summary);
+void write_errors(const std::filesystem::path& folder, const Settings& settings, const Summary& summary);
+void write_bounds(const std::filesystem::path& folder, const Settings& settings, const Summary& summary);
+/// worst.jsonl: the worst case of each axis and method, as `touchstone judge --methods NAME` takes it; the method is
+/// its first tag. Axes that compare with an intended motion and those of the floating-point mode have none.
+void write_worst(const std::filesystem::path& folder, const Summary& summary);
+
+[[nodiscard]] std::vector<run::TableDescription> tables();
+
+/// Returns the tables for the terminal, with their legend.
+[[nodiscard]] std::string table(const Settings& settings, const Summary& summary, const Known& known);
 
 }  // namespace touchstone::stability

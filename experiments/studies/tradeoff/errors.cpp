@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "experiments/methods/registry.h"
-#include "experiments/run/statistics/units.h"
+#include "experiments/run/statistics/errors.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::tradeoff {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/run/distribution.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/statistics/errors.h"
+#include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
 
 namespace touchstone::tradeoff {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/run/statistics/bounded_mean.h"
+#include "experiments/run/statistics/shares.h"
 
 namespace touchstone::tradeoff {
 namespace {

@@ -6,9 +6,8 @@
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/statistics/bounded_mean.h"
-#include "experiments/run/statistics/percent.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "robust/exact/exact.h"
 

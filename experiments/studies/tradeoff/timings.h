@@ -10,7 +10,7 @@
 
 #include "experiments/cases/method.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/run/timing/measurement.h"
+#include "experiments/run/timing.h"
 
 namespace touchstone::tradeoff {
 

@@ -11,10 +11,9 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/run/blocks.h"
-#include "experiments/run/run_control.h"
+#include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
-#include "experiments/run/timing/measurement.h"
+#include "experiments/run/timing.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
 #include "robust/filtered/filtered.h"

@@ -2,21 +2,13 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "experiments/run/command.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/pictures.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/stop_signal.h"
+#include "experiments/run/command_run.h"
 #include "experiments/run/table.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/configuration/area.h"
@@ -26,12 +18,9 @@
 namespace touchstone::cell {
 namespace {
 
-struct AreaOptions : RunOptions, run::Printing {
-  std::string output = "results/cell-area";
+struct AreaOptions : RunOptions, run::FolderOptions {
   double angle_step = 5, length_step = 25;
   unsigned threads = run::all_threads();
-  bool force = false, no_pictures = false;
-  std::string line;  ///< that repeats the run
 };
 
 /// The multiples of a step from `low` to `high`, both at most half a step away.
@@ -86,9 +75,7 @@ std::string table_of(const std::vector<Tried>& tried) {
 }
 
 int run(const AreaOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, options.line, {.force = options.force});
+  run::CommandRun run(options);
   const Cell cell = cell_of(options);
   const auto parts = build_model(cell);
   const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(parts));
@@ -104,33 +91,23 @@ int run(const AreaOptions& options) {
   const Grid plan{multiples(-180, 180 - options.angle_step, options.angle_step), radii, {cell.storage.height}};
   const Grid heights{{cell.storage.angle}, radii, multiples(lowest, reach.height + reach.outer, step)};
 
-  const run::StopSignal stop_signal;
   std::optional<std::vector<Tried>> in_plan, in_height;
   {
-    run::ProgressLine line("places of the storage", plan.size() + heights.size(), 0, !options.quiet);
-    in_plan = try_places(cell, parts, covered, plan, rule_of(options), options.threads, stop_signal.requested(),
-                         std::ref(line));
+    run::ProgressLine line = run.progress("places of the storage", plan.size() + heights.size());
+    in_plan = try_places(cell, parts, covered, plan, rule_of(options), options.threads, run.stop(), std::ref(line));
     if (in_plan)
-      in_height = try_places(cell, parts, covered, heights, rule_of(options), options.threads, stop_signal.requested(),
+      in_height = try_places(cell, parts, covered, heights, rule_of(options), options.threads, run.stop(),
                              [&](std::uint64_t done) { line(plan.size() + done); });
   }
-  if (!in_height) {
-    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
-    return run::kInterrupted;
-  }
-  plan_csv().write(folder, *in_plan);
-  heights_csv().write(folder, *in_height);
-  stations_csv().write(folder, {{"storage", &cell.storage}, {"machine", &cell.machine}});
-  run::write_run_record(folder,
-                        {.command = options.line,
-                         .samples_asked = plan.size() + heights.size(),
-                         .samples_done = plan.size() + heights.size(),
-                         .threads = options.threads,
-                         .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
-  options.print(fmt::format("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
-                            cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height)),
-                folder);
-  return options.no_pictures ? 0 : run::draw_pictures("cell_area", held);
+  if (!in_height) return run.finish_unwritten();
+  plan_csv().write(run.folder(), *in_plan);
+  heights_csv().write(run.folder(), *in_height);
+  stations_csv().write(run.folder(), {{"storage", &cell.storage}, {"machine", &cell.machine}});
+  const std::uint64_t places = plan.size() + heights.size();
+  return run.finish({.samples_asked = places, .samples_done = places, .threads = options.threads},
+                    fmt::format("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
+                                cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height)),
+                    "cell_area");
 }
 
 }  // namespace
@@ -138,7 +115,7 @@ int run(const AreaOptions& options) {
 run::Command area_command() {
   run::Command command("area", "Find where the storage may stand: the area of configuration and the heights");
   auto options = std::make_shared<AreaOptions>();
-  command.keep_line(options->line);
+  options->output = "results/cell-area";
   command.footer(
       "Runs the whole process with the storage at every place of a grid, and reports which runs complete, and why "
       "the others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and "
@@ -149,9 +126,7 @@ run::Command area_command() {
   command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
   command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
   command.threads(options->threads);
-  command.output(options->output, "Folder for the CSV files, run.json and pictures");
-  command.force(options->force);
-  command.no_pictures(options->no_pictures);
+  run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
   run::declare_printing(command, *options);
   command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
   command.example("cell area experiments/thesis/cell/cells/aristo.json --angle-step 90 --length-step 2000");

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/browser/cell_json.h"
 #include "experiments/thesis/cell/browser/page.h"
 #include "experiments/thesis/cell/browser/recording.h"

@@ -8,10 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/run/data.h"
 #include "experiments/run/input.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "geometry/io/detail/legible.h"
 

@@ -11,11 +11,8 @@
 
 #include "experiments/cases/method.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/command.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/command_run.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"
@@ -26,10 +23,8 @@
 namespace touchstone::cell {
 namespace {
 
-struct RunCommandOptions : RunOptions, run::Printing {
-  std::string output;
-  bool every_face = false, force = false;
-  std::string line;  ///< that repeats the run
+struct RunCommandOptions : RunOptions, run::FolderOptions {
+  bool every_face = false;
 };
 
 /// Seconds since it was made, or last asked.
@@ -62,7 +57,6 @@ class PieceRun {
   [[nodiscard]] bool completed() const { return process_.failure.empty(); }
   [[nodiscard]] std::size_t stops() const { return process_.stops.size(); }
   [[nodiscard]] std::size_t disagreements() const { return comparison_.disagreements.size(); }
-  [[nodiscard]] double seconds() const { return before_ + cycle_ + measured_ + held_; }
   [[nodiscard]] std::string text() const {
     return fmt::format(
         "{}\n"
@@ -109,8 +103,7 @@ std::vector<run::TableDescription> tables_of(const std::vector<std::string>& pie
 }
 
 int run(const RunCommandOptions& options) {
-  std::optional<run::OutputFolder> folder;
-  if (!options.output.empty()) folder.emplace(options.output, options.line, run::Existing{.force = options.force});
+  run::CommandRun run(options);
   const Plant plant = plant_of(options);
   const std::vector<std::size_t> pieces = pieces_of(plant, options);
   const auto methods = options.methods.methods();
@@ -118,14 +111,13 @@ int run(const RunCommandOptions& options) {
   std::vector<std::string> names;
   std::string text;
   std::size_t stops = 0, disagreements = 0;
-  double seconds = 0;
   for (std::size_t i = 0; i < pieces.size() && (runs.empty() || runs.back()->completed()); ++i) {
     names.push_back(plant.pieces[pieces[i]].name);
     runs.push_back(std::make_unique<PieceRun>(cell_of(plant, pieces[i]), options, methods));
     if (pieces.size() > 1)
       text += fmt::format("{}piece {} of {}: {}\n", i > 0 ? "\n" : "", i + 1, pieces.size(), names.back());
     text += runs.back()->text();
-    stops += runs.back()->stops(), disagreements += runs.back()->disagreements(), seconds += runs.back()->seconds();
+    stops += runs.back()->stops(), disagreements += runs.back()->disagreements();
   }
   if (runs.size() < pieces.size()) text += fmt::format("{} more pieces are not handled\n", pieces.size() - runs.size());
   const auto write = [&](const std::filesystem::path& to) {
@@ -135,10 +127,9 @@ int run(const RunCommandOptions& options) {
       runs[i]->write(into);
     }
   };
-  if (!options.output.empty()) {
-    write(options.output);
-    run::write_run_record(options.output,
-                          {.command = options.line, .samples_asked = stops, .samples_done = stops, .seconds = seconds});
+  if (run.has_folder()) {
+    write(run.folder());
+    run.write_record({.samples_asked = stops, .samples_done = stops});
     text += fmt::format("moves, trajectory, distances, methods and {} disagreements: {}\n", disagreements,
                         io::all_legible(options.output));
   }
@@ -153,16 +144,14 @@ int run(const RunCommandOptions& options) {
 run::Command run_command() {
   run::Command command("run", "Run the cell's whole process, and compare every method with the exact answer");
   auto options = std::make_shared<RunCommandOptions>();
-  command.keep_line(options->line);
   command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, docs/formats.md has its keys")
       .required();
   add_run_options(command, *options);
   command.flag("--every-face", options->every_face,
                "Also ask about faces whose boxes the sphere misses (except with slow methods)");
-  command.output(options->output,
-                 "A folder for moves, trajectory, distances, methods and disagreements; of each piece a folder if "
-                 "there are several");
-  command.force(options->force);
+  run::declare_output(command, *options,
+                      "A folder for moves, trajectory, distances, methods and disagreements; of each piece a folder if "
+                      "there are several");
   run::declare_printing(command, *options);
   command.writes(run_tables());
   command.example("cell run experiments/thesis/cell/cells/aristo.json --methods fast,thesis");

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/data.h"
-#include "experiments/run/standard_output.h"
+#include "experiments/run/input.h"
+#include "experiments/run/printing.h"
 #include "experiments/run/stop_signal.h"
 #include "experiments/thesis/cell/browser/http_server.h"
 #include "experiments/thesis/cell/browser/recording.h"

@@ -8,8 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "experiments/run/output.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/model/link_model.h"
 #include "experiments/thesis/cell/model/reach.h"
 

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "experiments/run/data.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/input.h"
+#include "experiments/run/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/model/read_at_most.h"
 

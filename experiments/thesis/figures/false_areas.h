@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/thesis/figures/outlines.h"
 
 namespace touchstone::figures {

@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "experiments/run/output.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/kinematics/aristo.h"
 #include "experiments/thesis/cell/model/bounds.h"
 #include "experiments/thesis/figures/drawn_cell.h"

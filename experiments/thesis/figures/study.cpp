@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <iterator>
 
-#include "experiments/run/data.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/input.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/figures/drawn_cell.h"
 

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "experiments/run/command.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/pictures.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/stop_signal.h"
+#include "experiments/run/command_run.h"
 #include "experiments/run/study.h"
 #include "experiments/thesis/figures/entry.h"
 #include "experiments/thesis/figures/output.h"
@@ -23,12 +15,11 @@ namespace {
 
 using namespace figures;
 
-struct Options : run::Printing {
+struct Options : run::FolderOptions {
   std::uint64_t samples = 0;  ///< 0: as many as the settings say
   std::uint64_t seed = 1;
   unsigned threads = run::all_threads();
-  std::string output = "results/thesis";
-  bool quick = false, force = false, no_pictures = false;
+  bool quick = false;
 
   [[nodiscard]] Settings settings() const {
     Settings settings;
@@ -39,41 +30,29 @@ struct Options : run::Printing {
     settings.seed = seed;
     return settings;
   }
-  std::string line;  ///< that repeats the run
 };
 
 int run_thesis(const Options& options) {
-  const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, options.line, {.force = options.force});
-  const auto begin = std::chrono::steady_clock::now();
+  run::CommandRun run(options);
   const Settings settings = options.settings();
-  const run::StopSignal stop_signal;
   const auto study = [&] {
     std::optional<run::ProgressLine> line;
-    return run_study(settings, options.threads, stop_signal.requested(), [&](std::uint64_t done, std::uint64_t total) {
+    return run_study(settings, options.threads, run.stop(), [&](std::uint64_t done, std::uint64_t total) {
       if (!line) line.emplace("thesis: parts", total, 0, !options.quiet);
       (*line)(done);
     });
   }();
-  if (!study) {
-    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
-    return run::kInterrupted;
-  }
+  if (!study) return run.finish_unwritten();
   const std::vector<Entry> entries = entries_of(*study);
-  write_entries(folder, entries);
-  write_data(folder, *study);
-  run::Run record;
-  record.command = options.line;
-  record.seed = settings.seed;
-  record.samples_asked = record.samples_done = settings.samples;
-  record.threads = options.threads;
-  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  run::write_run_record(folder, record);
-  options.print(table(entries), folder);
-  if (options.no_pictures) return 0;
-  const int status = run::draw_pictures("thesis", held);
-  if (status == 0 && options.prints_text())
-    fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
+  write_entries(run.folder(), entries);
+  write_data(run.folder(), *study);
+  const int status = run.finish({.seed = settings.seed,
+                                 .samples_asked = settings.samples,
+                                 .samples_done = settings.samples,
+                                 .threads = options.threads},
+                                table(entries), "thesis");
+  if (status == 0 && options.prints_text() && !options.no_pictures)
+    fmt::print("all of them on one page: {}\n", (run.folder() / "index.html").string());
   return status;
 }
 
@@ -81,8 +60,8 @@ int run_thesis(const Options& options) {
 
 run::Command thesis_command() {
   auto options = std::make_shared<Options>();
+  options->output = "results/thesis";
   run::Command command("thesis", "Reproduce every figure and table of the 2008 thesis: compare its numbers with ours");
-  command.keep_line(options->line);
   command.footer(
       "Makes one entry for each figure and table that the thesis lists, and for each known error of its method: the "
       "numbers that can be computed, the stated numbers, whether they agree, and a picture. Writes CSV files, "
@@ -92,9 +71,7 @@ run::Command thesis_command() {
   command.flag("--quick", options->quick, "A tenth of the samples, and coarser steps between places of the storage");
   command.seed(options->seed);
   command.threads(options->threads);
-  command.output(options->output, "Folder for all files");
-  command.force(options->force);
-  command.no_pictures(options->no_pictures);
+  run::declare_output(command, *options, "Folder for all files", true);
   run::declare_printing(command, *options);
   command.writes(tables());
   command.example("thesis --quick");

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/run/json.h"
+
 namespace touchstone::cases {
 namespace {
 

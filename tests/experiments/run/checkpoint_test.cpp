@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run {

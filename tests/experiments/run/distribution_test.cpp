@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/run/distribution.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +6,8 @@
 #include <limits>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/archive.h"
+#include "experiments/run/state.h"
+#include "experiments/run/statistics/errors.h"
 
 namespace touchstone::statistics {
 namespace {

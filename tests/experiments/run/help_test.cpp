@@ -11,13 +11,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "experiments/run/colour.h"
 #include "experiments/run/command.h"
-#include "experiments/run/completion.h"
-#include "experiments/run/manual.h"
+#include "experiments/run/quoting.h"
 #include "experiments/run/similar_words.h"
-#include "experiments/run/table_json.h"
-#include "experiments/run/xml_text.h"
+#include "experiments/run/table.h"
+#include "experiments/run/terminal.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two runs never write the same folder, and no run overwrites the results of another.
-#include "experiments/run/output_folder.h"
-
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run {

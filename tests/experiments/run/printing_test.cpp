@@ -9,8 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "experiments/run/standard_output.h"
-
 namespace touchstone::run {
 namespace {
 

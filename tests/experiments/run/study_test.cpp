@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/run/run_record.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
+#include "experiments/run/quoting.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run {

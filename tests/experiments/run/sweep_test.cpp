@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "experiments/run/progress_line.h"
+#include "experiments/run/terminal.h"
 #include "tests/experiments/support/unwatched.h"
 
 namespace touchstone::run {

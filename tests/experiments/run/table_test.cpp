@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/shares.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/run/write_file.h"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -15,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/output_folder.h"
+#include "experiments/run/output.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run_tests {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "experiments/run/run_control.h"
+#include "experiments/run/sweep.h"
 
 /// The control of a run in one process that is never stopped and shows no progress.
 namespace touchstone::run_tests {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/shares.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/kernels.h"

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/statistics/clopper_pearson.h"
+#include "experiments/run/statistics/shares.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "robust/scene/posing.h"

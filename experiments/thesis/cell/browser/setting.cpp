@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "experiments/methods/registry.h"
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/model/change_cell.h"
 #include "experiments/thesis/cell/model/reach.h"

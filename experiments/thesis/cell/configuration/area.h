@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/blocks.h"
+#include "experiments/run/sweep.h"
 #include "experiments/thesis/cell/model/cell.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/simulation/process.h"

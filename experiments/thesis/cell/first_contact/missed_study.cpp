@@ -9,9 +9,8 @@
 
 #include "experiments/cases/workloads/degrees.h"
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/counted.h"
-#include "experiments/run/statistics/clopper_pearson.h"
-#include "experiments/run/statistics/percent.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/statistics/shares.h"
 #include "experiments/run/table.h"
 #include "experiments/thesis/cell/first_contact/first_contact.h"
 #include "experiments/thesis/cell/first_contact/stepped_contact.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/blocks.h"
+#include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
 #include "experiments/thesis/cell/first_contact/arc.h"
 #include "geometry/shapes/polygon.h"

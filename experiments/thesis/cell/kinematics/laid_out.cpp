@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/run/data.h"
+#include "experiments/run/input.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"

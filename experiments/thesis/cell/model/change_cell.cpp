@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 
 namespace touchstone::cell {

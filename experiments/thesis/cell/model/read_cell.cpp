@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/json/strict_json.h"
+#include "experiments/run/json.h"
 #include "experiments/thesis/cell/model/change_cell.h"
 #include "experiments/thesis/cell/model/reach.h"
 #include "experiments/thesis/cell/model/read_at_most.h"

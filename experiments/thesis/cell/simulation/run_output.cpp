@@ -12,8 +12,8 @@
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/run/output.h"
 #include "experiments/run/table.h"
-#include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/simulation/cycle_time.h"
 #include "experiments/thesis/cell/simulation/separation_output.h"
 #include "experiments/thesis/cell/simulation/triggers_output.h"

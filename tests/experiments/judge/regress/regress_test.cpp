@@ -15,7 +15,7 @@
 #include "experiments/commands.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"

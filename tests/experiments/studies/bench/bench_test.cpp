@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/timing/output.h"
+#include "experiments/run/timing.h"
 #include "experiments/studies/bench/families.h"
 #include "tests/experiments/studies/bench/run_bench.h"
 #include "tests/experiments/support/scratch.h"

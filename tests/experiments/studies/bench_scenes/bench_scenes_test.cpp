@@ -11,7 +11,7 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/commands.h"
-#include "experiments/studies/bench_scenes/brute_force.h"
+#include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/motions.h"
 #include "geometry/bvh/box.h"
 #include "geometry/contact/fast_triangle.h"

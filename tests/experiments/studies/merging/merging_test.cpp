@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "experiments/commands.h"
+#include "experiments/run/output.h"
 #include "experiments/run/stop_signal.h"
-#include "experiments/run/write_file.h"
-#include "experiments/studies/merging/study.h"
+#include "experiments/studies/merging/measure.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
@@ -137,14 +137,51 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
   ended = true;
   interrupting.join();
   EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
-  EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers the first 0 of 1 meshes"),
+  EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers 0 of 1 samples"),
             std::string::npos)
       << ran.err;
   const auto record = nlohmann::json::parse(run_tests::text_of(scratch.path / "out" / "run.json"));
   EXPECT_EQ(record["interrupted"], true);
   EXPECT_EQ(record["samples_asked"], 1);
   EXPECT_EQ(record["samples_done"], 0);
-  EXPECT_EQ(record["samples_missing"], 1);
+  EXPECT_EQ(record["samples_missing"], 0);
+}
+
+/// Two meshes and a bad file, and where the run writes.
+std::vector<std::string> three_files(const std::filesystem::path& folder, const std::string& output) {
+  run::write_file(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  run::write_file(folder / "none.obj", "v 0 0 0\n");
+  run::write_file(folder / "b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  return {folder / "a.obj", folder / "none.obj", folder / "b.obj", "--compare", "9", "--output", folder / output};
+}
+
+TEST(MergeCommand, PartsAddUpToTheCountsOfOneRun) {
+  const run_tests::Scratch scratch;
+  const auto status = [&](const std::string& output, const std::string& part) {
+    auto arguments = three_files(scratch.path, output);
+    if (!part.empty()) arguments.insert(arguments.end(), {"--part", part});
+    return run_tests::run_captured(commands::merging_command, arguments).status;
+  };
+  EXPECT_EQ(status("whole", ""), 2) << "for the bad file";
+  EXPECT_EQ(status("one", "1/2"), 2);
+  EXPECT_EQ(status("two", "2/2"), 0);
+  auto arguments = three_files(scratch.path, "merged");
+  arguments.emplace_back("--quiet");
+  EXPECT_EQ(commands::merging_command().merge({scratch.path / "one", scratch.path / "two"}, arguments), 2);
+  for (const char* file : {"merge.csv", "polygons.csv"})
+    EXPECT_EQ(run_tests::text_of(scratch.path / "merged" / file), run_tests::text_of(scratch.path / "whole" / file));
+}
+
+// What is done is not done again: the times are those of the first run.
+TEST(MergeCommand, ResumesBehindTheFilesThatAreDone) {
+  const run_tests::Scratch scratch;
+  auto arguments = three_files(scratch.path, "out");
+  EXPECT_EQ(run_tests::run_captured(commands::merging_command, arguments).status, 2);
+  const std::string times = run_tests::text_of(scratch.path / "out" / "merge-times.csv");
+  std::filesystem::remove(scratch.path / "a.obj");
+  arguments.emplace_back("--resume");
+  EXPECT_EQ(run_tests::run_captured(commands::merging_command, arguments).err, "");
+  EXPECT_EQ(run_tests::text_of(scratch.path / "out" / "merge-times.csv"), times);
 }
 
 TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {

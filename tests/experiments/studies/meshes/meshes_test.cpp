@@ -17,9 +17,10 @@
 
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/meshes/study.h"
+#include "experiments/studies/meshes/measure.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
+#include "tests/experiments/support/unwatched.h"
 
 namespace touchstone::meshes {
 namespace {
@@ -86,11 +87,15 @@ class MeshContact : public testing::Test {
   fs::path folder, cube;
 };
 
-Result study(const fs::path& mesh, const std::vector<std::string>& methods, unsigned threads = 1,
-             std::uint64_t seed = 1) {
-  const std::atomic<bool> stop = false;
-  return run_study({.methods = methods::find_methods(methods), .seed = seed, .threads = threads},
-                   {{"model/cube", read_mesh(mesh).mesh}}, stop, [](std::uint64_t) {});
+Result measured(const Settings& settings, const std::vector<NamedMesh>& meshes,
+                const std::atomic<bool>& stop = run_tests::kNeverStop) {
+  Result result = no_result(settings, meshes);
+  measure(settings, meshes, {stop, run_tests::kSilent}, result);
+  return result;
+}
+
+Result study(const fs::path& mesh, const std::vector<std::string>& methods) {
+  return measured({.methods = methods::find_methods(methods)}, {{"model/cube", read_mesh(mesh).mesh}});
 }
 
 std::vector<nlohmann::json> lines_of(const fs::path& file) {
@@ -154,8 +159,7 @@ TEST_F(MeshContact, ThreadsChangeNothingAndTheSeedDoes) {
   const auto counts = [&](unsigned threads, std::uint64_t seed) {
     const Settings settings{.methods = methods::find_methods({"all"}), .seed = seed, .threads = threads};
     const std::vector<NamedMesh> meshes{{"model/cube", read_mesh(cube).mesh}, {"again", read_mesh(cube).mesh}};
-    const std::atomic<bool> stop = false;
-    const Result result = run_study(settings, meshes, stop, [](std::uint64_t) {});
+    const Result result = measured(settings, meshes);
     write_failures(folder, settings, meshes, result);
     return table(settings, meshes, result) + text_of(folder / "failures.jsonl");
   };
@@ -167,9 +171,8 @@ TEST_F(MeshContact, ThreadsChangeNothingAndTheSeedDoes) {
 TEST_F(MeshContact, OtherMeshesChangeNothing) {
   const Mesh mesh = read_mesh(cube).mesh;
   const auto counts = [&](const std::vector<NamedMesh>& meshes) {
-    const std::atomic<bool> stop = false;
     const Settings settings{.methods = methods::find_methods({"fast", "thesis"}), .seed = 5};
-    const Result result = run_study(settings, meshes, stop, [](std::uint64_t) {});
+    const Result result = measured(settings, meshes);
     return result.meshes.back().methods[1].total(cases::Test::Contact).wrong;
   };
   EXPECT_EQ(counts({{"cube", mesh}}), counts({{"other", mesh}, {"cube", mesh}}));
@@ -177,10 +180,40 @@ TEST_F(MeshContact, OtherMeshesChangeNothing) {
 
 TEST_F(MeshContact, WhatIsStoppedHasComeToNothingMore) {
   const std::atomic<bool> stop = true;
-  const Result result = run_study({.methods = methods::find_methods({"fast"})}, {{"cube", read_mesh(cube).mesh}}, stop,
-                                  [](std::uint64_t) {});
-  EXPECT_EQ(result.meshes[0].faces, 0U);
-  EXPECT_EQ(result.faces, kFaces);
+  const Settings settings{.methods = methods::find_methods({"fast"})};
+  const std::vector<NamedMesh> meshes{{"cube", read_mesh(cube).mesh}};
+  EXPECT_EQ(items_done(measured(settings, meshes, stop)), 0U);
+  EXPECT_EQ(face_count(settings, meshes), kFaces);
+}
+
+// The faces of a part lie in several meshes.
+TEST_F(MeshContact, PartsAddUpToTheBytesOfOneRun) {
+  write("again.obj", kCube);
+  const std::string run = "meshes model/cube.obj again.obj --skip-bad --methods exact,thesis,fast --output ";
+  ASSERT_EQ(touchstone(run + "whole").status, 0);
+  for (const char* part : {"1", "2", "3"})
+    ASSERT_EQ(touchstone(run + "part" + part + " --part " + part + "/3").status, 0) << part;
+  const Run merged = touchstone("merge part1 part2 part3 --output merged");
+  ASSERT_EQ(merged.status, 0) << merged.err;
+  for (const char* file : {"meshes.csv", "rejected.csv", "failures.jsonl", "left-out.txt", "checkpoint.json"}) {
+    EXPECT_EQ(text_of(folder / "merged" / file), text_of(folder / "whole" / file)) << file;
+    EXPECT_TRUE(file == std::string("left-out.txt") || !text_of(folder / "whole" / file).empty()) << file;
+  }
+}
+
+TEST_F(MeshContact, AResumedRunIsOfTheSameMeshesMethodsAndFaces) {
+  const std::string run = "meshes model/cube.obj --skip-bad --methods fast --faces 3 --output o";
+  ASSERT_EQ(touchstone(run).status, 0);
+  const std::string counts = text_of(folder / "o/meshes.csv");
+  EXPECT_EQ(touchstone(run + " --resume").status, 0);
+  EXPECT_EQ(text_of(folder / "o/meshes.csv"), counts);
+  for (const auto& [option, other] : {std::pair("--faces 3", "--faces 4"), std::pair("fast", "exact")}) {
+    std::string changed = run;
+    changed.replace(changed.find(option), std::string(option).size(), other);
+    const Run refused = touchstone(changed + " --resume");
+    EXPECT_EQ(refused.status, 2) << changed;
+    EXPECT_NE(refused.err.find("checkpoint.json: is of --"), std::string::npos) << refused.err;
+  }
 }
 
 TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {

@@ -12,7 +12,7 @@
 #include "experiments/methods/registry.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/near_edge/map.h"
-#include "experiments/studies/near_edge/study.h"
+#include "experiments/studies/near_edge/measure.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "experiments/commands.h"
+#include "experiments/run/output.h"
 #include "experiments/run/stop_signal.h"
-#include "experiments/run/write_file.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/stability/known.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "experiments/studies/stability/contraction.h"
 #include "tests/experiments/studies/stability/small_study.h"
 
 namespace touchstone::stability {

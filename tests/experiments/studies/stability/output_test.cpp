@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written of the study: worst cases, first failures, tables.
-#include "experiments/studies/stability/output.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +14,7 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
 #include "experiments/methods/registry.h"
+#include "experiments/studies/stability/summary.h"
 #include "tests/experiments/studies/stability/small_study.h"
 #include "tests/experiments/support/scratch.h"
 

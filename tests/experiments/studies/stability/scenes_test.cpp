@@ -6,10 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "experiments/studies/stability/measure.h"
-#include "experiments/studies/stability/motion.h"
-#include "experiments/studies/stability/rational.h"
 #include "experiments/studies/stability/scene.h"
+#include "experiments/studies/stability/stress.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::stability {

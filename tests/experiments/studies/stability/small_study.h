@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "experiments/methods/registry.h"
-#include "experiments/studies/stability/onset.h"
-#include "experiments/studies/stability/study.h"
+#include "experiments/studies/stability/known.h"
+#include "experiments/studies/stability/measure.h"
 #include "experiments/studies/stability/summary.h"
 #include "tests/experiments/support/unwatched.h"
 

@@ -15,7 +15,7 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/stability/output.h"
+#include "experiments/studies/stability/summary.h"
 #include "tests/experiments/studies/stability/small_study.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"

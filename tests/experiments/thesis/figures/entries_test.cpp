@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/data.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/input.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/figures/entry.h"
 #include "tests/experiments/support/scratch.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/browser/cell_json.h"
 #include "experiments/thesis/cell/browser/page.h"
 #include "tests/experiments/support/run_command.h"

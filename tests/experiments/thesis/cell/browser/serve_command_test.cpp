@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/cell/browser/aristo.h"

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::cell_model_tests {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/bounds.h"
 #include "experiments/thesis/cell/model/solid_faces.h"
 #include "experiments/thesis/cell/simulation/arm.h"

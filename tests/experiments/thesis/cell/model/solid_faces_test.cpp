@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "experiments/run/write_file.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/quarter_turn.h"
 #include "robust/exact/exact.h"

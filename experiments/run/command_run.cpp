@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run/command_run.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "experiments/run/pictures.h"
+
+namespace touchstone::run {
+
+void declare_output(Command& command, FolderOptions& options, const std::string& about, bool has_pictures) {
+  command.output(options.output, about);
+  options.needs_folder = !options.output.empty();
+  command.force(options.force);
+  if (has_pictures) command.no_pictures(options.no_pictures);
+  command.keep_line(options.line);
+}
+
+CommandRun::CommandRun(const FolderOptions& options, bool resume) : options_(options) {
+  if (options.needs_folder || !options.output.empty())
+    held_.emplace(options.output, options.line, Existing{.force = options.force, .resume = resume});
+}
+
+const std::atomic<bool>& CommandRun::stop() {
+  if (!stop_signal_) stop_signal_.emplace();
+  return stop_signal_->requested();
+}
+
+double CommandRun::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+ProgressLine CommandRun::progress(const std::string& what, std::uint64_t total, std::uint64_t before) const {
+  return ProgressLine(what, total, before, !options_.quiet);
+}
+
+void CommandRun::write_record(Run record) const {
+  record.command = options_.line;
+  record.seconds = seconds();
+  write_run_record(folder(), record);
+}
+
+int CommandRun::draw(const std::string& script) const {
+  return options_.no_pictures ? 0 : draw_pictures(script, *held_);
+}
+
+int CommandRun::finish(Run record, const std::string& text, const std::string& script) const {
+  write_record(std::move(record));
+  options_.print(text, folder());
+  return script.empty() ? 0 : draw(script);
+}
+
+int CommandRun::finish_unwritten() {
+  fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
+  return kInterrupted;
+}
+
+}  // namespace touchstone::run

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/run/table.h"
+#include "experiments/run/timing.h"
+#include "experiments/studies/bench_scenes/library.h"
+#include "experiments/studies/bench_scenes/scenes.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/triangle.h"
+
+/// The study of query time against the number of triangles: `touchstone bench-scenes`.
+namespace touchstone::bench_scenes {
+
+/// The costs of poses, repetition by repetition.
+struct PoseCosts {
+  std::vector<double> nanoseconds;  ///< of Scene::set_pose
+  /// The time of queries after it, relative to those of a scene that was built of the posed triangles: whether balls
+  /// touch anything, which triangles they touch, and which is nearest.
+  std::vector<double> any, all, nearest;
+};
+
+/// The goals for objects of every size: nanoseconds, and ratios.
+inline constexpr timing::Goal kSetPoseGoal{1000}, kPosedQueryGoal{1.5};
+
+/// Turns and moves an object of these triangles many times, and asks about balls near it. Both scenes take turns, of
+/// which the quickest count. Throws std::logic_error if they differ about a ball.
+[[nodiscard]] PoseCosts measure_poses(const std::vector<Triangle>& triangles, std::span<const Ball> balls,
+                                      unsigned repetitions);
+
+enum class SceneQuestion { Any, All, Nearest };
+
+[[nodiscard]] std::string_view to_string(SceneQuestion question);
+
+/// A scene of one size.
+struct NamedScene {
+  std::string kind;  ///< scenes of one kind differ in their size alone
+  std::vector<Triangle> triangles;
+};
+
+/// The cost of building a scene with one library.
+struct Build {
+  std::string library;
+  std::vector<double> seconds;  ///< for each build
+  double bytes = 0;             ///< of memory per triangle, besides the given mesh
+};
+
+/// The length of a motion: one radius of its ball, or thirty.
+enum class MotionLength { Short, Long };
+
+[[nodiscard]] std::string_view to_string(MotionLength length);
+
+/// One benchmark of moving balls.
+struct MotionBenchmark {
+  MotionLength length;
+  timing::Result result;
+};
+
+/// One benchmark of a scene.
+struct SceneBenchmark {
+  BallPlace place;
+  SceneQuestion question;
+  timing::Result result;
+};
+
+struct SceneResult {
+  std::string kind;
+  std::size_t triangles;
+  std::vector<Build> builds;
+  std::vector<SceneBenchmark> benchmarks;
+  std::vector<std::string> disputes;  ///< where the exact scene and brute force differ: must be empty
+  PoseCosts poses = {};
+  std::vector<MotionBenchmark> motions = {};
+};
+
+struct SceneSettings {
+  std::uint64_t samples = 100'000;  ///< the number of balls, but at most 20,000 touching ones
+  std::uint64_t seed = 1;
+  unsigned repetitions = 11;
+  double seconds_of_repetition = timing::kSecondsOfRepetition;
+};
+
+/// The goals for a million triangles: build seconds, and bytes per triangle.
+inline constexpr timing::Goal kBuildGoal{0.5}, kMemoryGoal{64};
+/// The goal for the time of the exact scene, relative to that of Embree, in every row.
+inline constexpr timing::Goal kQueryGoal{0.7};
+
+/// Builds the scene with every library, keeps all of them, and queries them in turn, contest by contest; passes each
+/// contest to `keep`. An answer is wrong if it differs from the exact library's; an answer of the exact library, for
+/// the first balls, if it differs from brute force. Then measures moving balls, and poses, with the balls near the
+/// surface. Throws std::invalid_argument unless one of the libraries is exact.
+[[nodiscard]] SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries,
+                                        const SceneSettings& settings, const std::atomic<bool>& stop,
+                                        const std::function<void(const SceneResult&)>& built,
+                                        const std::function<void(const SceneBenchmark&)>& keep);
+
+/// The growth of a library's query time between two scenes of a kind, compared with that of log(triangles).
+struct Growth {
+  std::string kind, library;
+  BallPlace place;
+  SceneQuestion question;
+  std::size_t from, to;  ///< triangles
+  double times;          ///< the factor by which the time grew
+  double log_times;      ///< the factor by which the logarithm grew
+};
+
+/// Returns the growth from the smallest scene of at least 10,000 triangles (less a hundredth) to each larger one of its
+/// kind.
+[[nodiscard]] std::vector<Growth> growths(const std::vector<SceneResult>& results);
+
+/// Returns the build times and memory of one scene.
+[[nodiscard]] std::string builds_table(const SceneResult& result);
+/// Returns the costs of poses of one scene; nothing if they were not measured.
+[[nodiscard]] std::string poses_table(const SceneResult& result);
+/// Returns how the exact library's time grew.
+[[nodiscard]] std::string growth_table(const std::vector<Growth>& growths, const std::string& library);
+/// Returns every goal: ratios, builds, memory, poses, growth; how many were met, and which were not.
+[[nodiscard]] std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library);
+/// Returns the legend: the comparisons, and the meaning of the columns.
+[[nodiscard]] std::string scene_legend();
+
+[[nodiscard]] nlohmann::ordered_json json(const std::vector<SceneResult>& results);
+
+/// Writes all tables. Throws std::runtime_error, which names the file, if one cannot be written.
+void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);
+[[nodiscard]] std::vector<run::TableDescription> tables();
+
+}  // namespace touchstone::bench_scenes

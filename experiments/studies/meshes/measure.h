@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "experiments/cases/failures.h"
+#include "experiments/run/sweep.h"
+#include "experiments/run/table.h"
+#include "experiments/studies/meshes/balls.h"
+#include "geometry/shapes/mesh.h"
+#include "geometry/shapes/rejection.h"
+
+namespace touchstone::meshes {
+
+using cases::Failures;
+using cases::kTests;
+using cases::Test;
+
+/// A named mesh. The name is short, unique in a run, and seeds the random numbers.
+struct NamedMesh {
+  std::string name;
+  Mesh mesh;
+};
+
+struct Settings {
+  std::vector<const cases::Method*> methods{};
+  std::uint64_t seed = 1;
+  std::uint64_t faces = std::numeric_limits<std::uint64_t>::max();  ///< the most faces per mesh, from the first on
+  unsigned threads = 1;
+};
+
+struct MethodCounts {
+  std::array<std::array<Failures, kTests.size()>, kPlaces.size()>
+      at{};                       ///< by place, then test; without undecided ones
+  std::uint64_t faces_wrong = 0;  ///< faces with at least one wrong final answer
+
+  /// Returns the sum over all places.
+  [[nodiscard]] Failures total(Test test) const;
+  auto members() { return std::tie(at, faces_wrong); }
+};
+
+struct MeshCounts {
+  std::uint64_t faces = 0;                              ///< processed faces, accepted or rejected
+  std::uint64_t rejected = 0;                           ///< of these, by the contract
+  std::uint64_t queries = 0;                            ///< balls, each asked about with every method
+  std::array<std::uint64_t, kPlaces.size()> missing{};  ///< faces near which no such ball was found
+  std::vector<MethodCounts> methods;                    ///< in the order of the settings
+
+  auto members() { return std::tie(faces, rejected, queries, missing, methods); }
+};
+
+struct RejectedFace {
+  std::size_t mesh;
+  std::uint64_t face;
+  Rejection rejection;
+
+  auto members() { return std::tie(mesh, face, rejection.code, rejection.message); }
+};
+
+/// A query with a wrong answer of a method.
+struct Failure {
+  std::size_t method, mesh;
+  std::uint64_t face;
+  std::size_t ball;  ///< index in draw_mesh_balls
+  std::array<bool, kTests.size()> wrong;
+  int steps;
+  std::uint64_t lot;  ///< random, to break ties
+
+  auto members() { return std::tie(method, mesh, face, ball, wrong, steps, lot); }
+};
+
+/// The number of failures kept per method: wrong final answers first, then those farther from the threshold, then by
+/// lot.
+inline constexpr std::size_t kKeptFailures = 20;
+
+/// The results about some faces.
+struct Result {
+  std::vector<MeshCounts> meshes;      ///< in the order given
+  std::vector<RejectedFace> rejected;  ///< by mesh, then face
+  std::vector<Failure> failures;       ///< by method, the worst first
+
+  /// Adds the results about other faces.
+  Result& operator+=(const Result& other);
+  auto members() { return std::tie(meshes, rejected, failures); }
+};
+
+/// Returns the number of faces.
+[[nodiscard]] std::uint64_t items_done(const Result& result);
+
+/// Returns the number of requested faces in all meshes.
+[[nodiscard]] std::uint64_t face_count(const Settings& settings, const std::vector<NamedMesh>& meshes);
+
+/// Returns the result about no faces.
+[[nodiscard]] Result no_result(const Settings& settings, const std::vector<NamedMesh>& meshes);
+
+/// Asks every method about every ball of the faces from items_done(result) on, in the order of the meshes, and compares
+/// the answers with `exact` as cases::compare does.
+///
+/// A function of settings and meshes. `threads` does not change it, and the counts of one mesh and method do not depend
+/// on the others.
+void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl<Result>& control,
+             Result& result);
+
+// Results only: byte for byte the same for the same settings and meshes, whatever the number of threads. Faces are
+// numbered from 0. Each throws std::runtime_error, which names the file, if it cannot be written. tables() says what
+// the tables hold.
+
+void write_meshes(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
+                  const Result& result);
+void write_rejected(const std::filesystem::path& folder, const std::vector<NamedMesh>& meshes, const Result& result);
+/// failures.jsonl: the kept failures, in the contract's form of a case. A query that several methods fail is written
+/// once, with the tags of all. `expected` holds the exact answer to only those tests that they fail, so that a method
+/// that matches it passes these tests.
+void write_failures(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
+                    const Result& result);
+
+[[nodiscard]] std::vector<run::TableDescription> tables();
+
+/// Returns the table for the terminal: one row per mesh, the sum, the totals of each method, the rejected faces and a
+/// legend.
+[[nodiscard]] std::string table(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result);
+
+}  // namespace touchstone::meshes

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/study.h"
+#include "experiments/studies/near_edge/map.h"
+#include "experiments/studies/near_edge/search.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace near_edge;
+
+struct Options : run::StudyOptions {
+  methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed"}};
+  std::vector<std::string> families{"all"};
+  cases::Shape shape;
+  std::string oracle = "exact";
+  std::uint64_t search = 100;  // about 20 s
+  bool no_maps = false;
+};
+
+// Raised when sample n of a seed changes, or the form of what is kept.
+constexpr int kVersion = 3;
+
+constexpr const char* kSearchCheckpoint = "search-checkpoint.json";
+
+/// The phases of one run.
+class Run {
+ public:
+  Run(run::StudyRun& run, const Options& options)
+      : run_(run),
+        options_(options),
+        settings_{options.methods.methods(),
+                  workloads::find_families(options.families),
+                  options.samples,
+                  options.seed,
+                  options.threads,
+                  options.shape,
+                  methods::find_method(options.oracle)} {
+    workloads::require_vertices(settings_.families, options.shape.vertices);
+  }
+
+  int operator()() {
+    if (options_.search > 0) run_.require_resumable(kSearchCheckpoint, options_.search, no_onsets(settings_));
+    const std::string pace = sample();
+    if (!options_.no_maps && !run_.is_part()) draw();
+    if (options_.search > 0) search();
+    if (run_.is_part()) return run_.finish({.done = result_.samples, .missing = result_.missing});
+
+    std::string text = table(settings_, result_.counts) + pace;
+    if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
+    if (settings_.truth->name() != "exact")
+      text +=
+          fmt::format("{} was compared with exact for {}: {}.\n", options_.oracle,
+                      run::counted(result_.checked, "ball"), run::counted(result_.disagreements.count(), "difference"));
+    return run_.finish({.done = result_.samples,
+                        .missing = result_.missing,
+                        .text = std::move(text),
+                        .status = report_differences() ? 1 : 0});
+  }
+
+ private:
+  /// Returns a sentence on the samples and their pace.
+  std::string sample() {
+    std::uint64_t before = 0;
+    result_ = run_.phase("samples", "checkpoint.json", settings_.samples, no_result(settings_),
+                         [&](const auto& control, Result& result) {
+                           before = result.samples;
+                           run_study(settings_, control, result);
+                         });
+    const double seconds = run_.seconds();
+    if (!run_.is_part()) {
+      run_.remove_files({"map-", "maps", "rates-", "onset", "worst"});
+      write_rates(run_.folder(), settings_, result_.counts);
+      write_bands(run_.folder(), settings_, result_.counts);
+      write_disagreements(run_.folder(), result_);
+    }
+    const std::uint64_t strata =
+        cases::all_strata().size() / workloads::all_families().size() * settings_.families.size();
+    const std::uint64_t drawn = result_.samples - before;
+    return fmt::format(
+        "\n{} samples of each family, placement and threshold; {} of all were not found. {} of these in {:.0f} s"
+        " ({:.0f} a second of all).\n",
+        result_.samples, result_.missing, drawn, seconds, static_cast<double>(drawn * strata) / seconds);
+  }
+
+  void draw() {
+    const auto maps = run_.phase<Map>("maps", map_rows(), [&](const auto& control) {
+      return draw_maps(settings_.methods, settings_.seed, settings_.threads, control.stop, control.progress);
+    });
+    write_maps(run_.folder(), settings_, maps);
+  }
+
+  void search() {
+    onsets_ = run_.phase(
+        "search", kSearchCheckpoint, options_.search, no_onsets(settings_),
+        [&](const auto& control, Onsets& onsets) { run_onsets(settings_, options_.search, control, onsets); });
+    if (run_.is_part()) return;
+    run_.phase<WorstCases>("climbs", climb_count(settings_),
+                           [&](const auto& control) { return run_climbs(settings_, control, onsets_, worst_); });
+    write_onsets(run_.folder(), settings_, onsets_);
+    write_worst(run_.folder(), settings_, onsets_, worst_);
+  }
+
+  /// Reports that the oracle differs from exact. Returns whether it does.
+  [[nodiscard]] bool report_differences() const {
+    const std::uint64_t differing = result_.disagreements.count();
+    if (differing > 0)
+      fmt::print(stderr,
+                 "touchstone: {0} DIFFERS FROM exact {1} times: a defect of this program. See {2}; `touchstone judge "
+                 "--methods {0}` takes it\n",
+                 options_.oracle, differing, (run_.folder() / "disagreements.jsonl").string());
+    if (worst_.wrong_truths > 0)
+      fmt::print(stderr,
+                 "touchstone: the search found {} answers wrong by filtered, but right by exact: filtered DIFFERS FROM "
+                 "exact, a defect of this program, or a method does not repeat its answers\n",
+                 worst_.wrong_truths);
+    return differing > 0 || worst_.wrong_truths > 0;
+  }
+
+  run::StudyRun& run_;
+  const Options& options_;
+  Settings settings_;
+  Result result_;
+  Onsets onsets_;
+  WorstCases worst_;
+};
+
+}  // namespace
+
+run::Command near_edge_command() {
+  run::Command command("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
+  auto options = std::make_shared<Options>();
+  options->samples = 1000;  // about 35 s on two cores
+  options->output = "results/near-edge";
+  methods::declare_compared_methods(command, options->methods);
+  command.families(options->families).changes_results([options] {
+    return workloads::selected_names(options->families);
+  });
+  command
+      .whole("--vertices", options->shape.vertices, "Vertices of the outer loops, approximate; families round it", 3,
+             workloads::kMostVertices)
+      .changes_results();
+  command.whole("--holes", options->shape.holes, "Holes per polygon, as many as fit", 0, workloads::kMostHoles)
+      .changes_results();
+  command
+      .real("--origin-distance", options->shape.origin_distance,
+            "The distance of each polygon from the origin, in multiples of its size", 0.0, 0x1p30)
+      .changes_results();
+  command
+      .choice("--oracle", options->oracle, {"exact", "filtered"},
+              "The oracle that decides which answers are right; filtered is faster, and is compared with exact where a "
+              "method is wrong and in a hundredth of the samples")
+      .changes_results();
+  command.whole("--search", options->search,
+                "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
+                "and distance from the origin",
+                0, run::kMostSamples);
+  command.flag("--no-maps", options->no_maps, "Draw no maps: they ask each method some hundred thousand times");
+  run::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
+  command.writes(tables());
+  command.writes(search_tables());
+  command.example("near-edge --methods fast,filtered --samples 20 --search 0");
+  command.runs(run::study_runner(command, kVersion, options,
+                                 [](run::StudyRun& run, const Options& options) { return Run(run, options)(); }));
+  return command;
+}
+
+}  // namespace touchstone::commands

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "experiments/cases/failures.h"
+#include "experiments/methods/registry.h"
+#include "experiments/run/sweep.h"
+#include "experiments/run/table.h"
+
+namespace touchstone::near_edge {
+
+using cases::Failures;
+using cases::kTests;
+using cases::Outcome;
+using cases::Test;
+
+struct Settings {
+  std::vector<const cases::Method*> methods;
+  std::vector<workloads::Family> families;
+  /// Per stratum; up to run::kMostSamples, indices of samples and of their redraws do not collide.
+  std::uint64_t samples = 1;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  cases::Shape shape = {};
+  /// The oracle that decides which answers are right. Unless it is `exact` itself, `exact` is also asked: about every
+  /// ball of one sample in kCheckedOneIn, and about every ball for which a method seems wrong.
+  const cases::Method* truth = methods::find_method("exact");
+};
+
+inline constexpr std::uint64_t kCheckedOneIn = 100;
+
+/// A ball for which the truth used by a study differs from `exact`: a defect of this program, not of a method.
+struct Disagreement {
+  std::uint64_t n;  ///< of the sample
+  std::uint64_t stratum;
+  std::string line;  ///< one line of JSON: the case in the contract's form, with what `exact` says expected
+
+  auto members() { return std::tie(n, stratum, line); }
+  friend bool operator==(const Disagreement&, const Disagreement&) = default;
+};
+
+/// Counts all disagreements and keeps the first ones; sums do not depend on their order.
+class Disagreements {
+ public:
+  static constexpr std::size_t kMostKept = 1000;
+
+  /// Adds all disagreements of one sample, in their order.
+  void add(std::vector<Disagreement> found);
+  Disagreements& operator+=(const Disagreements& other);
+
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// Returns the first ones by n, then by stratum.
+  [[nodiscard]] const std::vector<Disagreement>& kept() const { return kept_; }
+
+  auto members() { return std::tie(count_, kept_); }
+  friend bool operator==(const Disagreements&, const Disagreements&) = default;
+
+ private:
+  void keep_first();
+
+  std::uint64_t count_ = 0;
+  std::vector<Disagreement> kept_;
+};
+
+/// The answers of one method to one test in one stratum.
+///
+/// Samples are independent, and so are the answers at one offset; answers about one sample at different offsets are
+/// not. So confidence limits apply to `samples` and to single offsets, not to all answers.
+struct TestFailures {
+  std::vector<Failures> offsets = std::vector<Failures>(cases::all_offsets().size());
+  Failures samples;  ///< a sample fails if an answer at any offset is wrong or undecided
+
+  /// Adds one sample, with what `compare` says of each offset.
+  void add(const std::vector<std::optional<Outcome>>& outcomes);
+  auto members() { return std::tie(offsets, samples); }
+  friend bool operator==(const TestFailures&, const TestFailures&) = default;
+};
+
+/// By stratum, test and method (index in the settings).
+using Counts = std::vector<std::array<std::vector<TestFailures>, kTests.size()>>;
+/// Returns the sum over these strata.
+[[nodiscard]] TestFailures sum(const Counts& counts, const std::vector<std::size_t>& strata, Test test,
+                               std::size_t method);
+
+/// The results of the study; sums do not depend on their order.
+struct Result {
+  Counts counts;
+  std::uint64_t samples = 0;    ///< complete samples per stratum: fewer than requested if the run was stopped
+  std::uint64_t missing = 0;    ///< samples, over all strata, for which no polygon or ball was found
+  std::uint64_t checked = 0;    ///< balls, over all tests, for which another truth was compared with `exact`
+  Disagreements disagreements;  ///< where they differed
+
+  auto members() { return std::tie(counts, samples, missing, checked, disagreements); }
+  friend bool operator==(const Result&, const Result&) = default;
+};
+
+[[nodiscard]] inline std::uint64_t items_done(const Result& result) { return result.samples; }
+
+/// Returns an empty result.
+[[nodiscard]] Result no_result(const Settings& settings);
+
+/// Asks every method about every ball of every crossing that the result does not contain yet, and adds the answers to
+/// it.
+///
+/// The result is a function of settings and the number of samples done. Threads, stops
+/// and the other families and methods do not change the counts of one family and method. A run stopped after m samples
+/// equals a run of m samples. Returns that number, in every process.
+std::uint64_t run_study(const Settings& settings, const run::RunControl<Result>& course, Result& result);
+
+// Results only: byte for byte the same for the same settings, whatever the number of threads. Each throws
+// std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.
+
+void write_rates(const std::filesystem::path& folder, const Settings& settings, const Counts& counts);
+void write_bands(const std::filesystem::path& folder, const Settings& settings, const Counts& counts);
+/// disagreements.jsonl: the first balls for which `exact` differs from the truth that was used, for `touchstone judge`;
+/// empty if it never differed.
+void write_disagreements(const std::filesystem::path& folder, const Result& result);
+
+/// Returns what the tables hold, those of the maps included.
+[[nodiscard]] std::vector<run::TableDescription> tables();
+
+/// Returns the table for the terminal, with its legend: one line per method, threshold and test, over all families and
+/// placements.
+[[nodiscard]] std::string table(const Settings& settings, const Counts& counts);
+
+}  // namespace touchstone::near_edge
