@@ -10,6 +10,7 @@ data than those that are in RESULTS now, from another text or by other code.
 """
 import argparse
 import hashlib
+import importlib
 import json
 import os
 import pathlib
@@ -24,16 +25,13 @@ sys.path.append(str(PAPERS))
 sys.path.append(str(ROOT / "experiments/report"))
 
 from results import DataError, study_in  # noqa: E402
-from values import (bench, bench_scenes, cell, corpus, meshes, motions, near_edge, proofs, recorded, regress, seeds, soak, soak_moving,  # noqa: E402
-                    stability, thesis, tradeoff, tunnelling)
+from studies import modules  # noqa: E402
+from values import corpus, proofs  # noqa: E402
 from values.latex import decimal, escaped, table  # noqa: E402
 
-STUDIES = {  # its folder in RESULTS: what reads it; its name before the keys of \val
-    "near-edge": (near_edge, "near-edge"), "stability": (stability, "stability"), "tradeoff": (tradeoff, "tradeoff"),
-    "bench": (bench, "bench"), "regress": (regress, "engines"), "soak": (soak, "soak"), "meshes": (meshes, "real"),
-    "bench-scenes": (bench_scenes, "scenes"), "thesis": (thesis, "thesis"), "motions": (motions, "motions"),
-    "tunnelling": (tunnelling, "tunnelling"), "cell": (cell, "cell"), "soak-moving": (soak_moving, "soak-moving"), "recorded": (recorded, "recorded"),
-    "seeds": (seeds, "seeds")}
+# By their folders in RESULTS, in the order of the report: what makes values and tables of each. PREFIX before the keys of \val, if it is not the name.
+STUDIES = {name: importlib.import_module(f"values.{path.stem}") for name in modules()
+           if (path := PAPERS / "values" / f"{name.replace('-', '_')}.py").exists()}
 
 # Libraries of others that the paper's tables are about, as run.json names them; and the studies that ask them.
 ENGINES = ["embree", "fcl", "libccd", "bullet", "ode", "bullet-float"]
@@ -109,11 +107,11 @@ def write_inputs(results, output):
     values |= {f"corpus/{key}": value for key, value in corpus.values()}
     values |= {f"proofs/{key}": value for key, value in proofs.values()}
     tables = dict(proofs.tables())
-    for name, (module, prefix) in STUDIES.items():
+    for name, module in STUDIES.items():
         studies[name].files |= ALSO_READ.get(name, set())
         try:
-            values |= {f"{prefix}/{key}": value for key, value in module.values(studies[name])}
-            tables |= dict(module.tables(studies[name]))
+            values |= {f"{getattr(module, 'PREFIX', name)}/{key}": value for key, value in module.values(studies[name])}
+            tables |= dict(module.tables(studies[name])) if hasattr(module, "tables") else {}
         except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
             raise DataError(f"{results / name}: {type(error).__name__}: {error}") from None
     refuse_noise(values)
@@ -145,7 +143,7 @@ def data_digests(results, files):
 def sources():
     """What the paper is made of besides the data: its text, what reads and draws the data, and files that it counts."""
     text = [path for kind in ("*.tex", "*.bib", "*.py") for path in PAPERS.rglob(kind)]
-    return [*text, *(ROOT / "experiments/report").rglob("*.py"), *corpus.files(), *proofs.files(), *(PAPERS / "listings").glob("*.txt"),
+    return [*text, *(path for kind in ("*.py", "*.html", "*.css") for path in (ROOT / "experiments/report").rglob(kind)), *corpus.files(), *proofs.files(), *(PAPERS / "listings").glob("*.txt"),
             ROOT / "robust/filtered/detail/signs/bounds.h"]
 
 

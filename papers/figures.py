@@ -1,25 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The figures of the paper, in its type and measures, drawn with what draws those of the studies."""
-import csv
 import json
 import math
 
 import numpy as np
 
-from looks import in_order, look_of
+from looks import in_order
 from names import DISTANCES, TITLES
-from pictures import near_edge, stability, tradeoff
-from pictures.style import plt, save
-from readings.bench import STAGE_COLOURS
+from studies import near_edge, tradeoff
+from studies.soak import COLOURS as STAGE_COLOURS
+from style import curve, distinct, plt, rows_of, save
 
 WIDTH = 6.1  # inches of text
 plt.rcParams.update({"pdf.fonttype": 42})
 TYPE = {"font.size": 8, "axes.titlesize": 8, "legend.fontsize": 7.5}
-
-
-def rows_of(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def above(figure, axes, columns):
@@ -61,16 +55,13 @@ def draw_map(study, output):
 
 def draw_onset(study, output):
     rows = rows_of(study / "onset.csv")
-    distances = stability.distinct(rows, "origin_distance")
+    distances = distinct(rows, "origin_distance")
     figure, grid = plt.subplots(1, len(distances), figsize=(WIDTH, 2.6), sharey=True, layout="constrained")
     for axes, distance in zip(grid, distances):
-        for method in in_order(stability.distinct(rows, "method")):
-            look = look_of(method)
-            curve = [row for row in rows if row["origin_distance"] == distance and row["method"] == method]
-            x = [-int(row["offset_exponent"]) for row in curve]
-            rate, lower, upper = ([100 * float(row[key]) for row in curve] for key in ("rate", "lower", "upper"))
-            axes.fill_between(x, lower, upper, color=look.colour, alpha=0.15, linewidth=0)
-            axes.plot(x, rate, color=look.colour, linestyle=look.line, marker=look.marker, markersize=2.5, linewidth=1, label=method)
+        for method in in_order(distinct(rows, "method")):
+            own = [row for row in rows if row["origin_distance"] == distance and row["method"] == method]
+            curve(axes, method, [-int(row["offset_exponent"]) for row in own],
+                  *([100 * float(row[key]) for row in own] for key in ("rate", "lower", "upper")), markersize=2.5, linewidth=1)
         axes.set_title("at the origin" if float(distance) == 0 else "$10^6$ sizes away")
         axes.set_xlabel("radius off by $2^{-k}$ of the distance: $k$")
         axes.grid(color="#dddddd", linewidth=0.5)
@@ -142,9 +133,8 @@ def draw_nearness(study, output):
     figure, (above_, below) = plt.subplots(2, 1, figsize=(0.85 * WIDTH, 3.4), height_ratios=[2.2, 1], sharex=True, layout="constrained")
     for name, method in TIMED.items():
         times = [next(c["nanoseconds"] for c in contest["contestants"] if c["name"] == name) for contest in contests]
-        look = look_of(method)
-        above_.plot(exponents, [t["median"] for t in times], color=look.colour, linestyle=look.line, marker=look.marker, markersize=3, linewidth=1.2, label=name)
-        above_.fill_between(exponents, [t["lower_quartile"] for t in times], [t["upper_quartile"] for t in times], color=look.colour, alpha=0.2, linewidth=0)
+        curve(above_, method, exponents, *([t[each] for t in times] for each in ("median", "lower_quartile", "upper_quartile")), shade=0.2,
+              markersize=3, label=name)
     above_.set_yscale("log")
     above_.set_ylabel("nanoseconds a query")
     above_.grid(color="#dddddd", linewidth=0.5)

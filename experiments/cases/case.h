@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
-#include "experiments/run/json.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"

@@ -79,9 +79,3 @@ def part(width, height, title, drawn):
     """A drawing that is as wide as a phone, and no wider on a screen."""
     return (f'<svg class="part" viewBox="0 0 {width} {height}" role="img" fill="none" stroke="currentColor" stroke-width="1" font-family="system-ui, sans-serif" '
             f'font-size="13"><title>{escaped(title)}</title>\n{drawn}</svg>')
-
-
-def figure(width, height, title, drawn, caption):
-    return f"""<figure><div class="scroll" tabindex="0" role="group" aria-label="A drawing; scrolls sideways where it is wider"><svg class="scheme"
-viewBox="0 0 {width} {height}" role="img" fill="none" stroke="currentColor" stroke-width="1" font-family="system-ui, sans-serif" font-size="12"><title>{escaped(title)}</title>
-{drawn}</svg></div><figcaption>{caption}</figcaption></figure>"""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The colour, line and marker of each method, the same in every picture of report, thesis page and paper.
+"""The colour, line and marker of each method, the same in every picture of report, thesis page and paper; and what kind of
+arithmetic each uses, because a headline counts by kind: any number of variants could be added to one.
 
 The colours are Okabe and Ito's, which all eyes tell apart, and a brown; methods of one colour differ by line and marker."""
 import dataclasses
@@ -85,3 +86,19 @@ def in_order(methods):
     """Each once, in the order of legends; engines of the user last."""
     places = {name: place for place, name in enumerate(LOOKS)}
     return sorted(dict.fromkeys(methods), key=lambda method: places.get(method, len(places)))
+
+
+EXACT = {"filtered", "exact", "rational", "interval", "cgal-epeck", "cgal-epeck-distance", "cgal-epeck-intersect"}
+MORE_DIGITS = {"fast-double-double", "fast-mpfr-101", "fast-mpfr-201"}
+NOT_LIFTED = {"cgal-epeck-distance", "cgal-epeck-intersect", "convex-parts"}  # about parts of a loop, which on rotated polygons are another question
+OTHER_SHAPE = {"hull"}
+
+
+def rounds(method):
+    """Whether a method of this program computes in floats, doubles or long doubles, whose rounding can decide its answer."""
+    return method in LOOKS and method not in EXACT | MORE_DIGITS
+
+
+def asks_the_question(method, placement):
+    """Whether a method is asked about the polygon as the contract defines it."""
+    return method not in OTHER_SHAPE and (placement != "rotated" or method not in NOT_LIFTED)

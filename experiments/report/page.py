@@ -1,52 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The style and the parts of all pages. A page is one file that loads nothing. It adapts to light and dark, narrow screens
-and print. The same data give the same bytes."""
+"""The numbers, words and pictures of all pages, which templates/ make of them. A page is one file that loads nothing. It adapts
+to light and dark, narrow screens and print. The same data give the same bytes."""
 import base64
 import html
 import math
+import pathlib
 import re
+
+import jinja2
 
 import dark
 from results import DataError
 from shares import unless_whole
 
 PIXELS_AN_INCH = 150  # of the pictures in PNG: style.py
-
-STYLE = """
-:root { color-scheme: light dark; --ink: #1c1c1c; --paper: #ffffff; --soft: #f2f2ef; --line: #d0d0c8; --dim: #595959;
-        --good: #00634a; --bad: #a33b00; --link: #00558a; --bar: #eab68f; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e8e8e4; --paper: #16181a; --soft: #222528; --line: #43474b; --dim: #adb1b4; --good: #5fd0a8; --bad: #ff9d66;
-          --link: #7cc4f2; --bar: #7a4520; } }
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem; max-width: 60rem; font: 1rem/1.5 system-ui, sans-serif; color: var(--ink);
-       background: var(--paper); overflow-wrap: break-word; }
-h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-bottom: 2px solid var(--line); line-height: 1.3; } h3 { line-height: 1.3; }
-a { color: var(--link); }
-figure { margin: 1rem 0; } figcaption { margin: .3rem auto .5rem; }
-figcaption, .dim { color: var(--dim); font-size: .88rem; } small { color: var(--dim); font-size: .9em; }
-img { display: block; max-width: 100%; height: auto; margin: 0 auto; background: #fff; border-radius: .3rem; }
-.yes { color: var(--good); } .no { color: var(--bad); }
-table { border-collapse: collapse; font-size: .9rem; }
-th, td { text-align: left; vertical-align: top; padding: .25rem .6rem .25rem 0; border-top: 1px solid var(--line); }
-thead th { border-top: 0; color: var(--dim); font-weight: 600; vertical-align: bottom; }
-tbody th { font-weight: 400; }
-thead th:first-child, tbody th { position: sticky; left: 0; background: var(--paper); z-index: 1; }
-details { margin: 1rem 0; } summary { cursor: pointer; color: var(--link); }
-svg text { fill: currentColor; stroke: none; }
-@media (prefers-color-scheme: dark) { picture img { background: none; } img.scale { filter: invert(.91) hue-rotate(180deg); } article img { filter: brightness(.85); } }
-.scroll { overflow-x: auto; background: linear-gradient(to right, var(--paper) 30%, transparent) 0 / 2rem 100% no-repeat local, linear-gradient(to left, var(--paper) 30%,
-          transparent) 100% / 2rem 100% no-repeat local, linear-gradient(to right, var(--line), transparent) 0 / .7rem 100% no-repeat, linear-gradient(to left, var(--line),
-          transparent) 100% / .7rem 100% no-repeat; }
-@media (max-width: 40rem) { .picture .scroll::before, .scroll:has(> svg.scheme)::before { content: "scrolls sideways →"; position: sticky; left: 0; font-size: .8rem;
-                            color: var(--dim); } } .scroll:focus-visible { outline: 2px solid var(--link); }
-:target { outline: 3px solid var(--link); }
-@media (max-width: 34rem) { body { padding: .6rem; } }
-@media print { :root { --ink: #000; --paper: #fff; --soft: #fff; --line: #bbb; --dim: #444; --good: #00634a; --bad: #a33b00;
-                       --link: #000; --bar: #eab68f; color-scheme: light; }
-  body { max-width: none; padding: 0; font-size: 9.5pt; } tr, figure { break-inside: avoid; }
-  h2, h3 { break-after: avoid; } nav { display: none; } .scroll { overflow: visible; } }
-"""
 
 
 def escaped(text):
@@ -154,22 +121,13 @@ def size_of(path):
     raise DataError(f"{path}: is not a picture that the studies drew")
 
 
-def image(path, alt):
+def image(path, alt, scale=False):
+    """`alt` is text. With `scale`, colours go from none to all, and are inverted as a whole on dark pages."""
     width, height = size_of(path)
-    return (f'<picture><source media="(prefers-color-scheme: dark)" srcset="{inlined(path, dark.picture(path))}">'
-            f'<img width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}"></picture>')
-
-
-def picture(path, alt, caption, scale=False):
-    """`alt` is text, `caption` HTML. With `scale`, colours go from none to all, and are inverted as a whole on dark pages."""
+    drawn = f'width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
     if scale:
-        width, height = size_of(path)
-        drawn = f'<img class="scale" width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
-    else:
-        drawn = image(path, alt)
-    return (f'<figure class="picture"><div class="scroll" tabindex="0" role="group" aria-label="A picture; scrolls sideways '
-            'where it is wider">'
-            f"{drawn}</div><figcaption>{caption}</figcaption></figure>")
+        return f'<img class="scale" {drawn}'
+    return f'<picture><source media="(prefers-color-scheme: dark)" srcset="{inlined(path, dark.picture(path))}"><img {drawn}</picture>'
 
 
 def bar(fraction, shown):
@@ -187,29 +145,15 @@ def stacked(shares, colours, names):
     return f'<div class="stacked" role="img" aria-label="{escaped(said)}" title="{escaped(said)}" style="background: linear-gradient(to right, {", ".join(edges)})"></div>'
 
 
-def table(caption, head, rows, figures=()):
-    """Cells are HTML; the first of each row is its head, the columns in `figures` stand to the right. Scrolls within itself."""
-    def right(column):
-        return ' class="figure"' if column in figures else ""
-
-    top = "".join(f'<th scope="col"{right(i)}>{cell}</th>' for i, cell in enumerate(head))
-    body = "".join("<tr>" + "".join(f"<td{right(i)}>{cell}</td>" if i else f'<th scope="row">{cell}</th>'
-                                    for i, cell in enumerate(row)) + "</tr>\n" for row in rows)
-    return (f'<figure class="table"><figcaption>{caption}</figcaption><div class="scroll" tabindex="0" role="group" '
-            f'aria-label="A table; scrolls sideways where it is '
-            f'wider"><table><thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div></figure>')
+# What templates call: these functions, and the macros of parts.html. Cells, captions and words are HTML.
+TEMPLATES = jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).with_name("templates")), undefined=jinja2.StrictUndefined,
+                               trim_blocks=True, lstrip_blocks=True)
+TEMPLATES.globals |= {function.__name__: function for function in (
+    escaped, number, count, counted, rounded, percent, multiple, power, share_of_size, upper_limit, words, code, image, bar)}
+TEMPLATES.filters["code"] = code
+TEMPLATES.globals |= {name: getattr(TEMPLATES.get_template("parts.html").module, name) for name in ("table", "picture", "folded", "drawing")}
 
 
-def folded(title, body):
-    """HTML that a reader opens."""
-    return f"<details><summary>{escaped(title)}</summary>{body}</details>"
-
-
-def document(title, description, style, body):
-    """A whole page."""
-    return f"""<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="description" content="{escaped(description)}">
-<title>{escaped(title)}</title><style>{STYLE}{style}</style></head><body>
-{body}</body></html>
-"""
+def rendered(template, **values):
+    """The HTML of a template of templates/."""
+    return TEMPLATES.get_template(template).render(values)

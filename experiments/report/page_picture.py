@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-from pictures.near_edge import TRUTH, WRONG, read_map
+from studies.near_edge import TRUTH, WRONG, read_map
 
 PICTURE = "docs/reflex-vertex.svg"
 PANELS = {"filtered": "ours, certified", "fast": "ours, plain doubles", "thesis": "the 2008 thesis",

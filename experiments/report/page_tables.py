@@ -17,12 +17,11 @@ import sys
 import tempfile
 
 import markers
-from engine_tables import MOVING, OVERALL, by_family, moving, overall
 from names import ENGINES
-from readings.motions import Data
-from readings.regress import families_of
 from results import Study
 from shares import unless_whole
+from studies import motions
+from studies.regress import OVERALL, by_family, families_of, overall
 
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 SAMPLES = 60
@@ -114,7 +113,7 @@ def moving_engines_table(touchstone):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([touchstone, "motions", "--methods", ",".join(present), "--samples", str(MOTION_SAMPLES), "--no-pictures", "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
-        return markdown(MOVING, moving(Data(Study(pathlib.Path(folder))))).replace("|  |", "| |")
+        return markdown(motions.ENGINE_HEADS, motions.engine_lines(motions.Data(Study(pathlib.Path(folder))))).replace("|  |", "| |")
 
 
 TABLES = [  # page, name in its markers, what makes it

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: run_studies.py TOUCHSTONE RESULTS [--full] [--paper]
 
-Runs the studies of studies.py, each in its folder of RESULTS; called from the project's folder. Skips studies that
+Runs the studies of studies/, each in its folder of RESULTS; called from the project's folder. Skips studies that
 the same program has finished with the same arguments, and continues interrupted ones if the study can.
 """
 import fcntl
@@ -16,7 +16,7 @@ import sys
 import time
 
 from replacing import replacing
-from studies import DRIVE, MESHES, OUTPUT, STUDIES, shown
+from studies import DRIVE, MESHES, OUTPUT, modules, shown
 
 MARK = "reproduce.json"  # in a study's folder: how it was begun, by which program, and whether it has come to its end
 INTERRUPTED = 130
@@ -45,7 +45,7 @@ class Folder:
             self.mark = {}
 
     def settings(self, mode):
-        return self.program | {"calls": [shown(call, self.study.name) for call in self.study.calls(mode)]}
+        return self.program | {"calls": [shown(call, self.path.name) for call in self.study.calls(mode)]}
 
     def begun(self, mode):
         return self.mark == self.settings(mode) | {"done": self.mark.get("done")}
@@ -124,20 +124,21 @@ def main(program, results, *options):
     with replacing(results / "methods.txt") as file:
         file.write_text(methods, encoding="utf-8")
     begin, failed = time.monotonic(), []
-    for study in STUDIES:
+    for name, module in modules().items():
+        study = module.RUN
         if not study.calls(mode):
             continue
-        print(f"\n== {study.name}: {study.about} (after {time.monotonic() - begin:.0f} s of studies)", flush=True)
+        print(f"\n== {name}: {study.about} (after {time.monotonic() - begin:.0f} s of studies)", flush=True)
         if study.needs_meshes and not meshes():
             print("Skipped: there are no meshes in cache/meshes.")
             continue
-        status = run(program, study, results / study.name, mode, lock)
+        status = run(program, study, results / name, mode, lock)
         if status == INTERRUPTED:
             print("run_studies.py: interrupted; run it again to continue", file=sys.stderr)
             return INTERRUPTED
         if status:
-            print(f"run_studies.py: {study.name}: exit status {status}", file=sys.stderr)
-            failed.append(study.name)
+            print(f"run_studies.py: {name}: exit status {status}", file=sys.stderr)
+            failed.append(name)
     if failed:
         print(f"run_studies.py: failed: {', '.join(failed)}", file=sys.stderr)
     return 1 if failed else 0

@@ -18,8 +18,8 @@ namespace {
 
 /// Returns the first Python interpreter that has the required packages.
 std::optional<std::string> find_python() {
-  for (const std::string interpreter : {"/usr/bin/python3", "python3"})
-    if (std::system((interpreter + " -c 'import matplotlib, numpy' 2>/dev/null").c_str()) == 0) return interpreter;
+  for (const std::string python : {"/usr/bin/python3", "python3"})
+    if (std::system((python + " -c 'import jinja2, matplotlib, numpy' 2>/dev/null").c_str()) == 0) return python;
   return std::nullopt;
 }
 
@@ -27,7 +27,7 @@ std::optional<std::string> find_python() {
 bool run_script(const char* name, const std::string& arguments, const std::string& where) {
   const auto python = find_python();
   if (!python) {
-    fmt::print(stderr, "touchstone: no pictures: no python3 with matplotlib and numpy{}\n", where);
+    fmt::print(stderr, "touchstone: no pictures: no python3 with jinja2, matplotlib and numpy{}\n", where);
     return false;
   }
   const std::string script = shell_quoted(data(std::string("experiments/report/") + name).string());

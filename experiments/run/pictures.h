@@ -8,7 +8,7 @@
 
 namespace touchstone::run {
 
-/// Draws the data of a folder by experiments/report/pictures/<name>.py, with the first Python interpreter that has the
+/// Draws the data of a folder by experiments/report/studies/<name>.py, with the first Python interpreter that has the
 /// required packages: that of Debian, else the one on the path. Returns the exit status of a study: 0, or 1 if not all
 /// pictures could be drawn; standard error then says why. Throws as data() does.
 [[nodiscard]] int draw_pictures(const std::string& name, const OutputFolder& folder);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times of filtered beside fast and CGAL."""
 from noise import of_contestant
-from readings.bench import SET, WITHOUT_FLOATS, contests, named, polygons, sets
+from studies.bench import SET, WITHOUT_FLOATS, contests, named, polygons, sets
 from values.latex import count, percent, table, times
 
 TRIANGLES = {  # family: in words

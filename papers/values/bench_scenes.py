@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Queries against the largest scene."""
-from readings.bench_scenes import OURS, Data, are_steady
+from studies.bench_scenes import OURS, Data, are_steady
 from values.latex import count, decimal, escaped, table
+
+PREFIX = "scenes"  # of the keys of \val
 
 
 def largest(data):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The questions of both case studies of the thesis, recorded in its cell."""
-from readings.cell import CASES, Questions
+from studies.cell import CASES, Questions
 from values.latex import count
 
 
@@ -14,7 +14,3 @@ def values(study):
     yield "methods", str(len(questions.methods))
     yield "nearest", f"$2^{{-{questions.nearest()}}}$"
     yield "nearer", f"$2^{{-{questions.nearest() + 1}}}$"
-
-
-def tables(study):
-    return ()

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Faces of real meshes, with balls at single doubles from contact."""
-from readings.meshes import Data
+from studies.meshes import Data
 from values.latex import count, percent
+
+PREFIX = "real"  # of the keys of \val
 
 
 def values(study):
@@ -16,7 +18,3 @@ def values(study):
         for method in ("fast", "thesis"):
             wrong, trials = data.counts(method, place=place)
             yield f"{place}/{method}", percent(wrong / trials)
-
-
-def tables(study):
-    return ()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wrong answers double by double, and the furthest wrong ones."""
 from names import TITLES
-from readings.near_edge import CONTACT, Data
+from studies.near_edge import Data
 from values.latex import count, decimal, mean_limit, percent, power, table
 
 METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
@@ -30,9 +30,9 @@ def values(study):
     for (threshold, method), share in shares.items():
         yield f"{threshold}/{method}", percent(share)
     for method in METHODS:
-        yield f"furthest/{method}", power(data.furthest(method, 0, CONTACT, ["sampled_share"]))
-        yield f"climbed/{method}", power(data.furthest(method, 0, CONTACT))
-        yield f"climbed-far/{method}", power(data.furthest(method, FAR, CONTACT))
+        yield f"furthest/{method}", power(data.furthest(method, 0, ["sampled_share"]))
+        yield f"climbed/{method}", power(data.furthest(method, 0))
+        yield f"climbed-far/{method}", power(data.furthest(method, FAR))
 
 
 def tables(study):

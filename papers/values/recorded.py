@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Questions recorded from Bullet."""
-from readings.recorded import Data
+from studies.recorded import Data
 from values.latex import count, never, percent, power, table
 
 KEYS = {"bullet": "doubles", "bullet-float": "floats"}

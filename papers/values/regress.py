@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Others' engines on the cases of `touchstone regress`."""
-from readings.regress import OWN, Outcomes, polygons_of, rows_by_engine, rows_of
+from studies.regress import OWN, Outcomes, polygons_of, rows_by_engine, rows_of
 from values.latex import count, escaped, never, percent, table
+
+PREFIX = "engines"  # of the keys of \val
 
 
 def outcomes_by_engine(study, numbers="doubles"):

@@ -5,8 +5,8 @@ import pathlib
 import typing
 
 from names import TITLES
-from readings.near_edge import Data
-from studies import SEEDS
+from studies.near_edge import Data
+from studies.seeds import SEEDS
 from values.latex import percent, table
 from values.near_edge import METHODS, ROWS, rates
 

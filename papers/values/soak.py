@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """filtered against exact."""
-from readings.soak import STAGES, asked, rows_of
+from studies.soak import STAGES, asked, rows_of
 from values.latex import count, decimal, never, percent
 
 
@@ -18,7 +18,3 @@ def values(study):
     yield "limit", decimal(never(certified.trials))
     questions = sum(row[stage] for row in rows for stage in STAGES)
     yield "unlimited-share", percent(sum(row["unlimited"] for row in rows) / questions)
-
-
-def tables(study):
-    return ()

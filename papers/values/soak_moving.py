@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """filtered against exact, about moving balls."""
-from readings.soak import asked
+from studies.soak import asked
 from values.latex import count, decimal, never
 
 
@@ -10,7 +10,3 @@ def values(study):
         raise ValueError(f"{certified.wrong} answers of filtered differ from those of exact")
     yield "cases", count(certified.trials)
     yield "limit", decimal(never(certified.trials))
-
-
-def tables(study):
-    return ()

@@ -3,7 +3,7 @@
 import pathlib
 import re
 
-from readings.stability import STAND_IN, Data, asked
+from studies.stability import STAND_IN, Data, asked
 from values.latex import count, decimal, never, percent, table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times and wrong answers near contact, and errors of the computed distance in units in the last place."""
 from noise import is_steady
-from readings.tradeoff import Data
+from studies.tradeoff import Data
 from results import maybe, natural, number
 from values.latex import count, decimal, percent, times
 
@@ -27,7 +27,3 @@ def values(study):
         noisy = not all(is_steady(each["lower_quartile_ns"], each["upper_quartile_ns"]) for each in (row, near["fast"]))
         yield f"time/{method}", None if noisy else times(row["nanoseconds"] / near["fast"]["nanoseconds"])
         yield f"wrong/{method}", percent(row["error"]) if row["error"] else "none"
-
-
-def tables(study):
-    return ()

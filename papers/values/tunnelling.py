@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What steps of a moving ball miss."""
-from readings.tunnelling import Data
+from studies.tunnelling import Data
 from values.latex import count, percent, power
 
 SMALL, LARGE = 2.0**-8, 2.0**-4  # radii, in sizes of the polygon
@@ -16,7 +16,3 @@ def values(study):
             yield f"{name}/{kind}", percent(data.at[radius, steps]["rate"])
     yield "few", count(FEW)
     yield "many", count(MANY)
-
-
-def tables(study):
-    return ()

@@ -3,7 +3,7 @@
        plain_english.py --self-test
 
 Refuses turns of phrase that readers stumble over, in the prose of pages, the comments and string literals of C++, the
-string literals of the report's Python, the paper, and the two commands. Names file and line, and what to write instead.
+string literals and templates of the report, the paper, and the two commands. Names file and line, and what to write instead.
 Exit status 1 if it finds one.
 """
 
@@ -51,6 +51,7 @@ ESCAPE = re.compile(r'R"\w*\(|\\.|"')
 PYTHON = re.compile(r"""\#[^\n]*|(?P<texts>(?:[rbf]*(?P<quote>\"{3}|'{3}|"|')(?:\\.|(?!(?P=quote)).)*?(?P=quote)\s*)+)""",
                     re.DOTALL | re.IGNORECASE)
 VALUE = re.compile(r"\{[^{}]*\}")  # of an f-string
+MARKUP = re.compile(r"\{#.*?#\}|\{%.*?%\}|<[^>]*>", re.DOTALL)
 QUOTE = re.compile(r"""(?:\b[rbf]+)?(?:\"{3}|'{3}|"|(?<!\w)'|'(?!\w))|\\.""", re.IGNORECASE)
 
 
@@ -86,10 +87,18 @@ def python_texts(text):
             yield match.start(), QUOTE.sub(blank, VALUE.sub(lambda value: "X" * len(value[0]), match[0])), False
 
 
+def template_texts(text):
+    """Paragraphs of HTML; its tags and the statements of templates are blank, and the values in it are words."""
+    text = MARKUP.sub(blank, re.sub(r"\{\{.*?\}\}", lambda match: re.sub(r"[^\n]", "X", match[0]), text, flags=re.DOTALL))
+    return ((match.start(), match[0], False) for match in PARAGRAPH.finditer(text))
+
+
 def texts_of(name, text):
     """The place and words of each text, and whether it is a docstring."""
     if name.endswith(".py"):
         return python_texts(text)
+    if name.endswith(".html"):
+        return template_texts(text)
     if name.endswith((".h", ".cpp")):
         return [*comments(text, name.endswith(".h")), *literals(text)]
     return page_texts(text)
@@ -117,7 +126,8 @@ def faults_of(name, text):
 
 def files(root):
     """What is searched at all: pages, the paper, C++, the report and the two commands."""
-    found = [*root.glob("*.md"), root / "check", root / "reproduce", *(root / "experiments/report").rglob("*.py")]
+    found = [*root.glob("*.md"), root / "check", root / "reproduce", *(root / "experiments/report").rglob("*.py"),
+             *(root / "experiments/report/templates").glob("*.html")]
     for folder in ("bindings", "docs", "experiments", "geometry", "papers", "robust", "tests"):
         found += [file for file in (root / folder).rglob("*") if file.suffix in (".md", ".tex", ".h", ".cpp")]
     return sorted(found)
@@ -155,7 +165,7 @@ def self_test():
         expect("a.cpp", f'f(R"(Fine.\n{example} )");\n', 2)
         expect("check", f"echo\n\n{example}\n", 3)
         for name, text in (("a.md", "\n{}\n{}\n"), ("a.h", "\n/// {}\n/// {}\n"), ("a.cpp", '\nf("{} "\n  "{}");\n'),
-                           ("a.py", '\nf("{} "\n  f"{}")\n'), ("a.cpp", "\n// {}\n// {}\n")):
+                           ("a.py", '\nf("{} "\n  f"{}")\n'), ("a.html", "\n<p>{}\n{}</p>\n"), ("a.cpp", "\n// {}\n// {}\n")):
             if not list(faults_of(name, text.format(*broken))):
                 faults.append(f"{name}: not found across lines: {example}")
         expect("a.md", f"Fine.\n\n```txt\n{example}\n```\n", 0)
@@ -164,6 +174,7 @@ def self_test():
         expect("a.cpp", f"int x;  // {example}\n", 1)
         expect("a.py", f"x = 1  # \"\ny = f\"{{x}}: \"\ny += f'''{{x}} is fine.\n{example}'''\n", 4)
         expect("a.py", f"# {example}\n", 0)
+        expect("a.html", f"<p>Fine.</p>\n{{# {example} #}}\n<p>{{{{ value }}}} is fine. {example}</p>\n", 3)
         expect("a.cpp", f'f(\'"\', "//", 1\'000, "{example}");  // "\n', 1)
     for good in ("There is no tolerance.", "It is no longer than that.", "What is proved", "One at a time.", "The number of the last is 3."):
         expect("a.md", good + "\n", 0)

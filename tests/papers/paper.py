@@ -163,7 +163,7 @@ def what_is_stale_is_told(root, results, output, scratch):
     expect(build(copy, results, output, "--no-latex").returncode == 0, "the paper cannot be built elsewhere")
     expect(build(copy, results, output, "--check").returncode == 0, "a fresh paper is called stale")
     for file, old, new in [("papers/sections/limits.tex", "Limits", "Bounds"), ("experiments/report/names.py", "slivers", "needles"),
-                           ("experiments/report/readings/near_edge.py", "<= 1", "<= 2"), ("robust/filtered/detail/signs/bounds.h", "kVertex", "kVertices"),
+                           ("experiments/report/studies/near_edge.py", "<= 1", "<= 2"), ("robust/filtered/detail/signs/bounds.h", "kVertex", "kVertices"),
                            ("robust/proofs/CLAIMS.md", "`kDot`", "`kDots`"), ("papers/listings/record.txt", "12 * 12", "12 * 13"),
                            ("tests/corpus/holes.jsonl", "\n", "\n\n")]:
         edit(copy / file, old, new)

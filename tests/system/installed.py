@@ -35,8 +35,8 @@ CALLS = [
 CASE = '{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]}}\n'
 IMPORT_ALL = """
 import importlib, pathlib, sys
-for path in sorted(pathlib.Path("pictures").glob("*.py")):
-    importlib.import_module(f"pictures.{path.stem}")
+for path in sorted(pathlib.Path("studies").glob("*.py")):
+    importlib.import_module(f"studies.{path.stem}")
 print(*(module.__file__ for module in sys.modules.values() if getattr(module, "__file__", None)), sep="\\n")
 """
 
@@ -90,10 +90,11 @@ class Installed(unittest.TestCase):
         done = subprocess.run(["/usr/bin/python3", "-B", "-c", IMPORT_ALL], cwd=DATA / "experiments/report", capture_output=True,
                               text=True, env={**os.environ, "PYTHONPATH": "."})
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn(str(DATA / "experiments/report/pictures/thesis.py"), done.stdout)
+        self.assertIn(str(DATA / "experiments/report/studies/thesis.py"), done.stdout)
         self.assertNotRegex(done.stdout, rf"(?m)^{re.escape(str(SOURCE))}/experiments/")
-        for picture in (path.stem for path in (SOURCE / "experiments/report/pictures").glob("*.py")):
-            self.assertTrue((DATA / f"experiments/report/pictures/{picture}.py").exists())
+        for path in (SOURCE / "experiments/report").rglob("*"):
+            if path.suffix in (".py", ".html", ".css"):
+                self.assertTrue((DATA / path.relative_to(SOURCE)).exists(), path)
 
     def test_names_data_that_are_missing(self):
         for call in ["corpus", "check"], ["cell", "new", "least"], ["cell", "serve"], ["show", "case.jsonl", "--png", "a.png"]:

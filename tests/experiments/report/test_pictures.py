@@ -16,9 +16,9 @@ import matplotlib
 matplotlib.use("Agg")
 
 import dark
-from looks import LIBRARIES, LOOKS
-from methods import asks_the_question
-from pictures import thesis_cell, thesis_method
+from looks import LIBRARIES, LOOKS, asks_the_question
+from thesis import cell as thesis_cell
+from thesis import method as thesis_method
 
 STATION = {"azimuth": 0, "radius": 500, "height": 409, "deck": 412}
 

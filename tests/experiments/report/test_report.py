@@ -20,9 +20,9 @@ TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Pa
 REPORT = SOURCE / "experiments/report/report.py"
 sys.path.insert(0, str(SOURCE / "experiments/report"))
 
-from methods import EXACT, rounds
+from looks import EXACT, rounds
 from page import rounded, share_of_size, upper_limit
-from report import CHAPTERS, page
+from report import CHAPTERS, asked_in, page
 from results import DataError, study_in
 
 VOID = {"meta", "img", "source", "br", "link", "input", "path", "line", "circle", "polygon"}
@@ -250,7 +250,7 @@ class Report(unittest.TestCase):
     def test_the_verdict_says_of_no_method_that_it_was_wrong_which_was_not(self):
         def counted():
             """By whether methods bound their errors: those that were wrong, and those that were not."""
-            asked = [CHAPTERS[name].asked(study_in(self.results / name)) for name in CHAPTERS]
+            asked = [asked_in(study_in(self.results / name), name) for name in CHAPTERS]
             wrong = {m: sum(counts[m].wrong for counts in asked if m in counts) for m in dict.fromkeys(m for counts in asked for m in counts)}
             return wrong, [m for m in wrong if rounds(m)], [m for m in wrong if m in EXACT - {"exact"} and not wrong[m]]
 
@@ -421,7 +421,7 @@ class Report(unittest.TestCase):
             bands = rows_of(self.results / study / "bands.csv")
             outlines = {row["placement"]: int(row["samples"]) for row in bands if (row["family"], row["method"]) == ("u", "filtered")}
             self.assertEqual(len(outlines), 2)
-            self.assertEqual(CHAPTERS[study].asked(study_in(self.results / study))["filtered"].trials, max(outlines.values()))
+            self.assertEqual(asked_in(study_in(self.results / study), study)["filtered"].trials, max(outlines.values()))
 
     def test_what_is_compared_with_itself_is_not_counted(self):
         cases = sum(int(row["cases"]) for row in rows_of(self.results / "regress/outcomes.csv") if (row["method"], row["numbers"]) == ("filtered", "doubles"))

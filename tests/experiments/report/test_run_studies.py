@@ -16,7 +16,9 @@ import unittest
 TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 sys.path.insert(0, str(SOURCE / "experiments/report"))
 
-from studies import MESHES, OUTPUT, STUDIES  # noqa: E402
+from studies import MESHES, OUTPUT, modules  # noqa: E402
+
+RUNS = [module.RUN for module in modules().values()]
 
 PATIENCE = 60  # seconds, for what takes one
 
@@ -62,7 +64,7 @@ class Studies(unittest.TestCase):
         return calls.read_text().splitlines() if calls.exists() else []
 
     def quick_calls(self):
-        return sum(len(study.quick) for study in STUDIES if study.quick)
+        return sum(len(study.quick) for study in RUNS if study.quick)
 
     def test_runs_each_once(self):
         self.assertEqual(len(self.run_all()), self.quick_calls())
@@ -162,7 +164,7 @@ class Studies(unittest.TestCase):
 
 class Commands(unittest.TestCase):
     def test_are_known_to_the_program(self):
-        for study in STUDIES:
+        for study in RUNS:
             for call in [*study.full, *(study.quick or [])]:
                 with self.subTest(call=call):
                     asked = subprocess.run([TOUCHSTONE, *("a.obj" if word == MESHES else word.replace(OUTPUT, "none") for word in call), "--help"],
@@ -175,8 +177,8 @@ class Commands(unittest.TestCase):
                         self.assertIn("--force", asked.stdout)
                     self.assertEqual("--resume" in asked.stdout, study.resumes)
 
-    def test_of_one_folder_each(self):
-        self.assertEqual(len({study.name for study in STUDIES}), len(STUDIES))
+    def test_have_an_order(self):
+        self.assertEqual(len({study.place for study in RUNS}), len(RUNS))
 
 
 if __name__ == "__main__":

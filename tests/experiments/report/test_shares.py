@@ -9,9 +9,9 @@ import unittest
 SOURCE = pathlib.Path(sys.argv[1])
 sys.path += [str(SOURCE / "experiments/report"), str(SOURCE / "papers")]
 
-from engine_tables import overall  # noqa: E402
 from page import percent  # noqa: E402
 from shares import unless_whole  # noqa: E402
+from studies.regress import overall  # noqa: E402
 from values import latex  # noqa: E402
 
 

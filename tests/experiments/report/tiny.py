@@ -55,7 +55,7 @@ def run(program, *arguments):
 
 def write(program, source, results):
     """A folder for each study, pictures of one line, and the thesis's page."""
-    from thesis_page import write_page
+    from studies.thesis import write_page
 
     results.mkdir(parents=True)
     mesh = results / "tetrahedron.obj"

@@ -221,7 +221,7 @@ TEST(Number, AgreesWithinItsToleranceAlone) {
 // The report draws what entries say they show, and nothing else.
 TEST(Report, HasAPictureForEveryEntryThatShowsOne) {
   const std::string script =
-      run_tests::text_of(std::string(TOUCHSTONE_SOURCE_DIR) + "/experiments/report/pictures/thesis.py");
+      run_tests::text_of(std::string(TOUCHSTONE_SOURCE_DIR) + "/experiments/report/studies/thesis.py");
   for (const Entry& entry : entries_of(begun()))
     EXPECT_EQ(script.find("\"" + entry.file_stem() + "\":") != std::string::npos, !entry.shows.empty()) << entry.id;
 }

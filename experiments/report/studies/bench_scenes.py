@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whole scenes beside other libraries."""
+from looks import LIBRARIES
+from names import BALLS, QUESTIONS
+from noise import TOO_NOISY, is_steady
+from page import count, escaped, multiple, percent, rounded, smaller
+from results import finite, maybe, natural
+from studies import OUTPUT, Run
+from style import distinct, plt, rows_of, save
+
+RUN = Run(13, "whole scenes beside five libraries", full=[["bench-scenes", "--meshes", "cache/meshes", "--output", OUTPUT]],
+          paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "7", "--output", OUTPUT]])
+TITLE = "Whole scenes"
+
+
+OURS = "Scene"
+
+
+def are_steady(*rows):
+    """Whether the times of these may be quoted, and their ratios."""
+    return all(is_steady(row["lower_quartile"], row["upper_quartile"]) for row in rows)
+
+
+class Data:
+    def __init__(self, study):
+        self.queries = study.rows("queries.csv", scene=str, triangles=natural, balls=str, question=str, library=str, nanoseconds=finite,
+                                  lower_quartile=finite, upper_quartile=finite, wrong=natural, checked=natural)
+        self.builds = study.rows("builds.csv", scene=str, triangles=natural, library=str, seconds=finite, bytes_a_triangle=finite)
+        self.motions = study.rows("motions.csv", scene=str, triangles=natural, motions=str, library=str, nanoseconds=finite, lower_quartile=finite,
+                                  upper_quartile=finite, wrong=maybe(natural),
+                                  checked=maybe(natural))
+        self.libraries = list(dict.fromkeys(row["library"] for row in self.queries))
+        self.scenes = list(dict.fromkeys(row["scene"] for row in self.queries))
+
+    def largest(self, scene):
+        return max(row["triangles"] for row in self.queries if row["scene"] == scene)
+
+    def wrong(self, library):
+        rows = [row for row in [*self.queries, *self.motions] if row["library"] == library]
+        return sum(row["wrong"] for row in rows), sum(row["checked"] for row in rows)
+
+
+LENGTHS = {"short": "ways of one radius", "long": "ways of thirty radii"}
+
+
+def microseconds(row):
+    return f"{rounded(row['nanoseconds'] / 1000)} µs" if are_steady(row) else TOO_NOISY
+
+
+def motion_rows(data, scene):
+    """First contacts of moving balls, beside the same balls at rest at the start of their ways."""
+    rows = [row for row in data.motions if row["scene"] == scene]
+    ours = {(row["triangles"], row["motions"]): row for row in rows if row["library"] == OURS}
+    for row in sorted(rows, key=lambda row: list(ours).index((row["triangles"], row["motions"]))):
+        beside = ours[row["triangles"], row["motions"]]
+        yield [f"{LENGTHS.get(row['motions'], row['motions'])}, {count(row['triangles'])} triangles", escaped(row["library"]), microseconds(row),
+               "" if row is beside or not are_steady(row, beside) else multiple(row["nanoseconds"] / beside["nanoseconds"]),
+               "" if row["wrong"] is None else f"{count(row['wrong'])} of {count(row['checked'])}"]
+
+
+def query_cell(row, ours):
+    """Of a library that was asked, beside ours."""
+    if row is None:
+        return "not asked"
+    return (microseconds(row) + (f"<br><small>{multiple(row['nanoseconds'] / ours['nanoseconds'])}</small>" if ours not in (None, row) and are_steady(row, ours) else "")
+            + (f"<br><small class=\"no\">{percent(row['wrong'] / row['checked'])} wrong</small>" if row["wrong"] else ""))
+
+
+def growth(data, scene, small, size):
+    """How many times the least time the largest scene takes."""
+    for library in data.libraries:
+        times = {row["triangles"]: row["nanoseconds"] for row in data.queries if are_steady(row) and
+                 (row["scene"], row["library"], row["balls"], row["question"]) == (scene, library, "near", "any")}
+        if small in times and size in times and small < size:
+            yield f"{escaped(library)} {multiple(times[size] / times[small])}"
+
+
+def scene_told(study, data, scene):
+    size, small = data.largest(scene), min(row["triangles"] for row in data.queries if row["scene"] == scene)
+    at = {(row["library"], row["balls"], row["question"]): row for row in data.queries if (row["scene"], row["triangles"]) == (scene, size)}
+    questions = list(dict.fromkeys(key[1:] for key in at))
+    return {"name": scene, "size": size, "small": small, "path": smaller(study.folder, f"queries-{scene}"), "growth": list(growth(data, scene, small, size)),
+            "heads": ["library", *(f"{BALLS.get(balls, balls)}: {QUESTIONS.get(question, question)}" for balls, question in questions)],
+            "queries": [[escaped(library), *(query_cell(at.get((library, *q)), at.get((OURS, *q))) for q in questions)] for library in data.libraries],
+            "motions": list(motion_rows(data, scene))}
+
+
+def told(study):
+    data = Data(study)
+    wrong = {library: data.wrong(library) for library in data.libraries if library != OURS}
+    return {"ours": OURS, "most": max(data.largest(scene) for scene in data.scenes), "ours_wrong": data.wrong(OURS),
+            "wrong": [f"{escaped(library)} {percent(failed / checked)}" for library, (failed, checked) in wrong.items() if failed],
+            "scenes": [scene_told(study, data, scene) for scene in data.scenes]}
+
+
+# The ticks that are drawn as numbers.
+BYTES = [20, 50, 100, 200, 500, 1000]
+MICROSECONDS = [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10]
+
+
+def looks(library):
+    look = LIBRARIES[library]
+    return {"color": look.colour, "linestyle": look.line, "marker": look.marker, "markersize": 4, "linewidth": 1.2, "label": library}
+
+
+def draw_lines(axes, rows, value):
+    """One line a library, from small to large scenes."""
+    for library in distinct(rows, "library"):
+        spots = sorted((int(row["triangles"]), value(row)) for row in rows if row["library"] == library)
+        axes.plot(*zip(*spots), **looks(library))
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.minorticks_off()
+    axes.grid(color="#dddddd", linewidth=0.5)
+
+
+def draw_queries(rows, scene, folder):
+    balls, questions = distinct(rows, "balls"), distinct(rows, "question")
+    figure, grid = plt.subplots(len(balls), len(questions), figsize=(3.1 * len(questions) + 0.5, 2.5 * len(balls) + 0.8),
+                                sharex=True, sharey=True, squeeze=False, layout="constrained")
+    handles = []
+    for i, ball in enumerate(balls):
+        for j, question in enumerate(questions):
+            axes = grid[i][j]
+            chosen = [row for row in rows if row["balls"] == ball and row["question"] == question]
+            if not chosen:
+                axes.set_axis_off()
+                continue
+            draw_lines(axes, chosen, lambda row: float(row["nanoseconds"]) / 1000)
+            axes.set_title(f"{BALLS[ball]}: {QUESTIONS[question]}")
+            lowest = not any(row["question"] == question and balls.index(row["balls"]) > i for row in rows)
+            axes.xaxis.set_tick_params(labelbottom=lowest)
+            if lowest:
+                axes.set_xlabel("triangles")
+            if j == 0:
+                axes.set_ylabel("a query, microseconds")
+            handles = max(handles, axes.get_legend_handles_labels()[0], key=len)
+    place = next((axes for axes in grid.flat if not axes.axison), None)
+    if place is None:  # a run that was interrupted
+        grid[0][0].legend(handles=handles, fontsize=6)
+    else:
+        place.legend(handles=handles, loc="center", frameon=False)
+    figure.suptitle(f"{scene}: time of a query against the size of the scene", fontsize=10)
+    save(figure, folder, f"queries-{scene}")
+
+
+def draw_builds(rows, folder):
+    scenes = distinct(rows, "scene")
+    figure, grid = plt.subplots(len(scenes), 3, figsize=(9, 2.6 * len(scenes) + 0.3), squeeze=False,
+                                layout="constrained", gridspec_kw={"width_ratios": [3, 3, 1.6]})
+    for axes, scene in zip(grid, scenes):
+        chosen = [row for row in rows if row["scene"] == scene]
+        draw_lines(axes[0], chosen, lambda row: 1e6 * float(row["seconds"]) / float(row["triangles"]))
+        draw_lines(axes[1], chosen, lambda row: float(row["bytes_a_triangle"]))
+        for one, name in zip(axes, ("build, microseconds a triangle", "memory, bytes a triangle")):
+            one.set_title(f"{scene}: {name.split(',')[0]}")
+            one.set_xlabel("triangles")
+            one.set_ylabel(name)
+        axes[0].set_yticks(MICROSECONDS, MICROSECONDS)
+        axes[1].set_yticks(BYTES, BYTES)
+        axes[2].set_axis_off()
+    grid[0][2].legend(handles=grid[0][0].get_legend_handles_labels()[0], loc="center left", frameon=False)
+    save(figure, folder, "builds")
+
+
+def main(folder):
+    queries, builds = rows_of(folder / "queries.csv"), rows_of(folder / "builds.csv")
+    for scene in distinct(queries, "scene"):
+        draw_queries([row for row in queries if row["scene"] == scene], scene, folder)
+    if builds:
+        draw_builds(builds, folder)

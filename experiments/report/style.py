@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How all pictures look, and what is common to those of several studies. Same data, same bytes: nothing here depends on the time or on chance."""
+import csv
+import multiprocessing
+import os
+
+import matplotlib
+
+from replacing import replacing
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+from looks import look_of
+
+plt.rcParams.update({"svg.hashsalt": "touchstone", "font.size": 9, "axes.titlesize": 9, "axes.spines.top": False,
+                     "axes.spines.right": False})
+
+# Okabe and Ito's colours, told apart by all eyes; line and marker tell them apart without colour.
+STYLES = [("#0072B2", "-", "o"), ("#E69F00", "--", "s"), ("#D55E00", "-", "^"), ("#000000", ":", "v"),
+          ("#009E73", "-.", "D"), ("#CC79A7", "--", "P"), ("#56B4E9", "-", "X"), ("#999999", "-.", "*")]
+
+
+def rows_of(path):
+    """Of a CSV file; cells are text."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def distinct(rows, name):
+    return list(dict.fromkeys(row[name] for row in rows))
+
+
+def curve(axes, method, x, y, low=None, high=None, shade=0.15, marker=True, **more):
+    """A method's line, with a band from `low` to `high`."""
+    look = look_of(method)
+    if low is not None:
+        axes.fill_between(x, low, high, color=look.colour, alpha=shade, linewidth=0)
+    return axes.plot(x, y, color=look.colour, linestyle=look.line, marker=look.marker if marker else None, **{"label": method, "linewidth": 1.2} | more)
+
+
+def whiskers(axes, x, y, low, high, **more):
+    """A line with a bar from `low` to `high` at each point."""
+    axes.errorbar(x, y, yerr=[[b - a for a, b in zip(low, y)], [b - a for a, b in zip(y, high)]], markersize=4, capsize=2, **more)
+
+
+UNTOLD = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None, "Producer": None}}
+
+
+def save(figure, folder, name, kinds=("png", "svg")):
+    """FOLDER/name.png and .svg (or .pdf), without dates and versions."""
+    for kind in kinds:
+        with replacing(folder / f"{name}.{kind}") as file:
+            figure.savefig(file, format=kind, dpi=150, metadata=UNTOLD[kind])
+    plt.close(figure)
+
+
+_jobs = []  # what the processes of `draw` share
+
+
+def _draw(i):
+    function, *arguments = _jobs[i]
+    function(*arguments)
+
+
+def draw(jobs):
+    """Calls each function with its arguments, in as many processes as there are processors; the slow ones should come first."""
+    _jobs[:] = jobs
+    with multiprocessing.get_context("fork").Pool(min(len(os.sched_getaffinity(0)), 8)) as pool:
+        pool.map(_draw, range(len(_jobs)), chunksize=1)
