@@ -167,7 +167,7 @@ run::Command near_edge_command() {
   command.writes(search_tables());
   command.example("near-edge --methods fast,filtered --samples 20 --search 0");
   command.runs(run::study_runner(command, kVersion, options,
-                                 [](run::StudyRun& run, const Options& options) { return Run(run, options)(); }));
+                                 [](run::StudyRun& run, const Options& given) { return Run(run, given)(); }));
   return command;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/stability/measure.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,7 +17,6 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/studies/stability/stress.h"
 
 namespace touchstone::stability {
 namespace {
