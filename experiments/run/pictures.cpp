@@ -3,11 +3,13 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 
 #include "experiments/run/input.h"
@@ -23,35 +25,35 @@ std::optional<std::string> find_python() {
   return std::nullopt;
 }
 
-/// Runs a script of experiments/report. Returns whether it did what it should; `where`: the place of the data.
-bool run_script(const char* name, const std::string& arguments, const std::string& where) {
-  const auto python = find_python();
-  if (!python) {
-    fmt::print(stderr, "touchstone: no pictures: no python3 with jinja2, matplotlib and numpy{}\n", where);
-    return false;
-  }
-  const std::string script = shell_quoted(data(std::string("experiments/report/") + name).string());
-  if (std::system((*python + " -B " + script + " " + arguments).c_str()) == 0) return true;
-  fmt::print(stderr, "touchstone: the pictures could not be drawn{}\n", where);
-  return false;
-}
-
 }  // namespace
 
 int draw_pictures(const std::string& name, const OutputFolder& folder) {
   folder.share();
   const std::string path = folder.path().string();
-  return run_script("draw.py", name + " " + shell_quoted(path), "; the data are in " + path) ? 0 : 1;
+  const std::string script = shell_quoted(data("experiments/report/draw.py").string());
+  const auto python = find_python();
+  if (python && std::system(fmt::format("{} -B {} {} {}", *python, script, name, shell_quoted(path)).c_str()) == 0)
+    return 0;
+  fmt::print(stderr, "touchstone: {}; the data are in {}\n",
+             python ? "the pictures could not be drawn" : "no pictures: no python3 with jinja2, matplotlib and numpy",
+             path);
+  return 1;
 }
 
-int draw_png(const std::string& svg, const std::filesystem::path& file) {
-  // A file without a name, which the script inherits and nobody needs to remove.
+std::string png_of(const std::string& svg) {
+  // A file without a name, which the program inherits and nobody needs to remove.
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> drawing(std::tmpfile(), std::fclose);
   if (!drawing || std::fwrite(svg.data(), 1, svg.size(), drawing.get()) != svg.size() ||
       std::fflush(drawing.get()) != 0)
     throw std::system_error(errno, std::generic_category(), "a temporary file cannot be written");
-  const int number = ::fileno(drawing.get());
-  return run_script("svg_to_png.py", fmt::format("/dev/fd/{} {}", number, shell_quoted(file.string())), "") ? 0 : 1;
+  std::FILE* drawn = ::popen(fmt::format("rsvg-convert --zoom 2 /dev/fd/{}", ::fileno(drawing.get())).c_str(), "r");
+  if (drawn == nullptr) throw std::system_error(errno, std::generic_category(), "rsvg-convert cannot be started");
+  std::string png;
+  std::array<char, 65536> part{};
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), drawn)) png.append(part.data(), size);
+  if (::pclose(drawn) != 0)
+    throw std::runtime_error("the picture could not be drawn by rsvg-convert, of Debian's package librsvg2-bin");
+  return png;
 }
 
 }  // namespace touchstone::run

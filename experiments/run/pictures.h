@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "experiments/run/output.h"
@@ -13,9 +12,8 @@ namespace touchstone::run {
 /// pictures could be drawn; standard error then says why. Throws as data() does.
 [[nodiscard]] int draw_pictures(const std::string& name, const OutputFolder& folder);
 
-/// Draws a drawing of `touchstone show` (SVG) as a PNG, likewise, and replaces the file. Returns 0, or 1 if it could
-/// not be drawn; standard error then says why. Throws as data() does, and std::runtime_error if there is no room for a
-/// temporary file.
-[[nodiscard]] int draw_png(const std::string& svg, const std::filesystem::path& file);
+/// Returns the drawing (SVG) as a PNG, with two pixels a unit, by librsvg's rsvg-convert. Throws std::runtime_error if it
+/// could not be drawn.
+[[nodiscard]] std::string png_of(const std::string& svg);
 
 }  // namespace touchstone::run

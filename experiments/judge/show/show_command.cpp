@@ -116,7 +116,7 @@ int show_cases(const ShowOptions& options) {
   for (std::size_t i = 1; i < views.size(); ++i) all.append(show::picture(views[i]));
   const std::string drawing = all.text_of_file(title);
   if (!options.svg.empty()) run::write_file(options.svg, drawing, options.force);
-  if (!options.png.empty()) status = std::max(status, run::draw_png(drawing, options.png));
+  if (!options.png.empty()) run::write_file(options.png, run::png_of(drawing), options.force);
   return status;
 }
 
@@ -145,8 +145,7 @@ run::Command show_command() {
             "Write the page to this file; without any of the three, it goes to standard output")
       .takes("FILE");
   command.text("--svg", options->svg, "Write the pictures to this file (SVG)").takes("FILE");
-  command.text("--png", options->png, "Write the pictures to this file (PNG); needs python3 with matplotlib")
-      .takes("FILE");
+  command.text("--png", options->png, "Write the pictures to this file (PNG); needs rsvg-convert").takes("FILE");
   command.force(options->force);
   command.footer(
       "From above: the polygon, the ball, the foot of its centre and the nearest point (of a moving ball: its way, "

@@ -17,7 +17,7 @@ struct Style {
 };
 
 /// A drawing in SVG: lines, circles, paths, rectangles and texts, with attributes of their own, in groups that are
-/// moved and cut off. experiments/report/svg_to_png.py draws exactly these.
+/// moved and cut off.
 class Svg {
  public:
   Svg(double width, double height) : width_(width), height_(height) {}
