@@ -12,7 +12,7 @@
 #include "experiments/run/table.h"
 #include "experiments/run/write_file.h"
 #include "experiments/thesis/cell/kinematics/aristo.h"
-#include "experiments/thesis/cell/model/bounds.h"
+#include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/figures/drawn_cell.h"
 #include "experiments/thesis/figures/picture_tables.h"
 

@@ -14,9 +14,8 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/run/table.h"
 #include "experiments/run/write_file.h"
-#include "experiments/thesis/cell/simulation/cycle_time.h"
-#include "experiments/thesis/cell/simulation/separation_output.h"
-#include "experiments/thesis/cell/simulation/triggers_output.h"
+#include "experiments/thesis/cell/simulation/distance_output.h"
+#include "experiments/thesis/cell/simulation/process.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::cell {
