@@ -1,5 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/run/input.h"
+#include "experiments/run/output.h"
 #include "experiments/thesis/cell/cell_commands.h"
+#include "geometry/io/detail/legible.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct NewOptions {
+  std::string folder, line;
+  bool force = false;
+};
+
+int run(const NewOptions& options) {
+  const std::filesystem::path least = run::data("experiments/thesis/cell/cells/least");
+  const run::OutputFolder held(options.folder, options.line, {.force = options.force});
+  for (const char* name : {"arm.urdf", "cell.json"}) {
+    std::ifstream stream = run::open_file(least / name);
+    run::write_file(held.path() / name, {std::istreambuf_iterator<char>(stream), {}});
+  }
+  const std::string folder = io::all_legible(options.folder);
+  fmt::print(
+      "{0}/cell.json and {0}/arm.urdf: the least cell. Change them, then\n  touchstone cell show {0}/cell.json\n"
+      "  touchstone cell run {0}/cell.json\n  touchstone cell serve {0}/cell.json\n",
+      folder);
+  return 0;
+}
+
+}  // namespace
+
+run::Command new_command() {
+  run::Command command("new", "Write the least cell and its arm into a folder, to start from");
+  auto options = std::make_shared<NewOptions>();
+  command.text("FOLDER", options->folder, "The folder").required();
+  command.force(options->force);
+  command.keep_line(options->line);
+  command.example("cell new mine && touchstone cell show mine/cell.json");
+  command.runs([options] { return run(*options); });
+  return command;
+}
+
+}  // namespace touchstone::cell
 
 namespace touchstone::commands {
 

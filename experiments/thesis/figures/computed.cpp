@@ -306,7 +306,7 @@ void compute_moves(const Study& study, Computed& computed) {
     computed.numbers[name] = moved ? named.direction * move->degrees : std::numeric_limits<double>::quiet_NaN();
     if (!named.rounded) continue;
     auto &exact = computed.numbers[name + ", unrounded"], &margin = computed.numbers[name + ", margin"];
-    if (move == nullptr || move->until == Until::Facing) continue;
+    if (move == nullptr || move->until == cell::Until::Facing) continue;
     exact = named.direction * move->exact;
     margin = move->margin;
   }

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "experiments/thesis/figures/computed.h"
-#include "experiments/thesis/figures/convex_cover.h"
+#include "experiments/thesis/figures/false_areas.h"
 
 namespace touchstone::figures {
 namespace {

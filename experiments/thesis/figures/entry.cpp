@@ -12,7 +12,6 @@
 #include "experiments/run/input.h"
 #include "experiments/run/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
-#include "experiments/thesis/cell/model/read_at_most.h"
 
 namespace touchstone::figures {
 namespace {

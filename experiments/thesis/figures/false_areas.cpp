@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "experiments/thesis/convex/convex.h"
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 
@@ -44,6 +45,14 @@ FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::
     area.missed += inside && !called;
   }
   return area;
+}
+
+ConvexCover convex_cover(const Outline& outline) {
+  const Polygon polygon = outline.polygon(), hull = convex::convex_hull(polygon);
+  Outline around{outline.name, {}};
+  for (std::size_t i = 0; i < hull.vertex_count(); ++i)
+    around.corners.emplace_back(hull.vertex(i).x(), hull.vertex(i).y());
+  return {around.area() / outline.area() - 1, convex::convex_parts(polygon).size()};
 }
 
 }  // namespace touchstone::figures

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,5 +31,12 @@ struct FalseArea {
 /// A function of its arguments. Outlines with different names have independent points, so that their random errors are
 /// independent. The truth is `filtered`. Cost: about 1 us per point.
 [[nodiscard]] FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::uint64_t seed);
+
+/// The rivals of the thesis's test: the convex hull of an outline, and its decomposition into convex parts.
+struct ConvexCover {
+  double hull;        ///< the area in the hull outside the outline, relative to the outline's
+  std::size_t parts;  ///< convex parts, which together are the outline
+};
+[[nodiscard]] ConvexCover convex_cover(const Outline& outline);
 
 }  // namespace touchstone::figures

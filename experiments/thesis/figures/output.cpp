@@ -12,7 +12,7 @@
 #include "experiments/run/output.h"
 #include "experiments/run/table.h"
 #include "experiments/thesis/cell/kinematics/aristo.h"
-#include "experiments/thesis/cell/model/bounds.h"
+#include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/figures/drawn_cell.h"
 #include "experiments/thesis/figures/picture_tables.h"
 

@@ -9,7 +9,7 @@
 
 #include "experiments/thesis/cell/kinematics/aristo.h"
 #include "experiments/thesis/cell/simulation/arm.h"
-#include "experiments/thesis/figures/convex_cover.h"
+#include "experiments/thesis/figures/false_areas.h"
 
 namespace touchstone::figures {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/thesis/cell/configuration/area.h"
+#include "experiments/thesis/cell/area.h"
 #include "experiments/thesis/cell/model/model.h"
 
 /// Where the storage may stand, as `touchstone cell area` finds it.

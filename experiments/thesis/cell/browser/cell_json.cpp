@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/thesis/cell/browser/cell_json.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -12,42 +12,58 @@
 #include <vector>
 
 #include "experiments/thesis/cell/browser/drawing.h"
-#include "experiments/thesis/cell/browser/elements_json.h"
 #include "experiments/thesis/cell/simulation/arm.h"
-#include "experiments/thesis/cell/simulation/cycle_time.h"
+#include "experiments/thesis/cell/simulation/process.h"
 
 namespace touchstone::cell::browser {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// For pictures: the shortest number that is read as the nearest float.
-double drawn(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.begin(), text.end(), static_cast<float>(value)).ptr;
-  double result = 0;
-  std::from_chars(text.begin(), end, result);
-  return result;
+Json triple(const Eigen::Vector3d& at) { return {at.x(), at.y(), at.z()}; }
+
+Json element(const char* kind, const std::string& key, const std::string& name, Json fields) {
+  return {{"kind", kind}, {"key", key}, {"name", name}, {"listed", key.back() == ']'}, {"fields", std::move(fields)}};
 }
 
-Json drawn(const Eigen::Vector3d& at) { return {drawn(at.x()), drawn(at.y()), drawn(at.z())}; }
+Json field(const std::string& path, Json value) { return {{"path", path}, {"value", std::move(value)}}; }
 
-Json part_json(const ModelPart& part) {
-  const Drawing drawing = drawing_of(part.faces);
-  Json points = Json::array(), triangles = Json::array(), outline = Json::array();
-  for (const Eigen::Vector3d& point : drawing.points)
-    for (const double coordinate : point) points.push_back(drawn(coordinate));
-  for (const auto& triangle : drawing.triangles)
-    for (const std::uint32_t corner : triangle) triangles.push_back(corner);
-  for (const auto& edge : drawing.outline)
-    for (const std::uint32_t end : edge) outline.push_back(end);
-  return {{"name", part.name},
-          {"carrier", to_string(part.carrier)},
-          {"link", part.link},
-          {"points", std::move(points)},
-          {"triangles", std::move(triangles)},
-          {"face_ends", drawing.face_ends},
-          {"outline", std::move(outline)}};
+Json station(const char* kind, const Station& given) {
+  const auto at = [&](const char* key, double value) { return field(given.key + "." + key, value); };
+  return element(
+      kind, given.key, given.name,
+      {at("angle", given.angle), at("radius", given.radius), at("height", given.height), at("turn", given.turn)});
+}
+
+/// What a cell file consists of: [{kind, key, name, listed, fields: [{path, value}]}]. A field is a number, an array of
+/// numbers or true or false that the page can change by `path=value`; what is listed can be removed by `key=null`.
+Json elements_json(const Plant& plant) {
+  Json all = Json::array();
+  for (const Plant::PlacedRobot& robot : plant.robots) {
+    const std::string& key = robot.robot.key;
+    Json fields = Json::array();
+    if (key != "robot") {
+      const Eigen::Vector3d& at = robot.frame.translation;
+      fields = {field(key + ".place", {at.x(), at.y()}), field(key + ".turn", robot.turn)};
+    }
+    all.push_back(element("robot", key, robot.name, std::move(fields)));
+  }
+  for (const Plant::PlacedStation& placed : plant.storages) all.push_back(station("storage", placed.station));
+  for (const Plant::PlacedStation& placed : plant.machines) all.push_back(station("machine", placed.station));
+  for (const Plant::Piece& piece : plant.pieces)
+    all.push_back(element("material", piece.key, piece.name, Json::array()));
+  for (std::size_t i = 0; i < plant.obstacles.size(); ++i) {
+    const std::string key = fmt::format("obstacles[{}]", i);
+    all.push_back(element("obstacle", key, plant.obstacles[i].name,
+                          Json::array({field(key + ".move", triple(plant.obstacles[i].solid.pose.translation))})));
+  }
+  for (std::size_t i = 0; i < plant.zones.size(); ++i) {
+    const std::string key = fmt::format("zones[{}]", i);
+    all.push_back(element(
+        "zone", key, plant.zones[i].name,
+        {field(key + ".move", triple(plant.zones[i].pose.translation)), field(key + ".stops", plant.zones[i].stops)}));
+  }
+  return all;
 }
 
 /// Returns the direction of a face, in the frame of the material.

@@ -12,13 +12,13 @@ namespace touchstone::cell::browser {
 // the nearest floats.
 
 /// Returns the part of a cell that the page shows independently of the run:
-///   name, unit; piece: the name of what is handled, pieces: of all; elements, zones: as in elements_json.h; clearance;
+///   name, unit; piece: the name of what is handled, pieces: of all; elements: what its file consists of, [{kind, key,
+///   name, listed, fields: [{path, value}]}]; zones: as zones_json draws them; clearance;
 ///   sphere: its radius; robot: {name, joints: [{name, lower, upper, home}]}, those that turn; setting: as read_setting
 ///   takes it; drives: the names of what may stop the robot; labels: {path: "T", "S", "D" or "C"} of it; bounds:
 ///   {longest, most_degrees, least_step, most_step}; slots: [{name, place}]; storage, machine: {home, angle, radius,
 ///   height, turn}; links, home_sphere: where they stand at home; material_faces: where they look, in words: `top`,
-///   `underside`, `side`; parts: [{name, carrier, link, points, triangles, face_ends, outline}], as in Drawing, in flat
-///   arrays.
+///   `underside`, `side`; parts: as part_json draws them.
 [[nodiscard]] std::string cell_json(const Simulator& simulator);
 
 /// Returns the part of a run that the page shows:

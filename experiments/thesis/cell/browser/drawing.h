@@ -2,24 +2,23 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include <nlohmann/json_fwd.hpp>
 
-#include "experiments/thesis/cell/model/solid_faces.h"
+#include "experiments/thesis/cell/model/model.h"
 
+// What the page draws: pictures only, never answers.
 namespace touchstone::cell::browser {
 
-/// The faces of a solid as they are drawn. Used for pictures only, never for answers.
-struct Drawing {
-  std::vector<Eigen::Vector3d> points;  ///< without duplicates
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::size_t> face_ends;  ///< for each face, one past the last of its triangles
-  /// The edges at which faces meet at more than 20 degrees, and the edges that do not have exactly two faces.
-  std::vector<std::array<std::uint32_t, 2>> outline;
-};
+/// Returns the shortest number that is read as the nearest float.
+[[nodiscard]] double drawn(double value);
+[[nodiscard]] nlohmann::ordered_json drawn(const Eigen::Vector3d& at);
 
-[[nodiscard]] Drawing drawing_of(const SolidFaces& solid);
+/// Returns the faces of a part: {name, carrier, link, points, triangles, face_ends, outline}, in flat arrays.
+/// `face_ends` holds for each face one past the last of its triangles, `outline` the edges at which faces meet at more
+/// than 20 degrees, and those that do not have exactly two faces.
+[[nodiscard]] nlohmann::ordered_json part_json(const ModelPart& part);
+
+/// Returns the virtual objects: [{name, stops, points, triangles, face_ends, outline}], in the cell.
+[[nodiscard]] nlohmann::ordered_json zones_json(const Cell& cell);
 
 }  // namespace touchstone::cell::browser

@@ -8,7 +8,7 @@ foreach(file ${files})
   string(APPEND texts "      {\"${name}\", R\"page(${text})page\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Written by embed.cmake.
-#include \"experiments/thesis/cell/browser/page_sources.h\"
+#include \"experiments/thesis/cell/browser/page.h\"
 
 #include <map>
 

@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "experiments/thesis/cell/browser/page_sources.h"
-
 namespace touchstone::cell::browser {
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace touchstone::cell::browser {
 
@@ -12,5 +13,9 @@ namespace touchstone::cell::browser {
 [[nodiscard]] std::string live_page();
 /// This page plays back one run only: the texts of cell_json and run_json. It forbids the browser every connection.
 [[nodiscard]] std::string recorded_page(const std::string& cell, const std::string& run);
+
+/// Returns a file of page/ as it was when the program was built (embed.cmake writes the definition). Throws
+/// std::out_of_range for any other name.
+[[nodiscard]] std::string_view page_source(std::string_view name);
 
 }  // namespace touchstone::cell::browser

@@ -10,7 +10,7 @@
 
 #include "experiments/methods/registry.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
-#include "experiments/thesis/cell/simulation/cycle_time.h"
+#include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/sweep.h"
 
 namespace touchstone::cell::browser {

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
+#include "experiments/thesis/cell/area.h"
 #include "experiments/thesis/cell/browser/setting.h"
-#include "experiments/thesis/cell/configuration/area.h"
 #include "experiments/thesis/cell/model/cell.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/plant.h"
-#include "experiments/thesis/cell/simulation/hindrance.h"
 #include "experiments/thesis/cell/simulation/method_comparison.h"
 #include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/separation.h"
+#include "experiments/thesis/cell/simulation/sweep.h"
 #include "experiments/thesis/cell/simulation/workcell.h"
 #include "geometry/shapes/pose.h"
 #include "robust/scene/scene.h"

@@ -13,8 +13,8 @@
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/model/change_cell.h"
 #include "experiments/thesis/cell/model/reach.h"
-#include "experiments/thesis/cell/model/read_station.h"
-#include "experiments/thesis/cell/model/stops.h"
+#include "experiments/thesis/cell/model/read_cell.h"
+#include "experiments/thesis/cell/model/read_things.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell::browser {
@@ -143,8 +143,7 @@ Cell changed(const Cell& cell, const Setting& setting) {
   if (const auto& stand = result.storage.stand; stand && stand->top <= -result.storage.height)
     throw BadCell(fmt::format("{}: {}.height: the stand's top, {:g} from there, lies at or below the floor",
                               cell.file.string(), cell.storage.key, stand->top));
-  check_stops(result);
-  check_reach(result);
+  check_cell(result);
   return result;
 }
 

@@ -65,7 +65,7 @@ struct PoseRequest {
 [[nodiscard]] PoseRequest read_pose(std::string_view text, const Cell& cell, std::size_t joints);
 
 /// Returns the cell with the setting applied. Values that differ from the cell are labelled as chosen in the result.
-/// Throws BadCell as check_stops and check_reach do.
+/// Throws BadCell as check_cell does.
 [[nodiscard]] Cell changed(const Cell& cell, const Setting& setting);
 
 }  // namespace touchstone::cell::browser

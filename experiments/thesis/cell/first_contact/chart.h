@@ -1,13 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gmpxx.h>
+
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 
-#include "experiments/thesis/cell/first_contact/integer_vector.h"
 #include "experiments/thesis/cell/first_contact/polynomial.h"
 
 namespace touchstone::kinematics {
+
+/// Vectors of integers, or of polynomials.
+template <class T>
+using Vector = std::array<T, 3>;
+using IntegerVector = Vector<mpz_class>;
+using PolynomialVector = Vector<Polynomial>;
+
+inline IntegerVector operator+(const IntegerVector& a, const IntegerVector& b) {
+  return {mpz_class(a[0] + b[0]), mpz_class(a[1] + b[1]), mpz_class(a[2] + b[2])};
+}
+inline IntegerVector operator-(const IntegerVector& a, const IntegerVector& b) {
+  return {mpz_class(a[0] - b[0]), mpz_class(a[1] - b[1]), mpz_class(a[2] - b[2])};
+}
+inline IntegerVector operator*(const mpz_class& s, const IntegerVector& a) {
+  return {mpz_class(s * a[0]), mpz_class(s * a[1]), mpz_class(s * a[2])};
+}
+inline PolynomialVector operator+(const PolynomialVector& a, const PolynomialVector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline PolynomialVector operator-(const PolynomialVector& a, const PolynomialVector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+/// Returns the polynomial p times the direction a.
+inline PolynomialVector operator*(const Polynomial& p, const IntegerVector& a) {
+  return {a[0] * p, a[1] * p, a[2] * p};
+}
+
+inline mpz_class dot(const IntegerVector& a, const IntegerVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Polynomial dot(const IntegerVector& a, const PolynomialVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Polynomial squared(const PolynomialVector& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
+inline IntegerVector cross(const IntegerVector& a, const IntegerVector& b) {
+  return {mpz_class(a[1] * b[2] - a[2] * b[1]), mpz_class(a[2] * b[0] - a[0] * b[2]),
+          mpz_class(a[0] * b[1] - a[1] * b[0])};
+}
+inline PolynomialVector cross(const PolynomialVector& a, const IntegerVector& b) {
+  return {b[2] * a[1] - b[1] * a[2], b[0] * a[2] - b[2] * a[0], b[1] * a[0] - b[0] * a[1]};
+}
+
+/// Returns the exponent of the lowest bit that is set in any of these numbers; `none` if all are 0.
+[[nodiscard]] int lowest_bit(const Eigen::Vector3d& v, int none);
+/// Returns v / 2^unit. Requires that this is a vector of integers.
+[[nodiscard]] IntegerVector in_units(const Eigen::Vector3d& v, int unit);
 
 /// The angles of a turn as points of a projective line: tan(phi / 2) = |axis| y / x, so that a turn is that of the
 /// quaternion (x, y axis), whose matrix is rational in x and y. Three charts give x and y as linear functions of a

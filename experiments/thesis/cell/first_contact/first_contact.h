@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -50,5 +51,18 @@ struct FirstContact {
 /// the arc. Throws std::invalid_argument for an invalid arc as require_valid does, and Rejected for a radius that is
 /// negative or not finite. Requires faces that exact::validate accepts.
 [[nodiscard]] std::optional<FirstContact> first_contact(const Arc& arc, double radius, const scene::Faces& faces);
+
+/// The first of the stops 0, 1, 2, ... of a move at which the ball touches a face.
+struct SteppedContact {
+  std::uint64_t stop;
+  double degrees;    ///< stop times step
+  std::size_t face;  ///< the lowest, numbered as in FirstContact
+};
+
+/// Finds contact as the thesis does: tests the ball after every `step` degrees, not between. At each stop the centre is
+/// rounded as by point_at; the contact test of that ball is exact (`filtered`). There are no stops beyond the end of
+/// the move. Throws as first_contact does, and std::invalid_argument for a step that is not finite and positive.
+[[nodiscard]] std::optional<SteppedContact> stepped_contact(const Arc& arc, double radius, double step,
+                                                            const scene::Faces& faces);
 
 }  // namespace touchstone::kinematics

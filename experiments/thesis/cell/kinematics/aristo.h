@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "experiments/thesis/cell/kinematics/chain.h"
-#include "experiments/thesis/cell/kinematics/two_link.h"
 
 /// The MTAB Aristo, in millimetres and degrees; z up, the origin on the axis of the base.
 ///

@@ -8,23 +8,32 @@
 #include <stdexcept>
 
 #include "experiments/cases/workloads/degrees.h"
+#include "experiments/thesis/cell/model/poses.h"
 
 namespace touchstone::kinematics {
-namespace {
 
-Pose after(const Pose& first, const Pose& then) { return {first.rotation * then.rotation, first * then.translation}; }
-
-/// Rodrigues' formula.
-Eigen::Matrix3d turn_about(const Eigen::Vector3d& axis, double degrees) {
-  Eigen::Matrix3d cross;
-  cross << 0, -axis.z(), axis.y(),  //
-      axis.z(), 0, -axis.x(),       //
-      -axis.y(), axis.x(), 0;
-  const double c = workloads::cosine(degrees), s = workloads::sine(degrees);
-  return c * Eigen::Matrix3d::Identity() + s * cross + (1 - c) * (axis * axis.transpose());
+Reach TwoLinks::reach(const LinkAngles& angles) const {
+  return {first * workloads::sine(angles.lean) + second * workloads::cosine(angles.elevation),
+          first * workloads::cosine(angles.lean) + second * workloads::sine(angles.elevation)};
 }
 
-}  // namespace
+std::vector<LinkAngles> TwoLinks::inverse(const Reach& point) const {
+  const double distance = std::sqrt(point.out * point.out + point.up * point.up);
+  if (distance == 0) return {};
+  const double at_shoulder = (first * first + distance * distance - second * second) / (2 * first * distance);
+  if (!(std::abs(at_shoulder) <= 1)) return {};
+  const double to_point = workloads::arc_tangent(point.up, point.out), opened = workloads::arc_cosine(at_shoulder);
+  std::vector<LinkAngles> solutions;
+  for (const double side : {1.0, -1.0}) {
+    const double up = to_point + side * opened;  // elevation of the first link
+    const double elevation =
+        workloads::arc_tangent(point.up - first * workloads::sine(up), point.out - first * workloads::cosine(up));
+    const double lean = 90 - up;
+    solutions.push_back({std::remainder(lean, 360), elevation});
+    if (opened == 0 || opened == 180) break;
+  }
+  return solutions;
+}
 
 Pose link_of(const DenavitHartenberg& row) {
   const double c = workloads::cosine(row.theta), s = workloads::sine(row.theta), ca = workloads::cosine(row.alpha),
@@ -102,11 +111,11 @@ std::vector<Pose> Chain::frames(const Angles& commanded) const {
   std::vector<Pose> frames;
   Pose last;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    last = after(last, joints_[i].origin);
-    last.rotation = last.rotation * turn_about(joints_[i].axis, all[i]);
+    last = cell::within(last, joints_[i].origin);
+    last.rotation = last.rotation * cell::rotation_about(joints_[i].axis, all[i]);
     frames.push_back(last);
   }
-  frames.push_back(after(last, flange_));
+  frames.push_back(cell::within(last, flange_));
   return frames;
 }
 

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 
+#include "experiments/run/command_run.h"
 #include "experiments/run/table.h"
+#include "experiments/thesis/cell/cell_commands.h"
 
 namespace touchstone::kinematics {
 namespace {
@@ -174,7 +177,7 @@ Table<Prediction> predictions_csv(const char* file, const char* about) {
            {"base_to_storage", "the same of the base", to_storage(cell::kBase)},
            {"shoulder_to_storage", "the same of the shoulder", to_storage(cell::kShoulder)},
            {"lift", "degrees by which the shoulder lifts the material", of_path([](const cell::Process& path) {
-              const auto lift = std::ranges::find(path.moves, Until::Cleared, &cell::Move::until);
+              const auto lift = std::ranges::find(path.moves, cell::Until::Cleared, &cell::Move::until);
               return lift == path.moves.end() ? 0 : lift->degrees;
             })},
            {"base_to_machine", "degrees of the base from the storage to the machine",
@@ -230,7 +233,7 @@ std::vector<PoseRow> pose_rows(const LayoutStudy& study) {
     int contacts = 0;
     for (const cell::Move& m : study.cases[number].moves) {
       angles[m.joint] += m.degrees;
-      if (m.until == Until::Contact) draw(++contacts == 1 ? "storage" : "machine");
+      if (m.until == cell::Until::Contact) draw(++contacts == 1 ? "storage" : "machine");
     }
   }
   return rows;
@@ -273,7 +276,7 @@ std::string layout_table(const LayoutStudy& study) {
     for (std::size_t i = 0; i < moves.size(); ++i) {
       const cell::Move& m = moves[i];
       text += fmt::format("  {:<28} {:<9}{:+4}   ", captions.at(i), kJoints[m.joint], m.degrees);
-      text += m.until == Until::Facing
+      text += m.until == cell::Until::Facing
                   ? "exactly: it faces the station\n"
                   : fmt::format("{} at {:.6f}, {:.3f} from the next degree\n", to_string(m.until), m.exact, m.margin);
     }
@@ -295,3 +298,46 @@ std::string layout_table(const LayoutStudy& study) {
 }
 
 }  // namespace touchstone::kinematics
+
+namespace touchstone::cell {
+namespace {
+
+struct Options : run::FolderOptions {
+  bool quick = false;
+};
+
+int run_layout(const Options& options) {
+  run::CommandRun run(options);
+  const kinematics::HomeSteps homes = options.quick ? kinematics::HomeSteps{30, 15} : kinematics::HomeSteps{};
+  const std::uint64_t work = kinematics::layout_work(homes);
+  std::optional<kinematics::LayoutStudy> study;
+  {
+    run::ProgressLine line = run.progress("layouts", work);
+    study = kinematics::study_layout(homes, run.stop(), std::ref(line));
+  }
+  if (!study) return run.finish_unwritten();
+  kinematics::write_layout(run.folder(), *study);
+  return run.finish({.samples_asked = work, .samples_done = work}, kinematics::layout_table(*study), "cell_layout");
+}
+
+}  // namespace
+
+run::Command layout_command() {
+  auto options = std::make_shared<Options>();
+  options->output = "results/cell-layout";
+  run::Command command("layout", "Find the home pose and places that reproduce the thesis's captioned angles");
+  command.footer(
+      "Solves for the home pose, storage and machine that reproduce both case studies' angles to the degree. Shows "
+      "the family of solutions, the chosen one, and its predictions for other angles and heights.");
+  command.flag(
+      "--quick", options->quick,
+      "Coarser steps between the home poses of the family; the chosen layout and its predictions are the same");
+  run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
+  run::declare_printing(command, *options);
+  command.writes(kinematics::layout_tables());
+  command.example("cell layout --quick");
+  command.runs([options] { return run_layout(*options); });
+  return command;
+}
+
+}  // namespace touchstone::cell

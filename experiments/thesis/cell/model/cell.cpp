@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "experiments/cases/workloads/degrees.h"
+#include "experiments/thesis/cell/model/poses.h"
 
 namespace touchstone::cell {
 
@@ -39,6 +40,24 @@ Eigen::Vector2d in_plan(const Station& station, const Eigen::Vector2d& point) {
 Solid stand_of(const Station& station) {
   const Station::Stand& stand = station.stand.value();
   return {Box{{stand.lower.x(), stand.lower.y(), -station.height}, {stand.upper.x(), stand.upper.y(), stand.top}}};
+}
+
+double angle_at_home(const Robot& robot, std::size_t joint) {
+  double angle = robot.joints[joint].home;
+  for (const Coupling& coupling : robot.couplings)
+    if (coupling.joint == joint) angle += coupling.factor * robot.joints[coupling.leader].home;
+  return angle;
+}
+
+std::vector<Pose> home_poses(const Robot& robot) {
+  std::vector<Pose> poses{robot.base};
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    poses.push_back(within(poses.back(), joint.origin));
+    if (joint.kind == Joint::Kind::Revolute)
+      poses.back().rotation *= rotation_about(joint.axis, angle_at_home(robot, i));
+  }
+  return poses;
 }
 
 }  // namespace touchstone::cell

@@ -7,13 +7,37 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "experiments/cases/workloads/unit.h"
 #include "experiments/thesis/cell/model/solid.h"
-#include "experiments/thesis/cell/model/zone.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/pose.h"
+
+namespace touchstone::cell {
+
+/// A virtual object: an invisible face, box, sphere or capsule that takes no room, and notices what comes into it.
+struct Zone {
+  struct Face {
+    std::vector<Eigen::Vector3d> corners;  ///< of a convex polygon, in order; a fan of triangles
+  };
+  struct Cuboid {
+    Eigen::Vector3d lower, upper;
+  };
+  /// All points within a radius of a segment, which is a point for a sphere.
+  struct Capsule {
+    Eigen::Vector3d from, to;
+    double radius;
+  };
+
+  std::string name;
+  std::variant<Face, Cuboid, Capsule> shape;
+  Pose pose = {};      ///< in the cell
+  bool stops = false;  ///< whether the robot stops when something comes into it
+};
+
+}  // namespace touchstone::cell
 
 /// The virtual manufacturing cell: the checked contents of a cell file, in plain structures.
 ///
@@ -67,6 +91,11 @@ struct Robot {
 
   [[nodiscard]] const Link& flange() const { return links.back(); }
 };
+
+/// Returns the angle of a joint about its axis at home: its command and what it takes from those that it follows.
+[[nodiscard]] double angle_at_home(const Robot& robot, std::size_t joint);
+/// Returns the pose of every link at home, in the robot's frame.
+[[nodiscard]] std::vector<Pose> home_poses(const Robot& robot);
 
 /// The gripper, in the frame of the flange that carries it.
 struct Gripper {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/thesis/cell/model/read_at_most.h"
+#include "experiments/thesis/cell/model/cell_entry.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/detail/text_reader.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/thesis/cell/model/solid_faces.h"
+#include "experiments/thesis/cell/model/solid.h"
 #include "geometry/io/read_mesh.h"
 
 /// The thesis's model files: text, one file a link, of parts, of polygons. Their layout is not public; this is one that

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/thesis/cell/model/cell.h"
-#include "experiments/thesis/cell/model/solid_faces.h"
+#include "experiments/thesis/cell/model/solid.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::cell {

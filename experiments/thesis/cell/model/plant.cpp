@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "experiments/cases/workloads/degrees.h"
-#include "experiments/thesis/cell/model/home_poses.h"
+#include "experiments/thesis/cell/model/poses.h"
 
 namespace touchstone::cell {
 namespace {

@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/thesis/cell/model/bounds.h"
-#include "experiments/thesis/cell/model/cell_entry.h"
-#include "experiments/thesis/cell/model/home_poses.h"
+#include "experiments/thesis/cell/model/poses.h"
+#include "experiments/thesis/cell/model/solid.h"
 
 namespace touchstone::cell {
 namespace {
@@ -138,10 +137,6 @@ std::optional<std::string> reach_fault(const Cell& cell) {
   const Reach reach = reach_of(cell);
   const std::optional<std::string> storage = fault(cell, cell.storage, reach);
   return storage ? storage : fault(cell, cell.machine, reach);
-}
-
-void check_reach(const Cell& cell) {
-  if (const auto fault = reach_fault(cell)) throw BadCell(fmt::format("{}: {}", cell.file.string(), *fault));
 }
 
 }  // namespace touchstone::cell

@@ -30,7 +30,5 @@ struct Reach {
 /// `storage.radius: too far: ...`: the distance, whether it is too near or too far, and the radii at which the arm
 /// reaches all slots from above, joint limits and obstacles apart.
 [[nodiscard]] std::optional<std::string> reach_fault(const Cell& cell);
-/// Throws BadCell for such a fault. Must be called again if a cell is changed after it was read.
-void check_reach(const Cell& cell);
 
 }  // namespace touchstone::cell

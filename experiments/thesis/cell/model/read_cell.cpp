@@ -10,15 +10,16 @@
 #include <vector>
 
 #include "experiments/run/json.h"
+#include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/model/change_cell.h"
 #include "experiments/thesis/cell/model/reach.h"
-#include "experiments/thesis/cell/model/read_at_most.h"
 #include "experiments/thesis/cell/model/read_solid.h"
 #include "experiments/thesis/cell/model/read_things.h"
-#include "experiments/thesis/cell/model/stops.h"
 
 namespace touchstone::cell {
 namespace {
+
+constexpr double kMostStops = 100'000;  // of a joint, from limit to limit: about ten seconds of a process
 
 run::StrictJson load(const std::filesystem::path& file) {
   const std::string text = read_at_most<BadCell>(file, kMostCellMib);
@@ -130,12 +131,20 @@ Plant read_plant(const std::filesystem::path& file, const std::optional<std::fil
   if (plant.step > 90) whole.at("step").bad(fmt::format("must be at most 90, is {}", plant.step));
   read_things(plant, whole, folder, context);
   read_labels(plant.labels, whole);
-  for (std::size_t i = 0; i < plant.pieces.size(); ++i) {
-    const Cell cell = cell_of(plant, i);
-    check_stops(cell);
-    check_reach(cell);
-  }
+  for (std::size_t i = 0; i < plant.pieces.size(); ++i) check_cell(cell_of(plant, i));
   return plant;
+}
+
+void check_cell(const Cell& cell) {
+  for (const Joint& joint : cell.robot.joints) {
+    const double stops = (joint.upper - joint.lower) / cell.step;
+    if (stops > kMostStops)
+      throw BadCell(fmt::format(
+          "{}: step: at {:g} degrees a stop, joint \"{}\" would take {:.3g} stops from {:g} to {:g} degrees; at "
+          "most {:g} are allowed",
+          cell.file.string(), cell.step, joint.name, stops, joint.lower, joint.upper, kMostStops));
+  }
+  if (const auto fault = reach_fault(cell)) throw BadCell(fmt::format("{}: {}", cell.file.string(), *fault));
 }
 
 Cell read_cell(const std::filesystem::path& file, const std::optional<std::filesystem::path>& meshes,

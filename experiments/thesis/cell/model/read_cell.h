@@ -21,7 +21,7 @@ namespace touchstone::cell {
 ///   name      text
 ///   unit      "mm", "cm", "m", "inch", ...: of all lengths of the file
 ///   step      degrees by which a joint moves, > 0 and at most 90; no joint may take more than 100,000 steps from limit
-///             to limit (stops.h)
+///             to limit
 ///   clearance by which the sphere rises after gripping from above or letting go; > 0
 ///   meshes    the folder of mesh files; optional: that of the cell file by default
 ///   robot     urdf: file; height: of its first link above the floor; home: {joint: degrees}, one for each that turns,
@@ -43,7 +43,7 @@ namespace touchstone::cell {
 /// More than one: `robots`, `storages`, `machines` and `materials` are lists of further ones, each with a `name`. A
 /// file needs one of each kind, by its own key or in the list. Then also
 ///   obstacles optional: parts that stand, in the frame of the floor, which is that of the key `robot`
-///   zones     optional: virtual objects, as read_zone takes them
+///   zones     optional: virtual objects, as read_zone takes them (read_things.cpp)
 ///   robots[i] the keys of `robot`, its `gripper`, and perhaps place: [x, y] and turn: degrees, on the floor
 ///   a station perhaps about: the robot about whose axis it stands, by default the first one; turn: degrees by which
 ///             its frame is turned
@@ -64,6 +64,10 @@ namespace touchstone::cell {
 [[nodiscard]] Cell read_cell(const std::filesystem::path& file,
                              const std::optional<std::filesystem::path>& meshes = std::nullopt,
                              const std::vector<std::string>& changes = {});
+
+/// Throws BadCell if a joint would take more steps from limit to limit, and for a reach_fault (reach.h). Must be called
+/// again if a cell is changed after it was read.
+void check_cell(const Cell& cell);
 
 /// Returns the presets of a cell file, in alphabetic order. Throws BadCell as read_cell does.
 [[nodiscard]] std::map<std::string, std::vector<std::string>> read_presets(const std::filesystem::path& file);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "experiments/thesis/cell/first_contact/arc.h"
-#include "experiments/thesis/cell/model/home_poses.h"
+#include "experiments/thesis/cell/model/poses.h"
 #include "experiments/thesis/cell/model/read_urdf.h"
 
 namespace touchstone::cell {

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "experiments/thesis/cell/model/quarter_turn.h"
+#include "experiments/thesis/cell/model/poses.h"
 
 namespace touchstone::cell {
 namespace {

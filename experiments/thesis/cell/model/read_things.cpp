@@ -5,18 +5,126 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "experiments/thesis/cell/model/home_poses.h"
+#include "experiments/thesis/cell/model/poses.h"
 #include "experiments/thesis/cell/model/read_robot.h"
-#include "experiments/thesis/cell/model/read_station.h"
-#include "experiments/thesis/cell/model/read_zone.h"
 
 namespace touchstone::cell {
+
 namespace {
+
+/// Reads a storage or a machine by the keys of read_cell.
+Station read_station(const CellEntry& entry, std::string name, const SolidContext& context) {
+  Station station{entry.at("home").number(),
+                  entry.at("angle").number(),
+                  entry.at("radius").positive(),
+                  entry.at("height").not_negative(),
+                  {},
+                  read_parts(entry.at("parts"), context),
+                  {}};
+  station.name = std::move(name);
+  station.key = entry.path();
+  if (const auto turn = entry.find("turn")) station.turn = turn->number();
+  for (const CellEntry& item : entry.at("parts").items())
+    if (item.at("name").name() == "stand") item.at("name").bad("only the stand has this name");
+  std::set<std::string> names;
+  for (const CellEntry& item : entry.at("slots").items()) {
+    item.has_only({"name", "place", "aim"});
+    const Eigen::Vector3d place = item.at("place").point();
+    const auto aim = item.find("aim");
+    station.slots.push_back({item.at("name").text(), place, aim ? aim->point2() : Eigen::Vector2d(place.head<2>())});
+    if (!names.insert(station.slots.back().name).second) item.at("name").bad("this name is taken");
+  }
+  if (station.slots.empty()) entry.at("slots").bad("must not be empty");
+  if (const auto stand = entry.find("stand")) {
+    stand->has_only({"from", "to", "top"});
+    station.stand = {stand->at("from").point2(), stand->at("to").point2(), stand->at("top").number()};
+    const Station::Stand& given = *station.stand;
+    if (!(given.lower.x() < given.upper.x() && given.lower.y() < given.upper.y()))
+      stand->bad("\"from\" must be less than \"to\" in each coordinate");
+    if (!(given.top > -station.height)) stand->at("top").bad("lies at or below the floor");
+  }
+  return station;
+}
+
+constexpr double kOffPlane = 1e-6;  // of the face's size
+
+Zone::Face read_face(const CellEntry& entry) {
+  Zone::Face face;
+  for (const CellEntry& corner : entry.items()) face.corners.push_back(corner.point());
+  const std::size_t count = face.corners.size();
+  if (count < 3) entry.bad("needs at least three corners");
+  const auto corner = [&](std::size_t i) -> const Eigen::Vector3d& { return face.corners[i % count]; };
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double size = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    normal += (corner(i) - corner(0)).cross(corner(i + 1) - corner(0));
+    size = std::max(size, (corner(i) - corner(0)).norm());
+  }
+  if (!(normal.norm() > 0)) entry.bad("its corners lie on a line");
+  normal.normalize();
+  double turned = 0;  // in all
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d in = corner(i + 1) - corner(i), out = corner(i + 2) - corner(i + 1);
+    const double across = in.cross(out).dot(normal);
+    if (!(across > 0)) entry.bad("its corners do not turn in one direction: a face is convex");
+    turned += std::atan2(across, in.dot(out));
+    if (std::abs(normal.dot(corner(i) - corner(0))) > kOffPlane * size) entry.bad("its corners are not in one plane");
+  }
+  if (turned > 7) entry.bad("its corners go round more than once");  // than 2 pi
+  return face;
+}
+
+Zone::Cuboid read_cuboid(const CellEntry& entry) {
+  entry.has_only({"from", "to"});
+  const Zone::Cuboid box{entry.at("from").point(), entry.at("to").point()};
+  if (!(box.lower.array() < box.upper.array()).all()) entry.bad("\"from\" must be less than \"to\" in each coordinate");
+  return box;
+}
+
+Zone::Capsule read_sphere(const CellEntry& entry) {
+  entry.has_only({"at", "radius"});
+  const Eigen::Vector3d at = entry.at("at").point();
+  return {at, at, entry.at("radius").positive()};
+}
+
+Zone::Capsule read_capsule(const CellEntry& entry) {
+  entry.has_only({"from", "to", "radius"});
+  return {entry.at("from").point(), entry.at("to").point(), entry.at("radius").positive()};
+}
+
+/// Reads a virtual object: name; one of
+///   "face":    [[x, y, z], ...], the corners of a convex polygon, in order;
+///   "box":     {"from": [x, y, z], "to": [x, y, z]};
+///   "sphere":  {"at": [x, y, z], "radius": r};
+///   "capsule": {"from": [x, y, z], "to": [x, y, z], "radius": r}, a cylinder with two half balls;
+/// and, optionally, "move": [x, y, z], and "stops": true if the robot is to stop. Throws BadCell, also for a face whose
+/// corners do not turn in one direction, or are off its plane by more than a millionth of its size.
+Zone read_zone(const CellEntry& entry) {
+  entry.has_only({"name", "face", "box", "sphere", "capsule", "move", "stops"});
+  std::optional<decltype(Zone::shape)> shape;
+  const auto take = [&](const char* key, const auto& read) {
+    const auto given = entry.find(key);
+    if (!given) return;
+    if (shape) entry.bad("has more than one shape");
+    shape = read(*given);
+  };
+  take("face", read_face);
+  take("box", read_cuboid);
+  take("sphere", read_sphere);
+  take("capsule", read_capsule);
+  if (!shape) entry.bad("has no shape: face, box, sphere or capsule");
+  Zone zone{entry.at("name").name(), std::move(*shape), {}, false};
+  if (const auto move = entry.find("move")) zone.pose.translation = move->point();
+  if (const auto stops = entry.find("stops")) zone.stops = stops->yes();
+  return zone;
+}
 
 /// A thing that the file gives by a key of its own, which is then its name, or in a list, where it has a name.
 struct Given {
@@ -137,6 +245,13 @@ void check_links(const Given& robot, const Robot& read) {
 }
 
 }  // namespace
+
+std::size_t slot_named(const Station& station, const CellEntry& entry) {
+  const std::string name = entry.text();
+  for (std::size_t i = 0; i < station.slots.size(); ++i)
+    if (station.slots[i].name == name) return i;
+  entry.bad(fmt::format("there is no slot \"{}\"", name));
+}
 
 void read_things(Plant& plant, const CellEntry& whole, const std::filesystem::path& folder,
                  const SolidContext& context) {

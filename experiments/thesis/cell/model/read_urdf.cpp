@@ -2,6 +2,7 @@
 #include "experiments/thesis/cell/model/read_urdf.h"
 
 #include <console_bridge/console.h>
+#include <expat.h>
 #include <fmt/core.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
@@ -9,19 +10,94 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <new>
 #include <numbers>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "experiments/thesis/cell/first_contact/arc.h"
-#include "experiments/thesis/cell/model/check_xml.h"
-#include "experiments/thesis/cell/model/read_at_most.h"
+#include "experiments/thesis/cell/model/cell_entry.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 namespace {
+
+/// Thrown for text that is not XML, or XML that exceeds our limits; the message begins with the line.
+class BadXml : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The lines of the root element and of its direct children, if they have a `name`, by kind and name; the first of
+/// several with the same name.
+using XmlLines = std::map<std::pair<std::string, std::string>, std::size_t, std::less<>>;
+
+/// Limits of XML that is read: the parser of urdfdom recurses from level to level, in time quadratic in their number,
+/// looks for an attribute among all of its element's, and frees a chain of links by recursion.
+constexpr std::size_t kMostXmlLevels = 64, kMostXmlAttributes = 64, kMostXmlElements = 100'000,
+                      kMostNamedInRoot = 2'000;
+
+/// Checks that a text is well-formed XML in UTF-8 within these limits, without a document type, by expat, which does
+/// not recurse. Exceptions cannot pass through expat, so the first fault stops the parser.
+class XmlCheck {
+ public:
+  XmlCheck() : parser_(XML_ParserCreate("UTF-8"), XML_ParserFree) {
+    if (!parser_) throw std::bad_alloc();
+    XML_SetUserData(parser_.get(), this);
+    XML_SetElementHandler(
+        parser_.get(), [](void* self, const char* name, const char** attributes) { of(self).begin(name, attributes); },
+        [](void* self, const char*) { --of(self).levels_; });
+    XML_SetStartDoctypeDeclHandler(parser_.get(), [](void* self, const char*, const char*, const char*, int) {
+      of(self).refuse("a document type is not read");
+    });
+    // urdfdom's parser ends an instruction at the first '>', and would take what follows for elements.
+    XML_SetProcessingInstructionHandler(parser_.get(), [](void* self, const char*, const char* data) {
+      if (std::string_view(data).find('>') != std::string_view::npos) of(self).refuse("an instruction holds a '>'");
+    });
+  }
+
+  /// Throws BadXml. Cost: linear in the length of the text.
+  XmlLines lines(std::string_view text) {
+    const XML_Status status = XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
+    if (!fault_.empty()) throw BadXml(fault_);
+    if (status != XML_STATUS_OK)
+      throw BadXml(
+          fmt::format("line {}: is not XML in UTF-8: {}", line(), XML_ErrorString(XML_GetErrorCode(parser_.get()))));
+    return std::move(lines_);
+  }
+
+ private:
+  static XmlCheck& of(void* self) { return *static_cast<XmlCheck*>(self); }
+  [[nodiscard]] std::size_t line() const { return XML_GetCurrentLineNumber(parser_.get()); }
+
+  void refuse(const std::string& reason) {
+    if (fault_.empty()) fault_ = fmt::format("line {}: {}", line(), reason);
+    XML_StopParser(parser_.get(), XML_FALSE);
+  }
+
+  void begin(const char* element, const char** attributes) {
+    if (++levels_ > kMostXmlLevels) refuse(fmt::format("elements are nested in more than {} levels", kMostXmlLevels));
+    if (++elements_ > kMostXmlElements) refuse(fmt::format("there are more than {} elements", kMostXmlElements));
+    std::size_t count = 0;
+    for (const char** attribute = attributes; *attribute != nullptr; attribute += 2) {
+      ++count;
+      if (levels_ <= 2 && std::string_view(*attribute) == "name") lines_.try_emplace({element, attribute[1]}, line());
+    }
+    if (count > kMostXmlAttributes) refuse(fmt::format("an element has more than {} attributes", kMostXmlAttributes));
+    if (lines_.size() > kMostNamedInRoot)
+      refuse(fmt::format("there are more than {} links, joints and other named elements", kMostNamedInRoot));
+  }
+
+  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
+  std::size_t levels_ = 0, elements_ = 0;
+  XmlLines lines_;
+  std::string fault_;
+};
 
 /// Collects the messages of urdfdom during its lifetime.
 class Sentences : public console_bridge::OutputHandler {
@@ -232,7 +308,7 @@ Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext
   const std::string text = read_at_most<BadCell>(file, kMostCellMib);
   XmlLines lines;
   try {
-    lines = check_xml(text);
+    lines = XmlCheck().lines(text);
   } catch (const BadXml& bad) {
     throw BadCell(file.string() + ": " + bad.what());
   }

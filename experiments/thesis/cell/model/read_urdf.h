@@ -20,9 +20,10 @@ namespace touchstone::cell {
 /// the context's packages.
 ///
 /// Throws BadCell, which names the file, the line and the link or joint, for a file of more than kMostCellMib, for
-/// input that check_xml refuses, an invalid name (is_name; for the robot and for joints: with a control character), a
-/// link with several children, a joint that is neither revolute, continuous (limits -360 and 360), prismatic nor
-/// fixed, mimics another, has no axis or crossed limits, another scale, or a missing mesh.
+/// text that is not well-formed XML in UTF-8, has a document type, or is deeper or longer than read_urdf.cpp allows,
+/// for an invalid name (is_name; for the robot and for joints: with a control character), a link with several children,
+/// a joint that is neither revolute, continuous (limits -360 and 360), prismatic nor fixed, mimics another, has no axis
+/// or crossed limits, another scale, or a missing mesh.
 [[nodiscard]] Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext& context);
 
 }  // namespace touchstone::cell

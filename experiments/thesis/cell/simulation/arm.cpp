@@ -57,11 +57,6 @@ std::vector<kinematics::Compensation> compensations_of(const Cell& cell, const k
 
 }  // namespace
 
-double turn_between(const Pose& one, const Pose& other) {
-  const double chord = (one.rotation - other.rotation).norm() / (2 * std::sqrt(2.0));
-  return 2 * workloads::arc_sine(std::min(1.0, chord));
-}
-
 Ball Arm::sphere_at(const kinematics::Angles& commanded) const {
   return {chain.place(commanded, sphere.center), sphere.radius};
 }

@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "experiments/thesis/cell/kinematics/chain.h"
-#include "experiments/thesis/cell/kinematics/two_link.h"
 #include "experiments/thesis/cell/model/cell.h"
-#include "experiments/thesis/cell/model/home_poses.h"
+#include "experiments/thesis/cell/model/poses.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/pose.h"
 
 namespace touchstone::cell {
-
-/// Returns the angle in degrees by which the rotations of two poses differ.
-[[nodiscard]] double turn_between(const Pose& one, const Pose& other);
 
 /// The joints that the process moves: the first three that turn. The others keep their angles at home.
 enum Moved : std::size_t { kBase, kShoulder, kElbow };

@@ -17,7 +17,7 @@ class Handling : public MovingArm {
   using MovingArm::MovingArm;
 
   /// Until the sphere touches the material there, or its virtual copy.
-  void come_upon(StationSlot slot, kinematics::Approach approach, Order order);
+  void come_upon(StationSlot slot, Approach approach, Order order);
   /// Onto the material there, or its virtual copy, by the elbow, once the base faces it and the shoulder is as planned.
   void come_down_by_elbow(StationSlot slot);
   /// By the shoulder, onto the material at the machine.

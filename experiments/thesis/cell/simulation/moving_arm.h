@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "experiments/thesis/cell/simulation/driver.h"
+#include "experiments/cases/method.h"
 #include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/sweep.h"
+#include "experiments/thesis/cell/simulation/workcell.h"
 
 namespace touchstone::cell {
 
+/// A method that is asked about every face of the material, real or virtual, at a stop, as the exact answer is.
+class Driver {
+ public:
+  Driver(const Workcell& workcell, const cases::Method& method);
+
+  /// Returns the lowest face of the material in a slot, or of its virtual copy, for which the method says contact.
+  [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball, StationSlot slot, bool virtual_copy) const;
+
+ private:
+  std::array<std::vector<std::unique_ptr<cases::PreparedMethod>>, 4> faces_;  // by slot, real then virtual
+};
+
 /// An arm that moves one joint after the other, by whole steps, and records its moves and stops. A move that Process
-/// does not allow throws kinematics::SimulationFailure and leaves the reason in `process.stuck`.
+/// does not allow throws SimulationFailure and leaves the reason in `process.stuck`.
 class MovingArm {
  public:
   /// Without a sweep the sphere alone is tested; without a driver the exact answer says when it touches. All must

@@ -1,15 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "experiments/thesis/cell/simulation/cycle_time.h"
+#include "experiments/thesis/cell/simulation/arm.h"
 #include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/triangle_distance.h"
 
 namespace touchstone::cell {
+
+/// How the links of an arm move while one joint turns: not at all, about the joint's axis or, behind a joint that makes
+/// up for the turning, along arcs without turning.
+class JointTurn {
+ public:
+  static constexpr double kGenerous = 1 + 1e-9;  ///< more than the roundings of a few lengths add up to
+
+  /// Without a joint the arm is at rest. Requires an arm that outlives it.
+  JointTurn(const Arm& arm, const kinematics::Angles& from, std::optional<Moved> joint);
+
+  enum class Motion { None, Turned, Shifted };
+  [[nodiscard]] Motion motion(std::size_t link) const;
+  /// Returns a length that no point of a ball, which moves so, leaves behind while the joint turns by `degrees`.
+  [[nodiscard]] double moved(Motion motion, const Eigen::Vector3d& center, double radius, double degrees) const;
+
+  [[nodiscard]] const Eigen::Vector3d& axis() const { return axis_; }
+  [[nodiscard]] const Eigen::Vector3d& on_axis() const { return on_axis_; }
+  /// A point along whose arc is shifted what is shifted; none if nothing is.
+  [[nodiscard]] const std::optional<Eigen::Vector3d>& pivot() const { return pivot_; }
+
+ private:
+  [[nodiscard]] double from_axis(const Eigen::Vector3d& point) const { return axis_.cross(point - on_axis_).norm(); }
+
+  const Arm* arm_;
+  std::optional<Moved> joint_;
+  Eigen::Vector3d on_axis_ = Eigen::Vector3d::Zero(), axis_ = Eigen::Vector3d::UnitZ();
+  std::optional<std::size_t> shifted_from_;  // the frames from that of this joint on are shifted, not turned
+  std::optional<Eigen::Vector3d> pivot_;
+  double shift_ = 0;  // the radius of the arc along which they are
+};
+
+/// A part of a turn, between two angles in degrees from the turn's beginning, and lower bounds of the distance of two
+/// bodies at these angles.
+struct Clearance {
+  double begin, at_begin, end, at_end;
+
+  /// Returns a lower bound on the whole part. Requires that the distance changes by at most `rate` per degree.
+  [[nodiscard]] double least(double rate) const { return (at_begin + at_end - rate * (end - begin)) / 2; }
+};
+
+enum class Next { Done, Halve, Stop };
+
+/// Judges a part of a turn and, where that asks for it, its halves, the earlier one first; each halving calls
+/// `measure(middle, part)` for a lower bound in the middle. Returns false if a judgement was to stop.
+template <class Judge, class Measure>
+bool by_halves(const Clearance& part, const Judge& judge, const Measure& measure) {
+  if (const Next next = judge(part); next != Next::Halve) return next == Next::Done;
+  const double middle = part.begin + (part.end - part.begin) / 2, there = measure(middle, part);
+  return by_halves({part.begin, part.at_begin, middle, there}, judge, measure) &&
+         by_halves({middle, there, part.end, part.at_end}, judge, measure);
+}
+
+/// Returns the first angle from which on two bodies may touch; none if they do not touch on all of the part. Guarantee:
+/// they do not touch at an earlier angle. It may name a miss by `finest` times `rate` and by what the measured bounds
+/// are below the distances.
+template <class Measure>
+std::optional<double> first_touch(const Clearance& part, double rate, double finest, const Measure& measure) {
+  std::optional<double> first;
+  const auto judge = [&](const Clearance& p) {
+    if (p.at_begin > 0 && p.at_end > 0 && p.least(rate) > 0) return Next::Done;
+    if (p.at_begin > 0 && p.end - p.begin > finest) return Next::Halve;
+    first = p.begin;
+    return Next::Stop;
+  };
+  by_halves(part, judge, measure);
+  return first;
+}
 
 /// A part of a mover, in the frame of a link.
 struct MovingPart {

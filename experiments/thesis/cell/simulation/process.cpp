@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -13,10 +14,19 @@
 #include "experiments/thesis/cell/simulation/zone_triggers.h"
 
 namespace touchstone::cell {
-namespace {
 
-using kinematics::Approach;
-using kinematics::SimulationFailure;
+std::string_view to_string(Until until) {
+  constexpr std::array<std::string_view, 4> words{"planned", "facing", "contact", "cleared"};
+  return words[static_cast<std::size_t>(until)];
+}
+
+std::string_view to_string(FailureCause cause) {
+  constexpr std::array<std::string_view, 6> words{"out-of-reach", "beyond-limits", "no-contact",
+                                                  "not-held",     "misplaced",     "in-the-way"};
+  return words[static_cast<std::size_t>(cause)];
+}
+
+namespace {
 
 /// A way of doing what there are several ways of.
 struct Attempt {
@@ -168,6 +178,41 @@ Process simulate(const Workcell& workcell, const Rule& rule) {
   robot.process.triggers = zone_triggers(workcell, robot.process, rule.sphere_alone);
   stop_at_zones(workcell, robot.process);
   return std::move(robot.process);
+}
+
+std::optional<double> seconds(const Arm& arm, Moved joint, double degrees) {
+  kinematics::Angles moved = arm.home;
+  moved[joint] += degrees;
+  const kinematics::Angles before = arm.chain.turns(arm.home), after = arm.chain.turns(moved);
+  double longest = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double turned = std::abs(after[i] - before[i]);
+    if (turned == 0) continue;
+    if (!(arm.speeds[i] > 0)) return std::nullopt;
+    longest = std::max(longest, turned / arm.speeds[i]);
+  }
+  return longest;
+}
+
+StepOfJoint step_between(const Stop& from, const Stop& to) {
+  for (const Moved joint : {kBase, kShoulder, kElbow})
+    if (from.commanded[joint] != to.commanded[joint]) return {joint, to.commanded[joint] - from.commanded[joint]};
+  return {kBase, 0};
+}
+
+std::vector<double> times_of(const Arm& arm, const Process& process) {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < process.stops.size(); ++i) {
+    if (i == 0) {
+      times.push_back(0);
+      continue;
+    }
+    const StepOfJoint step = step_between(process.stops[i - 1], process.stops[i]);
+    const auto taken = seconds(arm, step.joint, step.degrees);
+    if (!taken) return {};
+    times.push_back(times.back() + *taken);
+  }
+  return times;
 }
 
 }  // namespace touchstone::cell

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,10 +13,40 @@
 #include "experiments/cases/method.h"
 #include "experiments/thesis/cell/first_contact/first_contact.h"
 #include "experiments/thesis/cell/kinematics/chain.h"
-#include "experiments/thesis/cell/kinematics/simulation_terms.h"
 #include "experiments/thesis/cell/simulation/workcell.h"
 
 namespace touchstone::cell {
+
+/// The direction from which the sphere comes to the material. `SideWithoutShoulder` leaves the shoulder as at home.
+enum class Approach { SideWithoutShoulder, Above, Side };
+
+/// The rule for how far a joint moves.
+enum class Until {
+  Planned,  ///< by the whole number of steps nearest to the result of inverse kinematics, or to home
+  Facing,   ///< by the whole number of steps after which the base faces a station best
+  Contact,  ///< until the sphere touches its target
+  Cleared,  ///< until the sphere has risen by the clearance
+};
+/// `planned`, `facing`, ...
+[[nodiscard]] std::string_view to_string(Until until);
+
+/// The reason why a simulation ended early.
+enum class FailureCause {
+  OutOfReach,  ///< inverse kinematics has no solution
+  JointLimit,  ///< a joint would have to turn beyond its limits
+  NoContact,   ///< the sphere does not touch its target, or steps skip the contact
+  NotHeld,     ///< what the sphere touches is not between the fingers
+  Misplaced,   ///< what the gripper would let go is too far from its place
+  InTheWay,    ///< something touches what it should not
+};
+/// `out-of-reach`, `beyond-limits`, ...
+[[nodiscard]] std::string_view to_string(FailureCause cause);
+
+/// Thrown inside a simulation that cannot continue.
+struct SimulationFailure : std::runtime_error {
+  SimulationFailure(FailureCause why, const std::string& text) : std::runtime_error(text), cause(why) {}
+  FailureCause cause;
+};
 
 /// The phases of the whole process, in order.
 enum class Phase {
@@ -29,9 +60,6 @@ enum class Phase {
 inline constexpr std::size_t kPhases = 6;
 /// `to-storage`, `to-machine`, ...
 [[nodiscard]] std::string_view to_string(Phase phase);
-
-using kinematics::FailureCause;
-using kinematics::Until;
 
 /// A stop at which the method that drives the robot says contact, or at which it should have.
 struct WrongStop {
@@ -144,11 +172,28 @@ struct Rule {
 ///      face of its target; the certified contact lies within the last step;
 ///  (4) what is gripped is between the fingers (Gripper::Hold); what is let go is within the tolerance of its place
 ///      (Material::Tolerance), where the gripper does not touch it;
-///  (5) no two things that stand overlap (overlap.h).
+///  (5) no two things that stand overlap (sweep.h).
 /// With `sphere_alone`, (1) and (3) only. Virtual objects stop nothing, unless the file says so: then the process ends
 /// where something comes into one (zone_triggers). If one of them cannot be kept, or a step skips a contact, `failure`
 /// says why: it names the move, the angle in degrees, and the obstacle. Moves and stops are then those of the approach
 /// that went furthest, up to there.
 [[nodiscard]] Process simulate(const Workcell& workcell, const Rule& rule = {});
+
+/// Returns how many seconds a move takes if every joint that turns keeps to its greatest speed: a joint that makes up
+/// for another turns, too. Empty if the speed of one of them is unknown. Acceleration is left out, so a real robot
+/// takes longer.
+[[nodiscard]] std::optional<double> seconds(const Arm& arm, Moved joint, double degrees);
+
+/// Returns when the arm is at each stop, in seconds since the first one; empty if a speed is unknown. The last time is
+/// the cycle time, without gripping and milling.
+[[nodiscard]] std::vector<double> times_of(const Arm& arm, const Process& process);
+
+/// Returns the joint that moves from one stop to the next, and by how much. Requires stops that differ in one joint, or
+/// in none: then the base moves by 0.
+struct StepOfJoint {
+  Moved joint;
+  double degrees;
+};
+[[nodiscard]] StepOfJoint step_between(const Stop& from, const Stop& to);
 
 }  // namespace touchstone::cell

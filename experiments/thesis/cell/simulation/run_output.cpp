@@ -14,9 +14,9 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/run/output.h"
 #include "experiments/run/table.h"
-#include "experiments/thesis/cell/simulation/cycle_time.h"
-#include "experiments/thesis/cell/simulation/separation_output.h"
-#include "experiments/thesis/cell/simulation/triggers_output.h"
+#include "experiments/thesis/cell/simulation/distance_output.h"
+#include "experiments/thesis/cell/simulation/process.h"
+#include "robust/exact/exact.h"
 
 namespace touchstone::cell {
 namespace {
@@ -246,8 +246,8 @@ std::string disagreements_text(const MethodComparison& comparison, std::size_t m
     const Disagreement& d = comparison.disagreements[i];
     std::vector<std::string> tags{"cell", d.owner};
     for (const std::string& method : d.methods) tags.push_back("fails:" + method);
-    const cases::Shapes shapes{d.sphere, d.polygon};
-    text += cases::case_line(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), shapes, tags, exact_answer(shapes));
+    const auto answer = cases::PartialAnswer::of(exact::answer(d.sphere, d.polygon), "exact");
+    text += cases::case_line(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), d.sphere, d.polygon, tags, answer);
   }
   return text;
 }

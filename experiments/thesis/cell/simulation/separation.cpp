@@ -6,10 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "experiments/thesis/cell/simulation/clearance.h"
-#include "experiments/thesis/cell/simulation/cycle_time.h"
-#include "experiments/thesis/cell/simulation/joint_turn.h"
 #include "experiments/thesis/cell/simulation/moving_parts.h"
+#include "experiments/thesis/cell/simulation/process.h"
 
 namespace touchstone::cell {
 namespace {

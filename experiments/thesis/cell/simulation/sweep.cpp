@@ -10,12 +10,88 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "experiments/thesis/cell/simulation/clearance.h"
-#include "experiments/thesis/cell/simulation/joint_turn.h"
+#include "experiments/thesis/cell/simulation/moving_parts.h"
+#include "experiments/thesis/cell/simulation/triangle_distance.h"
 
 namespace touchstone::cell {
+namespace {
+
+struct Piece {
+  std::uint32_t name;
+  std::vector<NamedTriangle> triangles;
+  touchstone::Box box;
+};
+
+struct Thing {
+  std::string name;
+  std::vector<Piece> parts;
+  TriangleTree tree;
+};
+
+std::vector<Thing> things_of(const Workcell& workcell) {
+  std::vector<std::pair<std::string, std::vector<Piece>>> found;
+  for (const NamedTriangle& each : workcell.standing_triangles()) {
+    const std::string& part = workcell.names()[each.owner];
+    const std::string name = part.substr(0, part.find('/'));
+    auto thing = std::ranges::find(found, name, &std::pair<std::string, std::vector<Piece>>::first);
+    if (thing == found.end()) thing = found.insert(thing, {name, {}});
+    auto& parts = thing->second;
+    if (parts.empty() || parts.back().name != each.owner) parts.push_back({each.owner, {}, {}});
+    parts.back().triangles.push_back(each);
+    parts.back().box = parts.back().box.joined(box(each.triangle));
+  }
+  std::vector<Thing> things;
+  for (auto& [name, parts] : found) {
+    std::vector<NamedTriangle> all;
+    for (const Piece& part : parts) all.insert(all.end(), part.triangles.begin(), part.triangles.end());
+    things.push_back({name, std::move(parts), TriangleTree(std::move(all))});
+  }
+  return things;
+}
+
+bool lies_in(const touchstone::Box& inner, const touchstone::Box& outer) {
+  return (inner.low.array() >= outer.low.array()).all() && (inner.high.array() <= outer.high.array()).all();
+}
+
+/// Whether a closed surface winds round a point that is not on it: the sum of solid angles, in quarters of a sphere.
+/// Source: [vanoosterom1983].
+bool winds_round(const std::vector<NamedTriangle>& surface, const Eigen::Vector3d& point) {
+  double sum = 0;
+  for (const auto& [t, owner] : surface) {
+    const Eigen::Vector3d a = t.a - point, b = t.b - point, c = t.c - point;
+    const double x = a.norm(), y = b.norm(), z = c.norm();
+    sum += 2 * std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
+  }
+  return std::abs(sum) > std::numbers::pi;
+}
+
+}  // namespace
+
+std::optional<Hindrance> overlap_of_things(const Workcell& workcell) {
+  const std::vector<Thing> things = things_of(workcell);
+  const std::vector<std::string>& names = workcell.names();
+  const auto hindrance = [&](const char* words, std::uint32_t one, std::uint32_t other) {
+    return Hindrance{0, fmt::format(fmt::runtime(words), names[one], names[other]), {names[one], names[other]}};
+  };
+  for (std::size_t i = 0; i < things.size(); ++i)
+    for (std::size_t j = i + 1; j < things.size(); ++j) {
+      constexpr double kNear = std::numeric_limits<double>::min();
+      if (const auto met = distance(things[i].tree, {}, things[j].tree, kNear); met.lower < kNear)
+        return hindrance("{} stands in {}", met.owner, met.other);
+      // Surfaces that are apart: one vertex tells for all of a part.
+      for (const Piece& part : things[i].parts)
+        for (const Piece& other : things[j].parts)
+          if ((lies_in(part.box, other.box) && winds_round(other.triangles, part.triangles.front().triangle.a)) ||
+              (lies_in(other.box, part.box) && winds_round(part.triangles, other.triangles.front().triangle.a)))
+            return hindrance("{} and {} stand one in the other", part.name, other.name);
+    }
+  return std::nullopt;
+}
+
 namespace {
 
 constexpr double kRounding = 1e-12;   // of the arm's reach: more than a posed point is off

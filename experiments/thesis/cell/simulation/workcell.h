@@ -13,7 +13,7 @@
 #include "experiments/thesis/cell/model/cell.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/simulation/arm.h"
-#include "experiments/thesis/cell/simulation/triangle_tree.h"
+#include "experiments/thesis/cell/simulation/triangle_distance.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::cell {

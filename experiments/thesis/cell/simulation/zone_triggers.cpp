@@ -12,8 +12,6 @@
 #include <utility>
 #include <variant>
 
-#include "experiments/thesis/cell/simulation/clearance.h"
-#include "experiments/thesis/cell/simulation/joint_turn.h"
 #include "experiments/thesis/cell/simulation/moving_parts.h"
 
 namespace touchstone::cell {

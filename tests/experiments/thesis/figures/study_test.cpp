@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/thesis/cell/kinematics/solve_layout.h"
+#include "experiments/thesis/cell/kinematics/layout.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/figures/drawn_cell.h"
 #include "experiments/thesis/figures/entry.h"

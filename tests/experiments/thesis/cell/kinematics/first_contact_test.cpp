@@ -13,7 +13,6 @@
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/thesis/cell/first_contact/stepped_contact.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/thesis/cell/kinematics/rational_judge.h"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layout: both case studies as captioned, what they imply for every angle, and what flips a caption.
+#include "experiments/thesis/cell/kinematics/layout.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "experiments/cases/workloads/degrees.h"
-#include "experiments/thesis/cell/kinematics/laid_out.h"
-#include "experiments/thesis/cell/kinematics/solve_layout.h"
+#include "experiments/thesis/cell/kinematics/layout_study.h"
 
 namespace touchstone::cell_tests {
 namespace {
@@ -120,7 +121,7 @@ TEST(Rehearsal, NamesWhatIsOutOfReach) {
   Station storage = layout.storage(1, -33);
   storage.radius = 2000;
   const cell::Process path = rehearse(layout, storage);
-  EXPECT_EQ(path.cause, FailureCause::OutOfReach);
+  EXPECT_EQ(path.cause, cell::FailureCause::OutOfReach);
   EXPECT_NE(path.failure.find("from above: the upper face of the material is out of reach"), std::string::npos)
       << path.failure;
 }

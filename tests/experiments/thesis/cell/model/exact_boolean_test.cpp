@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/thesis/cell/model/circle.h"
 #include "tests/experiments/thesis/cell/model/solids.h"
 
 namespace touchstone::cell_model_tests {

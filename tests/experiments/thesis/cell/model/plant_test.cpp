@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/thesis/cell/model/home_poses.h"
 #include "experiments/thesis/cell/model/model.h"
+#include "experiments/thesis/cell/model/poses.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 
 namespace touchstone::cell_model_tests {

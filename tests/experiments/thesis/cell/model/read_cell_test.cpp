@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "experiments/run/output.h"
-#include "experiments/thesis/cell/model/bounds.h"
-#include "experiments/thesis/cell/model/solid_faces.h"
+#include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/cell/simulation/arm.h"
 #include "tests/experiments/support/scratch.h"
 

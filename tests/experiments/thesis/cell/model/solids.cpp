@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "experiments/thesis/cell/model/circle.h"
-#include "experiments/thesis/cell/model/quarter_turn.h"
+#include "experiments/thesis/cell/model/exact_boolean.h"
+#include "experiments/thesis/cell/model/poses.h"
 
 namespace touchstone::cell_model_tests {
 namespace {

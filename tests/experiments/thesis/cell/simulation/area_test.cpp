@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the storage may stand.
-#include "experiments/thesis/cell/configuration/area.h"
+#include "experiments/thesis/cell/area.h"
 
 #include <gtest/gtest.h>
 

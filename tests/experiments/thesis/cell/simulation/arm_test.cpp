@@ -9,7 +9,7 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/thesis/cell/kinematics/aristo.h"
-#include "experiments/thesis/cell/kinematics/solve_layout.h"
+#include "experiments/thesis/cell/kinematics/layout.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 

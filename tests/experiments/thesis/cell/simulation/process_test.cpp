@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "experiments/methods/registry.h"
-#include "experiments/thesis/cell/kinematics/laid_out.h"
-#include "experiments/thesis/cell/kinematics/solve_layout.h"
+#include "experiments/thesis/cell/kinematics/layout.h"
+#include "experiments/thesis/cell/kinematics/layout_study.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/support/melfa_meshes.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"

@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-#include "experiments/thesis/cell/simulation/cycle_time.h"
+#include "experiments/thesis/cell/simulation/process.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
 namespace touchstone::cell_simulation_tests {

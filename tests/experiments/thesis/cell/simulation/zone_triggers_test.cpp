@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-#include "experiments/thesis/cell/simulation/cycle_time.h"
+#include "experiments/thesis/cell/simulation/process.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
 namespace touchstone::cell_simulation_tests {

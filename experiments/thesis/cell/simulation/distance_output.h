@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/run/table.h"
+#include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/separation.h"
 
 namespace touchstone::cell {
@@ -20,5 +21,13 @@ void write_separation(const std::filesystem::path& folder, const Workcell& workc
                       const Separation& separation);
 
 [[nodiscard]] std::vector<run::TableDescription> separation_tables();
+
+/// Returns what came into virtual objects, one line each; nothing if the cell has none.
+[[nodiscard]] std::string triggers_text(const Workcell& workcell, const Process& process);
+
+/// Writes triggers.csv: when what came into which virtual object.
+void write_triggers(const std::filesystem::path& folder, const Workcell& workcell, const Process& process);
+
+[[nodiscard]] run::TableDescription triggers_table();
 
 }  // namespace touchstone::cell

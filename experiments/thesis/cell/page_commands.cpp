@@ -2,24 +2,52 @@
 #include <fmt/core.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "experiments/run/input.h"
+#include "experiments/run/output.h"
 #include "experiments/run/printing.h"
 #include "experiments/run/stop_signal.h"
+#include "experiments/thesis/cell/browser/cell_json.h"
 #include "experiments/thesis/cell/browser/http_server.h"
+#include "experiments/thesis/cell/browser/page.h"
 #include "experiments/thesis/cell/browser/recording.h"
 #include "experiments/thesis/cell/browser/routes.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/cell/run_options.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 namespace {
+
+struct ExportOptions {
+  RunOptions run;
+  std::string file;
+  bool force = false;
+};
+
+int run_export(const ExportOptions& options) {
+  const std::string extension = std::filesystem::path(options.file).extension().string();
+  if (extension != ".html")
+    throw std::invalid_argument(fmt::format("{}: the extension '{}' must be .html", options.file, extension));
+  run::refuse_overwrite(options.file, options.force);
+  const browser::Simulator simulator = simulator_of(options.run);
+  const browser::Recording recording = simulator.run(simulator.setting());
+  const std::string text = browser::recorded_page(browser::cell_json(simulator), browser::run_json(recording));
+  run::write_file(options.file, text, options.force);
+  fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.snapshots.size(), text.size(),
+             io::all_legible(options.file));
+  if (recording.process.failure.empty()) return 0;
+  fmt::print("not completed: {}\n", recording.process.failure);
+  return 1;
+}
 
 struct ServeOptions {
   RunOptions run;
@@ -27,7 +55,7 @@ struct ServeOptions {
   std::uint16_t port = 8080;
 };
 
-int run(const ServeOptions& options) {
+int serve(const ServeOptions& options) {
   const run::StopSignal stop_signal;
   RunOptions chosen = options.run;
   if (chosen.file.empty()) chosen.file = run::data("experiments/thesis/cell/cells/aristo.json").string();
@@ -55,6 +83,22 @@ int run(const ServeOptions& options) {
 
 }  // namespace
 
+run::Command export_command() {
+  run::Command command("export", "Run the process and write it to a page");
+  auto options = std::make_shared<ExportOptions>();
+  command.text("CELL", options->run.file, "A cell file (JSON): `cell new` writes one, docs/formats.md has its keys")
+      .required();
+  command
+      .text("FILE", options->file,
+            "The file to write (.html): the page of `serve`, which plays the run and needs no other file")
+      .required();
+  command.flag("--force", options->force, "Overwrite an existing file");
+  add_run_options(command, options->run);
+  command.example("cell export experiments/thesis/cell/cells/aristo.json cell.html");
+  command.runs([options] { return run_export(*options); });
+  return command;
+}
+
 run::Command serve_command() {
   run::Command command("serve", "Show the cell in a browser: move the storage, run the process, look");
   auto options = std::make_shared<ServeOptions>();
@@ -64,7 +108,7 @@ run::Command serve_command() {
       .takes("ADDRESS");
   add_run_options(command, options->run);
   command.example("cell serve experiments/thesis/cell/cells/aristo.json");
-  command.runs([options] { return run(*options); });
+  command.runs([options] { return serve(*options); });
   return command;
 }
 

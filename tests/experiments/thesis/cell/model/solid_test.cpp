@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces of solids as polygons of the contract, and what is refused, by name.
-#include "experiments/thesis/cell/model/solid_faces.h"
+#include "experiments/thesis/cell/model/solid.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/model.h"
-#include "experiments/thesis/cell/model/quarter_turn.h"
+#include "experiments/thesis/cell/model/poses.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/scene/scene.h"
