@@ -30,8 +30,7 @@ def draw_near_edge(study, output):
     figure, grid = plt.subplots(1, len(thresholds), figsize=(WIDTH, 2.5), sharey=True, layout="constrained")
     for axes, threshold in zip(grid, thresholds):
         rates.draw(axes, "all", "rotated", threshold, "contact")
-        axes.set_title(TITLES[threshold])
-        axes.set_xlabel("offset of the radius, in doubles")
+        axes.set(title=TITLES[threshold], xlabel="offset of the radius, in doubles")
         axes.set_xticks([near_edge.place(k) for k in (-2**32, -2**16, 0, 2**16, 2**32)],
                         ["$-2^{32}$", "$-2^{16}$", "0", "$2^{16}$", "$2^{32}$"])
     grid[0].set_ylabel("wrong answers, %")
@@ -86,8 +85,7 @@ def draw_front(study, output):
     figure.canvas.draw()
     if nameless := tradeoff.name_spots(axes, spots, spots, 6):
         raise ValueError(f"the picture of the front has no room for {', '.join(spot.method for spot in nameless)}")
-    axes.set_xlabel("nanoseconds a question")
-    axes.set_ylabel("answers not right within\n8 doubles of contact")
+    axes.set(xlabel="nanoseconds a question", ylabel="answers not right within\n8 doubles of contact")
     save(figure, output, "front", ("pdf",))
 
 
@@ -135,8 +133,7 @@ def draw_nearness(study, output):
         times = [next(c["nanoseconds"] for c in contest["contestants"] if c["name"] == name) for contest in contests]
         curve(above_, method, exponents, *([t[each] for t in times] for each in ("median", "lower_quartile", "upper_quartile")), shade=0.2,
               markersize=3, label=name)
-    above_.set_yscale("log")
-    above_.set_ylabel("nanoseconds a query")
+    above_.set(yscale="log", ylabel="nanoseconds a query")
     above_.grid(color="#dddddd", linewidth=0.5)
     above_.legend(frameon=False, ncol=4, loc="lower center", bbox_to_anchor=(0.5, 1))
     foot = np.zeros(len(contests))

@@ -3,7 +3,7 @@
 use it), the methods that never failed, and what each method is."""
 import chart
 from looks import EXACT, in_order, look_of, rounds
-from names import NAMED, NEARNESSES, of_method
+from names import NAMED, of_method
 from page import code, count, escaped, percent, percent_number, rendered, rounded, upper_limit
 from results import DataError
 from studies import bench, cell, near_edge, stability
@@ -69,7 +69,7 @@ def verdict(found, asked):
         f"{of_method(m)} {percent(failed / of)}" for m in near_edge.Data(found["near-edge"]).methods if m in NAMED
         for failed, of in (at_contact(found, m),) if failed]
     return rendered(
-        "verdict.html", plain=NAMED[PLAIN], ample=NEARNESSES[AMPLE], outcome=outcome(found), answers=answers, wrong=wrong, contact=contact, who=who(asked),
+        "verdict.html", plain=NAMED[PLAIN], ample=stability.NEARNESSES[AMPLE], outcome=outcome(found), answers=answers, wrong=wrong, contact=contact, who=who(asked),
         studies=sum(CERTIFIED in counts for counts in asked.values()), soak=asked["soak"][CERTIFIED].trials if "soak" in asked else 0,
         price=price(found["bench"]) if "bench" in found else None,
         stress=stress_drawing(stability.Data(found["stability"])) if "stability" in found else "",

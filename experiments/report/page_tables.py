@@ -7,50 +7,38 @@ library. Compares each with the one between its page's markers (exit status 1 if
 Tables of times are made by cost_tables.py.
 """
 
-import collections
-import csv
+import contextlib
 import functools
-import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 
 import markers
-from names import ENGINES
 from results import Study
 from shares import unless_whole
-from studies import motions
-from studies.regress import OVERALL, by_family, families_of, overall
+from studies import motions, near_edge
+from studies.regress import ENGINES, OVERALL, by_family, overall, polygons_of, rows_of
 
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 SAMPLES = 60
 MOTION_SAMPLES = 6
 NO_SWEEP = ["thesis", "ode", "embree-fast", "bullet-defaults", "cgal-epeck-intersect", "cgal-epick-intersect", "cgal-double-intersect"]
-ROWS = {  # threshold: what is asked about there, in words; the test of rates.csv
-    "face": ("radius at the distance of a face", "contact"),
-    "edge": ("radius at the distance of an edge", "contact"),
-    "vertex": ("radius at the distance of a vertex", "contact"),
-    "foot-edge": ("foot crosses an edge: is it inside?", "foot"),
-    "foot-vertex": ("foot passes a vertex: is it inside?", "foot"),
+ROWS = {  # threshold: what is asked about there, in words
+    "face": "radius at the distance of a face",
+    "edge": "radius at the distance of an edge",
+    "vertex": "radius at the distance of a vertex",
+    "foot-edge": "foot crosses an edge: is it inside?",
+    "foot-vertex": "foot passes a vertex: is it inside?",
 }
 
 
-def near_edge_counts(touchstone):
-    """Failures and trials by (threshold, method), all families and placements, within one double of the threshold."""
-    counts = collections.defaultdict(lambda: [0, 0])
+@contextlib.contextmanager
+def results_of(touchstone, *call):
+    """The study that a call writes, for as long as it is used."""
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([touchstone, "near-edge", "--methods", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1",
-                        "--search", "0", "--no-pictures", "--output", folder],
-                       check=True, stdout=subprocess.DEVNULL)
-        with open(pathlib.Path(folder, "rates.csv"), newline="") as rates:
-            for row in csv.DictReader(rates):
-                wanted = ROWS.get(row["threshold"])
-                if row["family"] == "all" and wanted and row["test"] == wanted[1] and abs(int(row["offset"])) <= 1:
-                    count = counts[row["threshold"], row["method"]]
-                    count[0] += int(row["failures"])
-                    count[1] += int(row["trials"])
-    return counts
+        subprocess.run([touchstone, *call, "--output", folder], check=True, stdout=subprocess.DEVNULL)
+        yield Study(pathlib.Path(folder))
 
 
 def cell(failures, trials):
@@ -61,11 +49,14 @@ def cell(failures, trials):
 
 
 def near_edge_table(touchstone):
-    counts = near_edge_counts(touchstone)
+    """All families and placements, within one double of the threshold."""
     lines = ["| within one double of the threshold | " + " | ".join(f"`{method}`" for method in NEAR_EDGE_METHODS) + " |",
              "|---|" + "---|" * len(NEAR_EDGE_METHODS)]
-    for threshold, (description, _) in ROWS.items():
-        lines.append(f"| {description} | " + " | ".join(cell(*counts[threshold, method]) for method in NEAR_EDGE_METHODS) + " |")
+    with results_of(touchstone, "near-edge", "--methods", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1", "--search", "0",
+                    "--no-pictures") as study:
+        data = near_edge.Data(study)
+        for threshold, description in ROWS.items():
+            lines.append(f"| {description} | " + " | ".join(cell(*data.within_one_double(method, threshold)) for method in NEAR_EDGE_METHODS) + " |")
     return "\n".join(lines) + "\n"
 
 
@@ -79,16 +70,12 @@ def absent_engines(touchstone):
 @functools.cache
 def outcomes(touchstone):
     """The rows of outcomes.csv, and how many polygons they are about. What is compared with is filtered, which must be exact."""
-    with tempfile.TemporaryDirectory() as folder:
-        present = ["exact", *(engine for engine in ENGINES if engine not in absent_engines(touchstone))]
-        subprocess.run([touchstone, "regress", "--methods", ",".join(present), "--output", folder],
-                       check=True, stdout=subprocess.DEVNULL)
-        with open(pathlib.Path(folder, "outcomes.csv"), newline="") as rows:
-            found = list(csv.DictReader(rows))
-        samples = json.loads(pathlib.Path(folder, "run.json").read_text())["samples_done"]
-    if any(row["method"] == "exact" and row["wrong"] != "0" for row in found):
-        raise SystemExit("touchstone regress: filtered differs from exact")
-    return found, samples * len(families_of(found))
+    present = ["exact", *(engine for engine in ENGINES if engine not in absent_engines(touchstone))]
+    with results_of(touchstone, "regress", "--methods", ",".join(present)) as study:
+        found = rows_of(study)
+        if any(row["wrong"] for row in found if row["method"] == "exact"):
+            raise SystemExit("touchstone regress: filtered differs from exact")
+        return found, polygons_of(study, found)
 
 
 def markdown(head, lines):
@@ -110,10 +97,8 @@ def columns_page(touchstone):
 
 def moving_engines_table(touchstone):
     present = [engine for engine in ENGINES if engine not in absent_engines(touchstone) and engine not in NO_SWEEP]
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([touchstone, "motions", "--methods", ",".join(present), "--samples", str(MOTION_SAMPLES), "--no-pictures", "--output", folder],
-                       check=True, stdout=subprocess.DEVNULL)
-        return markdown(motions.ENGINE_HEADS, motions.engine_lines(motions.Data(Study(pathlib.Path(folder))))).replace("|  |", "| |")
+    with results_of(touchstone, "motions", "--methods", ",".join(present), "--samples", str(MOTION_SAMPLES), "--no-pictures") as study:
+        return markdown(motions.ENGINE_HEADS, motions.engine_lines(motions.Data(study))).replace("|  |", "| |")
 
 
 TABLES = [  # page, name in its markers, what makes it

@@ -12,8 +12,8 @@ namespace touchstone::run {
 /// pictures could be drawn; standard error then says why. Throws as data() does.
 [[nodiscard]] int draw_pictures(const std::string& name, const OutputFolder& folder);
 
-/// Returns the drawing (SVG) as a PNG, with two pixels a unit, by librsvg's rsvg-convert. Throws std::runtime_error if it
-/// could not be drawn.
+/// Returns the drawing (SVG) as a PNG, with two pixels a unit, by librsvg's rsvg-convert. Throws std::runtime_error if
+/// it could not be drawn.
 [[nodiscard]] std::string png_of(const std::string& svg);
 
 }  // namespace touchstone::run

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Moving balls: what methods and engines answer near their thresholds."""
-from names import ENGINES
 from studies.motions import Data
+from studies.regress import ENGINES
 from values.latex import count, decimal, never, percent, power, table
 
 CERTIFIED = ("exact", "filtered")

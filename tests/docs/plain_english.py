@@ -89,8 +89,7 @@ def python_texts(text):
 
 def template_texts(text):
     """Paragraphs of HTML; its tags and the statements of templates are blank, and the values in it are words."""
-    text = MARKUP.sub(blank, re.sub(r"\{\{.*?\}\}", lambda match: re.sub(r"[^\n]", "X", match[0]), text, flags=re.DOTALL))
-    return ((match.start(), match[0], False) for match in PARAGRAPH.finditer(text))
+    return page_texts(MARKUP.sub(blank, re.sub(r"\{\{.*?\}\}", lambda match: re.sub(r"[^\n]", "X", match[0]), text, flags=re.DOTALL)))
 
 
 def texts_of(name, text):

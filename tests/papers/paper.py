@@ -109,17 +109,26 @@ def cheap_variant(path):
 
 
 def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
+    sys.path.append(str(root / "papers"))
+    from build import DataError, write_inputs
+
     def spoiled(name, spoil):
         broken = scratch / "broken"
         shutil.rmtree(broken, ignore_errors=True)
         shutil.copytree(results, broken)
         spoil(broken)
-        made = build(root, broken, scratch / "none", "--no-latex")
-        expect(made.returncode == 1 and name in made.stderr and "Traceback" not in made.stderr, f"{name}: {made.returncode}: {made.stderr}")
+        try:
+            write_inputs(broken, scratch / "none")
+            said = "no error"
+        except DataError as error:
+            said = str(error)
+        expect(name in said, f"{name}: {said}")
 
     def run_says(key, value):
         return lambda at: (at / "soak/run.json").write_text(json.dumps(miniature.RUN | {"command": "touchstone soak", key: value}))
 
+    unmade = build(root, scratch / "nowhere", scratch / "none", "--no-latex")
+    expect((unmade.returncode, unmade.stderr.count("\n")) == (1, 1) and "not run" in unmade.stderr, f"without results: {unmade.stderr}")
     spoiled("soak: not run", lambda at: shutil.rmtree(at / "soak"))
     spoiled("soak/run.json: interrupted", run_says("interrupted", True))
     spoiled("studies of different programs", run_says("commit", "fedcba"))
@@ -162,7 +171,7 @@ def what_is_stale_is_told(root, results, output, scratch):
         shutil.copy(root / file, copy / file)
     expect(build(copy, results, output, "--no-latex").returncode == 0, "the paper cannot be built elsewhere")
     expect(build(copy, results, output, "--check").returncode == 0, "a fresh paper is called stale")
-    for file, old, new in [("papers/sections/limits.tex", "Limits", "Bounds"), ("experiments/report/names.py", "slivers", "needles"),
+    for file, old, new in [("papers/sections/limits.tex", "Limits", "Bounds"), ("experiments/report/studies/stability.py", "slivers", "needles"),
                            ("experiments/report/studies/near_edge.py", "<= 1", "<= 2"), ("robust/filtered/detail/signs/bounds.h", "kVertex", "kVertices"),
                            ("robust/proofs/CLAIMS.md", "`kDot`", "`kDots`"), ("papers/listings/record.txt", "12 * 12", "12 * 13"),
                            ("tests/corpus/holes.jsonl", "\n", "\n\n")]:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whole scenes beside other libraries."""
 from looks import LIBRARIES
-from names import BALLS, QUESTIONS
 from noise import TOO_NOISY, is_steady
 from page import count, escaped, multiple, percent, rounded, smaller
 from results import finite, maybe, natural
@@ -11,6 +10,9 @@ from style import distinct, plt, rows_of, save
 RUN = Run(13, "whole scenes beside five libraries", full=[["bench-scenes", "--meshes", "cache/meshes", "--output", OUTPUT]],
           paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "7", "--output", OUTPUT]])
 TITLE = "Whole scenes"
+
+QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
+BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}
 
 
 OURS = "Scene"
@@ -108,8 +110,7 @@ def draw_lines(axes, rows, value):
     for library in distinct(rows, "library"):
         spots = sorted((int(row["triangles"]), value(row)) for row in rows if row["library"] == library)
         axes.plot(*zip(*spots), **looks(library))
-    axes.set_xscale("log")
-    axes.set_yscale("log")
+    axes.set(xscale="log", yscale="log")
     axes.minorticks_off()
     axes.grid(color="#dddddd", linewidth=0.5)
 
@@ -153,9 +154,7 @@ def draw_builds(rows, folder):
         draw_lines(axes[0], chosen, lambda row: 1e6 * float(row["seconds"]) / float(row["triangles"]))
         draw_lines(axes[1], chosen, lambda row: float(row["bytes_a_triangle"]))
         for one, name in zip(axes, ("build, microseconds a triangle", "memory, bytes a triangle")):
-            one.set_title(f"{scene}: {name.split(',')[0]}")
-            one.set_xlabel("triangles")
-            one.set_ylabel(name)
+            one.set(title=f"{scene}: {name.split(',')[0]}", xlabel="triangles", ylabel=name)
         axes[0].set_yticks(MICROSECONDS, MICROSECONDS)
         axes[1].set_yticks(BYTES, BYTES)
         axes[2].set_axis_off()

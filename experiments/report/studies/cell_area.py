@@ -63,10 +63,9 @@ def plan(folder, stations):
     here(axes, stations["storage"], stations["machine"], place)
     axes.plot(0, 0, marker="+", color=BLACK, markersize=10)
     axes.annotate("base", (0, 0), textcoords="offset points", xytext=(7, 5))
-    axes.set_aspect("equal")
-    axes.set_xlabel("from the base's axis, in the direction of the arm at home (cell's unit of length)")
-    axes.set_ylabel("to its left (cell's unit of length)")
-    axes.set_title(f"Where the storage may stand, at height {float(stations['storage']['height']):g}")
+    axes.set(aspect="equal", xlabel="from the base's axis, in the direction of the arm at home (cell's unit of length)",
+             ylabel="to its left (cell's unit of length)",
+             title=f"Where the storage may stand, at height {float(stations['storage']['height']):g}")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), fontsize=8, ncols=3)
     save(figure, folder, "cell-area-plan")
 
@@ -78,10 +77,9 @@ def heights(folder, stations):
     storage = stations["storage"]
     axes.plot(float(storage["radius"]), float(storage["height"]), marker="*", color=BLUE, markeredgecolor="white",
               markersize=11, linestyle="", label="storage of the cell file")
-    axes.set_aspect("equal")
-    axes.set_xlabel("from the base's axis (cell's unit of length)")
-    axes.set_ylabel("above the floor (cell's unit of length)")
-    axes.set_title(f"Which heights the storage may have, at {float(storage['angle_deg']):+g} degrees")
+    axes.set(aspect="equal", xlabel="from the base's axis (cell's unit of length)",
+             ylabel="above the floor (cell's unit of length)",
+             title=f"Which heights the storage may have, at {float(storage['angle_deg']):+g} degrees")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), fontsize=8, ncols=2)
     save(figure, folder, "cell-area-heights")
 

@@ -55,12 +55,8 @@ def family_map(axes, grid, line, coupling, choice):
     if coupling == choice["coupling"]:
         axes.plot(choice["home lean of the upper arm"], choice["home elevation of the forearm"], marker="*", color=RED,
                   markeredgecolor=BLACK, markersize=12, linestyle="", label="chosen")
-    axes.set_facecolor("#dddddd")
-    axes.set_title(COUPLINGS[coupling])
-    axes.set_xlabel("home lean of the upper arm (degrees)")
-    axes.set_ylabel("home elevation of the forearm (degrees)")
-    axes.set_xlim(-62.5, 62.5)
-    axes.set_ylim(-62.5, 62.5)
+    axes.set(facecolor="#dddddd", title=COUPLINGS[coupling], xlabel="home lean of the upper arm (degrees)",
+             ylabel="home elevation of the forearm (degrees)", xlim=(-62.5, 62.5), ylim=(-62.5, 62.5))
     axes.legend(loc="lower left", fontsize=7, framealpha=0.9)
     return image
 
@@ -76,11 +72,8 @@ def radii(axes, line, coupling, choice):
                       linestyle=style, label=label if j == 0 else None)
     if coupling == choice["coupling"]:
         axes.axvline(choice["home elevation of the forearm"], color=RED, linewidth=1, label="chosen")
-    axes.set_ylim(0, 750)
-    axes.set_xlim(-62.5, 62.5)
-    axes.set_title("one height of the storage: distances from the base's axis")
-    axes.set_xlabel("home elevation of the forearm (degrees)")
-    axes.set_ylabel("mm")
+    axes.set(ylim=(0, 750), xlim=(-62.5, 62.5), title="one height of the storage: distances from the base's axis",
+             xlabel="home elevation of the forearm (degrees)", ylabel="mm")
     axes.grid(alpha=0.3)
     axes.legend(fontsize=7, ncols=2)
 
@@ -117,10 +110,8 @@ def side_view(axes, poses, choice):
         points = [(number(p, "out_mm"), number(p, "up_mm")) for p in poses if p["case"] == case and p["moment"] == moment]
         axes.plot(*zip((0, 0), *points), color=color, linestyle=style, marker="o", markersize=3, label=label)
         axes.add_patch(plt.Circle(points[-1], choice["sphere radius"], color=color))
-    axes.set_aspect("equal")
-    axes.set_xlabel("from the base's axis (mm)")
-    axes.set_ylabel("above the floor (mm)")
-    axes.set_title("the arm, each pose in its own plane")
+    axes.set(aspect="equal", xlabel="from the base's axis (mm)", ylabel="above the floor (mm)",
+             title="the arm, each pose in its own plane")
     axes.grid(alpha=0.3)
     axes.legend(fontsize=7, loc="lower center")
 
@@ -156,12 +147,8 @@ def plan_view(axes, choice):
         middle = math.radians(begin + share * (end - begin))
         axes.annotate(text, (radius * math.cos(middle), radius * math.sin(middle)), ha="center", va="center", color=color,
                       bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none"})
-    axes.set_aspect("equal")
-    axes.set_xlim(-760, 540)
-    axes.set_ylim(-720, 220)
-    axes.set_xlabel("mm")
-    axes.set_ylabel("mm")
-    axes.set_title("from above: turns of the base")
+    axes.set(aspect="equal", xlim=(-760, 540), ylim=(-720, 220), xlabel="mm", ylabel="mm",
+             title="from above: turns of the base")
     axes.grid(alpha=0.3)
 
 
@@ -179,9 +166,8 @@ def flips(axes, moves):
         axes.plot(offset, place, marker="o" if planned else "D", color=color, markersize=5)
     axes.set_yticks(places, [f"case {row['case']}: {row['caption'].split(';')[0].replace('not captioned (11 derived)', 'shoulder up 11 (derived)')}"
                              for row in rows])
-    axes.set_xlim(-1.1, 0.6)
-    axes.set_xlabel("exact angle less the captioned one (degrees)")
-    axes.set_title("how far from flipping: dots by inverse kinematics (rounded),\ndiamonds by contact or clearance (next whole step)")
+    axes.set(xlim=(-1.1, 0.6), xlabel="exact angle less the captioned one (degrees)",
+             title="how far from flipping: dots by inverse kinematics (rounded),\ndiamonds by contact or clearance (next whole step)")
     axes.grid(axis="x", alpha=0.3)
 
 
@@ -195,8 +181,7 @@ def tolerances(axes, choices):
                   linewidth=5, alpha=0.6, solid_capstyle="butt")
     axes.axvline(0, color=BLACK, linewidth=0.8)
     axes.set_yticks(places, [f"{row['name']}: {number(row, 'value'):g} {row['unit'].replace('deg', '°')}" for row in rows])
-    axes.set_xlabel("change that keeps every caption (mm or degrees)")
-    axes.set_title("chosen values, each changed alone")
+    axes.set(xlabel="change that keeps every caption (mm or degrees)", title="chosen values, each changed alone")
     axes.grid(axis="x", alpha=0.3)
 
 

@@ -21,9 +21,7 @@ def draw_missed(axes, rows):
 def main(folder):
     figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
     draw_missed(axes, rows_of(folder / "missed.csv"))
-    axes.set_xlabel("step of the joint (degrees)")
-    axes.set_ylabel("missed first contacts (%)")
-    axes.set_ylim(-2, 100)
+    axes.set(xlabel="step of the joint (degrees)", ylabel="missed first contacts (%)", ylim=(-2, 100))
     axes.legend(title="radius of the sphere")
     axes.set_title("A sphere carried through a thin sheet: certified first contacts\n"
                    "that stepping a joint misses (bars: 95 %)")

@@ -10,17 +10,24 @@ from matplotlib.patches import Polygon as Outline
 
 from asked import by_method
 from looks import in_order
-from names import ENGINES, EVENTS, WAYS
 from page import bar, code, count, number, percent, share_of_size, smaller, upper_limit
 from results import finite, maybe, natural, share
 from results import number as any_number
 from shares import unless_whole
 from studies import OUTPUT, Run
+from studies.regress import ENGINES
 from style import STYLES, curve, distinct, plt, rows_of, save
 
 RUN = Run(10, "moving balls near their thresholds", resumes=True,
           full=[["motions", "--output", OUTPUT]], quick=[["motions", "--samples", "8", "--output", OUTPUT]])
 TITLE = "Moving balls: contact on the way"
+
+# How the ball moves, and what one of the threshold radius does.
+WAYS = {"across": "passes across the way to its closest point", "along": "moves along an edge", "through": "falls through the plane",
+        "start": "starts near the polygon", "end": "ends near the polygon", "anywhere": "moves anywhere"}
+EVENTS = {("graze", "face"): "grazes a face", ("graze", "edge"): "grazes an edge", ("graze", "vertex"): "grazes a vertex",
+          ("start", "face"): "starts at a face", ("start", "edge"): "starts at an edge", ("start", "vertex"): "starts at a vertex",
+          ("end", "face"): "ends at a face", ("end", "edge"): "ends at an edge", ("end", "vertex"): "ends at a vertex"}
 NO_SWEEP = ["ode", "embree-fast", "boost-geometry"]
 
 
@@ -172,9 +179,8 @@ def draw_times(axes, rows, methods):
     axes.set_ylim(lowest / 2, 2)
     axes.set_yticks([lowest, *(2.0**k for k in range(-50, 1, 10))], ["0", *(f"$2^{{{k}}}$" for k in range(-50, 0, 10)), "1"])
     axes.axhline(lowest, color="#000000", linewidth=1, label=f"0 throughout: {', '.join(exact)}" if exact else None)
-    axes.set_ylabel("error of the time")
-    axes.set_xlabel("radius less its threshold, in sizes")
-    axes.set_title("error of the time, as way in sizes of the polygon")
+    axes.set(ylabel="error of the time", xlabel="radius less its threshold, in sizes",
+             title="error of the time, as way in sizes of the polygon")
     axes.grid(color="#dddddd", linewidth=0.5)
     axes.legend(fontsize=7, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2), frameon=False)
 

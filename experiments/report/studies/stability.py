@@ -6,7 +6,6 @@ import numpy as np
 
 from asked import Asked
 from looks import in_order
-from names import AXES, MODES, NEARNESSES, SIGNS
 from page import bar, code, count, escaped, level, percent, power, smaller, words
 from results import finite, maybe, natural, number, share
 from shares import unless_whole
@@ -16,6 +15,34 @@ from style import curve, distinct, draw, plt, rows_of, save
 RUN = Run(4, "polygons under stress", resumes=True,
           full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]])
 TITLE = "Polygons under stress"
+
+# What is made worse: the title of each axis, and what its levels are.
+AXES = {"aspect": ("slivers", "length / width"),
+        "parallel": ("near-parallel edges", "angle, radians"),
+        "duplicate": ("near-duplicate vertices", "distance / size"),
+        "collinear-exact": ("straight side, exactly", "vertices on it"),
+        "collinear-rounded": ("straight side, rounded", "vertices on it"),
+        "origin": ("away from the origin", "distance / size"),
+        "small": ("small numbers", "binary exponent"),
+        "large": ("large numbers", "binary exponent"),
+        "mixed": ("mixed exponents", "binary orders between axes"),
+        "off-plane": ("a vertex off the plane", "ulps"),
+        "vertices": ("many vertices", "vertices"),
+        "chain-input": ("chain of rotations,\nagainst exact on its end", "steps"),
+        "chain-motion": ("chain of rotations,\nagainst the motion meant", "steps"),
+        "pose-input": ("chain of pose products,\nagainst exact on its end", "steps"),
+        "pose-motion": ("chain of pose products,\nagainst the motion meant", "steps"),
+        "rounding": ("rounding direction", "mode"),
+        "flush": ("subnormals flushed", "mode")}
+MODES = {"rounding", "flush"}  # axes whose levels are not in an order
+# Signs that are computed with plain and with fused products.
+SIGNS = {"orientation": "on which side of a line in the plane a point is: (b − a) × (c − a)",
+         "side": "on which side of an edge the foot is: ((b − a) × (c − a)) · n",
+         "line": "whether an edge's line comes within the radius: |(c − a) × (b − a)|² − r² |b − a|²",
+         "plane": "whether the plane does: ((c − a) · n)² − r² n · n"}
+NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
+              "close": "radius off by 2⁻³⁰ of the distance",
+              "ample": "radius off by a quarter of the distance"}
 
 
 STAND_IN = "-motion"  # axes on which filtered and exact stand for the motion of doubles, and err as that does
@@ -167,8 +194,7 @@ def draw_failures(folder, rows):
                     if value > 0:
                         axes.annotate(unless_whole(value, f"{100 * value:.0f}", 0), ((left + right) / 2, y), ha="center", va="center", fontsize=4.5,
                                       color="white" if value > 0.6 else "black")
-            axes.set_ylim(len(names) - 0.5, -0.5)
-            axes.set_xlim(0, 1)
+            axes.set(ylim=(len(names) - 0.5, -0.5), xlim=(0, 1))
             axes.set_xticks([0, 1], ["first level", "last"], fontsize=7.5)
             for label, side in zip(axes.get_xticklabels(), ("left", "right")):
                 label.set_ha(side)
@@ -243,10 +269,8 @@ def draw_conditions(folder, rows, stage, words):
             low, high = min(0.5, points[:, 0].min()), max(1e3, points[:, 0].max() * 3)
             axes.plot([low, high], [constant * low, constant * high], color=RED, linewidth=1.2, zorder=3)
             axes.axhline(1, color=GREY, linewidth=0.8, linestyle="--", zorder=1)
-            axes.set_xscale("log")
-            axes.set_yscale("log")
-            axes.set_xlim(low, high)
-            axes.set_ylim(least_error, 1e4 if stage == "double-double" else 1e9)
+            axes.set(xscale="log", yscale="log", xlim=(low, high),
+                     ylim=(least_error, 1e4 if stage == "double-double" else 1e9))
         axes.set_title(f"{name}  ({len(points)} points; {exact} exact)")
         axes.grid(color="#eeeeee", linewidth=0.5)
         if i >= len(names) - columns:
@@ -289,11 +313,9 @@ def draw_tightness(folder, rows):
     left.plot(most, y, "s", color="#E69F00", markersize=4, label="99 %")
     left.plot(largest, y, "^", color=RED, markersize=5, label="largest")
     left.axvline(1, color="k", linewidth=1)
-    left.set_xscale("log")
-    left.set_xlim(5e-13, 3)
+    left.set(xscale="log", xlim=(5e-13, 3))
     left.set_yticks(y, [f"{IN_WORDS[stage]}: {QUANTITIES.get(name, name)}" for stage, name in keys])
-    left.set_ylim(len(keys) - 0.5, -0.5)
-    left.set_xlabel("observed error / bound (the bound: 1; below $10^{-12}$ shown there)")
+    left.set(ylim=(len(keys) - 0.5, -0.5), xlabel="observed error / bound (the bound: 1; below $10^{-12}$ shown there)")
     left.grid(axis="x", color="#dddddd", linewidth=0.5)
     left.legend(loc="lower left", frameon=False, ncol=3, bbox_to_anchor=(0, 1))
 

@@ -225,8 +225,7 @@ def draw_front(axes, rows, every, size, whiskers):
                   markerfacecolor="white" if spot.never else colour)
         if spot.front != "off":
             axes.add_line(ring(spot.x, spot.y, spot.front, 1.9 * size))
-    axes.set_xscale("log")
-    axes.set_yscale("log")
+    axes.set(xscale="log", yscale="log")
     axes.minorticks_off()
     axes.grid(color="#eeeeee", linewidth=0.5)
     return spots
@@ -347,8 +346,7 @@ def draw_pooled(rows, folder, measure):
     drawn = []
     for axes, placement in zip(grid[0], placements):
         spots = draw_front(axes, [row for row in rows if row["placement"] == placement], rows, 6, True)
-        axes.set_title(PLACEMENTS[placement])
-        axes.set_xlabel(f"nanoseconds a question: {MEASURES[measure][1]}")
+        axes.set(title=PLACEMENTS[placement], xlabel=f"nanoseconds a question: {MEASURES[measure][1]}")
         drawn.append((axes, spots))
     for axes in grid.flat:
         set_limits(axes, rows)

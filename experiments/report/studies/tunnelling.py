@@ -72,8 +72,7 @@ def draw_misses(axes, rows):
         name = f"$2^{{{int(math.log2(float(radius)))}}}$" if float(radius) else "0 (a point)"
         whiskers(axes, [int(row["steps"]) for row in own], *([100 * float(row[each]) for row in own] for each in ("rate", "lower", "upper")),
                  color=str(0.75 * place / len(radii)), linestyle=line, marker=marker, label=name)  # greys: colours are of methods
-    axes.set_ylabel("missed contacts (%)")
-    axes.set_ylim(-2, 102)
+    axes.set(ylabel="missed contacts (%)", ylim=(-2, 102))
     axes.legend(title="radius, in sizes", fontsize=8, loc="upper left", bbox_to_anchor=(1, 1))
     axes.set_title("contacts that steps over one size of the polygon miss (bars: 95 %)")
 
@@ -86,8 +85,7 @@ def draw_cost(axes, rows):
              color=colour, linestyle=":", marker="o", label="filtered, in steps until one touches")
     for (_, line, _), row in zip(STYLES, [row for row in rows if row not in steps]):
         axes.axhline(float(row["median_ns"]), color=colour, linestyle=line, label=row["asked"] + ", without steps")
-    axes.set_yscale("log")
-    axes.set_ylabel("nanoseconds per motion")
+    axes.set(yscale="log", ylabel="nanoseconds per motion")
     axes.legend()
     axes.set_title("time per motion: medians (bars: quartiles)")
 

@@ -140,11 +140,8 @@ def plan(axes, cell, storages=("storage 1",), moments=(), radius=None, ticks=Tru
     if taken:
         carried(axes, cell, moments[-1][0])
     axes.plot(0, 0, marker="o", color=BLACK, markersize=3)
-    axes.set_aspect("equal")
-    axes.set_xlim(-860, 620)
-    axes.set_ylim(-1010, 420)
-    axes.set_xlabel("x (mm), where the arm points at home" if ticks else "")
-    axes.set_ylabel("y (mm)")
+    axes.set(aspect="equal", xlim=(-860, 620), ylim=(-1010, 420),
+             xlabel="x (mm), where the arm points at home" if ticks else "", ylabel="y (mm)")
     axes.grid(alpha=0.25)
 
 
@@ -203,12 +200,8 @@ def side(axes, cell, case, before, now):
     square(axes, machine["radius"], machine["height"], length, GREEN, "virtual material\nat the machine", "--")
     arm_side(axes, cell, before, GREY, "--", "before", 2)
     arm_side(axes, cell, now, BLACK, "-", "after")
-    axes.set_aspect("equal")
-    axes.set_xlim(-60, 860)
-    axes.set_ylim(0, 1010)
-    axes.set_xlabel("from the base's axis (mm)")
-    axes.set_ylabel("above the floor (mm)")
-    axes.set_title("from the side, in the arm's plane")
+    axes.set(aspect="equal", xlim=(-60, 860), ylim=(0, 1010), xlabel="from the base's axis (mm)",
+             ylabel="above the floor (mm)", title="from the side, in the arm's plane")
     axes.grid(alpha=0.25)
     axes.legend(loc="lower left", fontsize=8)
 
@@ -294,10 +287,8 @@ def contact_from_above(cell, case, stop):
         return away - station["radius"], round_base
 
     draw_stops(axes, cell, case, stop, place)
-    axes.set_xlim(-24, 58)
-    axes.set_ylim(-24, 20)
-    axes.set_xlabel("away from the base's axis, from the storage's axis (mm)")
-    axes.set_ylabel("round the base (mm)")
+    axes.set(xlim=(-24, 58), ylim=(-24, 20), xlabel="away from the base's axis, from the storage's axis (mm)",
+             ylabel="round the base (mm)")
     figure.tight_layout()
     return figure
 
@@ -314,10 +305,8 @@ def contact_from_side(cell, case, stop):
     axes.annotate("virtual material", (0, low + 14), ha="center")
     axes.annotate("the face that is touched", (-length / 2 + 1, top - 1.5), va="top", fontsize=8)
     draw_stops(axes, cell, case, stop, lambda x, y, z: (turned(-station["azimuth"], x, y)[0] - station["radius"], z))
-    axes.set_xlim(-34, 62)
-    axes.set_ylim(top - 34, top + 26)
-    axes.set_xlabel("away from the base's axis, from the machine's axis (mm)")
-    axes.set_ylabel("above the floor (mm)")
+    axes.set(xlim=(-34, 62), ylim=(top - 34, top + 26), xlabel="away from the base's axis, from the machine's axis (mm)",
+             ylabel="above the floor (mm)")
     figure.tight_layout()
     return figure
 
@@ -335,12 +324,8 @@ def heights(cell, places, which):
             raised = cell.sides[name][0]["height"] - station["deck"]
             square(left, station["radius"], station["height"] + raised, length, color, which, "-")
             arm_side(left, cell, name, color, "-", f"case {case}, {which}")
-    left.set_aspect("equal")
-    left.set_xlim(-60, 800)
-    left.set_ylim(0, 1000)
-    left.set_xlabel("from the base's axis (mm)")
-    left.set_ylabel("above the floor (mm)")
-    left.set_title("touching the material in storage")
+    left.set(aspect="equal", xlim=(-60, 800), ylim=(0, 1000), xlabel="from the base's axis (mm)",
+             ylabel="above the floor (mm)", title="touching the material in storage")
     left.legend(fontsize=7, loc="lower left")
     left.grid(alpha=0.25)
     for case, color in ((1, BLUE), (2, ORANGE)):
@@ -367,9 +352,7 @@ def heights(cell, places, which):
     right.axhline(chosen, color=BLACK, linewidth=0.8, linestyle=":")
     right.annotate("case studies", (2.55, chosen + 8), ha="right", fontsize=7)
     right.set_xticks([1, 2], ["case 1's place", "case 2's place"])
-    right.set_xlim(0.4, 2.6)
-    right.set_ylim(-50, 920)
-    right.set_ylabel("height of the storage's deck (mm)")
+    right.set(xlim=(0.4, 2.6), ylim=(-50, 920), ylabel="height of the storage's deck (mm)")
     right.set_title("heights that complete (dots) and do not (crosses)\n(dark: touched from the side; light: from above)", fontsize=10)
     figure.tight_layout()
     return figure

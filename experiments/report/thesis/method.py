@@ -68,8 +68,7 @@ def flowchart(branches):
     arrow((0, 3.7), (0, 2.8), "no")
     arrow((1.33, 2.3), (2.27, 2.3), "yes", -0.1)
     arrow((0, 1.8), (0, 1.0), "no")
-    axes.set_xlim(-5.2, 5.2)
-    axes.set_ylim(-0.4, 8.7)
+    axes.set(xlim=(-5.2, 5.2), ylim=(-0.4, 8.7))
     axes.axis("off")
     return figure
 
@@ -90,10 +89,7 @@ def plane_side(s, title):
     axes.annotate("C", (-0.22, s + 0.05), color=BLUE)
     axes.annotate("", (-math.sqrt(0.5), s + math.copysign(math.sqrt(0.5), s)), (0, s), arrowprops={"arrowstyle": "-", "color": BLUE, "shrinkA": 0, "shrinkB": 0})
     axes.annotate("r", (-0.5, s + math.copysign(0.25, s)), color=BLUE)
-    axes.set_title(title)
-    axes.set_aspect("equal")
-    axes.set_xlim(-3, 3)
-    axes.set_ylim(min(-1.2, s - 1.3), max(1.7, s + 1.3))
+    axes.set(title=title, aspect="equal", xlim=(-3, 3), ylim=(min(-1.2, s - 1.3), max(1.7, s + 1.3)))
     axes.axis("off")
     figure.tight_layout()
     return figure
@@ -128,12 +124,8 @@ def angle_views(corners, rows):
         axes.plot(*at, marker="o", color=BLACK)
         unsigned = sum(abs(row["angle_deg"]) for row in own)
         signed = abs(sum(row["angle_deg"] for row in own))
-        axes.set_title(f"from the {point}: {unsigned:.1f}° without signs, {signed:.0f}° with")
-        axes.set_aspect("equal")
-        axes.set_xlim(-64, 64)
-        axes.set_ylim(-92, 16)
-        axes.set_xlabel("mm")
-        axes.set_ylabel("mm")
+        axes.set(title=f"from the {point}: {unsigned:.1f}° without signs, {signed:.0f}° with", aspect="equal",
+                 xlim=(-64, 64), ylim=(-92, 16), xlabel="mm", ylabel="mm")
     figure.tight_layout()
     return figure
 
@@ -153,9 +145,7 @@ def edge_places(numbers):
         axes.plot(*nearest, marker="o", color=color)
         axes.annotate(f"{row['what']}\n{float(row['ours']):.1f} % of pairs", (place, 3.5), ha="center", va="center",
                       fontsize=8, color=color)
-    axes.set_aspect("equal")
-    axes.set_xlim(-3, 9)
-    axes.set_ylim(-0.9, 4.1)
+    axes.set(aspect="equal", xlim=(-3, 9), ylim=(-0.9, 4.1))
     axes.axis("off")
     figure.tight_layout()
     return figure
@@ -174,11 +164,7 @@ def edge_hit(corners):
     axes.plot(center, y, marker="o", color=BLUE, markersize=4)
     axes.annotate("Q, outside", (center, y - 6), color=BLUE, ha="center", fontsize=8)
     axes.annotate("the gripper's front", (0, high[1] - 15), ha="center", fontsize=8)
-    axes.set_aspect("equal")
-    axes.set_xlim(low[0] - 8, edge + 32)
-    axes.set_ylim(low[1] - 8, high[1] + 8)
-    axes.set_xlabel("mm")
-    axes.set_ylabel("mm")
+    axes.set(aspect="equal", xlim=(low[0] - 8, edge + 32), ylim=(low[1] - 8, high[1] + 8), xlabel="mm", ylabel="mm")
     figure.tight_layout()
     return figure
 
@@ -201,10 +187,7 @@ def angle_map(corners, rows):
     axes.add_patch(outline_patch(corners, facecolor="none", edgecolor="white", linewidth=2.5))
     axes.annotate("hatched: wrongly called inside", (0, min(y) + 8), ha="center", color="white", fontsize=9)
     figure.colorbar(image, ax=axes, label="sum of the angles (degrees); from 356.4 on: inside")
-    axes.set_aspect("equal")
-    axes.set_xlabel("mm")
-    axes.set_ylabel("mm")
-    axes.set_title("the gripper's front (white)")
+    axes.set(aspect="equal", xlabel="mm", ylabel="mm", title="the gripper's front (white)")
     figure.tight_layout()
     return figure
 
@@ -224,17 +207,14 @@ def false_areas(outlines, rows):
         corners -= (corners.max(axis=0)) / 2
         small = axes.inset_axes([i - 0.32, -48, 0.64, 30], transform=axes.transData)
         small.add_patch(outline_patch(corners, facecolor="#dddddd", edgecolor=BLACK, linewidth=0.8))
-        small.set_xlim(-0.55, 0.55)
-        small.set_ylim(-0.55, 0.55)
-        small.set_aspect("equal")
+        small.set(xlim=(-0.55, 0.55), ylim=(-0.55, 0.55), aspect="equal")
         small.axis("off")
         axes.annotate(row["outline"], (i, -62), ha="center", annotation_clip=False, fontsize=9)
     axes.set_xticks([])
     axes.legend(handles=[Patch(color=look_of("thesis").colour, label="the thesis's angle sum (lines: 95 %)"),
                          Patch(color=look_of("hull").colour, label="the convex hull, which it is to avoid")], loc="upper left", fontsize=9)
-    axes.set_ylabel("area outside taken for inside,\n% of the outline's own")
-    axes.set_ylim(0, 195)
-    axes.set_title("factor 0.99, angles without signs")
+    axes.set(ylabel="area outside taken for inside,\n% of the outline's own", ylim=(0, 195),
+             title="factor 0.99, angles without signs")
     axes.grid(axis="y", alpha=0.3)
     figure.subplots_adjust(0.11, 0.27, 0.99, 0.93)
     return figure
@@ -261,9 +241,8 @@ def false_hits(rows):
     axes.set_xscale("log")
     axes.set_xticks([0.2, 1, 5, 10], ["0.2", "1", "5", "10"])
     axes.minorticks_off()
-    axes.set_xlabel("radius of the ball (% of the outline's extent)")
-    axes.set_ylabel("false hits per true hit (%; bars: 95 %)")
-    axes.set_ylim(-2, 70)
+    axes.set(xlabel="radius of the ball (% of the outline's extent)", ylabel="false hits per true hit (%; bars: 95 %)",
+             ylim=(-2, 70))
     axes.grid(alpha=0.3)
     axes.legend(ncols=2, fontsize=8)
     figure.tight_layout()
@@ -287,10 +266,7 @@ def factor_reach(rows):
     lacks = np.geomspace(1e-5, 0.04, 60)
     axes.plot(lacks, 1 / (2 * np.tan(np.radians(90 * (1 - lacks)))), color=BLACK, linewidth=1, linestyle="--", label="1 / (2 tan(90° · factor)), a convex outline")
     axes.axvline(3.2e-6, color=GREY, linewidth=0.6)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlim(exact / 2.5, 0.06)
-    axes.set_ylim(lowest / 2, 1)
+    axes.set(xscale="log", yscale="log", xlim=(exact / 2.5, 0.06), ylim=(lowest / 2, 1))
     axes.set_xticks([exact, 1e-4, 1e-2], ["1", "0.9999", "0.99"])
     axes.minorticks_off()
     axes.set_xlabel("factor of the full turn from which the foot counts as inside")
@@ -313,9 +289,8 @@ def not_numbers(rows):
         axes.barh(-place, value, color=color, height=0.62, alpha=(1, 0.7, 0.45, 1)[place])
         axes.annotate(f"{unless_whole(value / 100, f'{value:.3g}')} %", (value, -place), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
     axes.set_yticks([-place for place in range(len(steps))], [words for words, _, _ in steps])
-    axes.set_xlim(0, 1.2 * max(value for _, value, _ in steps))
-    axes.set_xlabel("% of all points on edges")
-    axes.set_title("Feet on an edge, where the cosine of the angle rounds to below −1")
+    axes.set(xlim=(0, 1.2 * max(value for _, value, _ in steps)), xlabel="% of all points on edges",
+             title="Feet on an edge, where the cosine of the angle rounds to below −1")
     axes.grid(axis="x", alpha=0.3)
     figure.tight_layout()
     return figure
@@ -333,8 +308,7 @@ def touching(rows):
                      label=text if i == 0 else None)
             axes.annotate(f"{value:.3g}", (i + (j - 1) * 0.26, value + 1.5), ha="center", fontsize=8)
     axes.set_xticks(range(len(rows)), [row["touched"] + "s" for row in rows])
-    axes.set_ylabel("contacts missed (%)")
-    axes.set_ylim(0, 135)
+    axes.set(ylabel="contacts missed (%)", ylim=(0, 135))
     axes.set_yticks(range(0, 101, 20))
     axes.set_title("balls that touch in exactly one point")
     axes.grid(axis="y", alpha=0.3)
@@ -350,11 +324,8 @@ def collinear(corners, rows):
     for i, point in enumerate((corners[0], (corners[0] + corners[1]) / 2, corners[1])):
         axes.plot(*point, marker="o", color=RED, markersize=7)
         axes.annotate(f"P{i}", point, xytext=(0, -17), textcoords="offset points", ha="center", color=RED)
-    axes.set_aspect("equal")
-    axes.set_ylim(corners[:, 1].min() - 16, corners[:, 1].max() + 8)
-    axes.set_xlim(corners[:, 0].min() - 10, corners[:, 0].max() + 10)
-    axes.set_xlabel("mm")
-    axes.set_ylabel("mm")
+    axes.set(aspect="equal", ylim=(corners[:, 1].min() - 16, corners[:, 1].max() + 8),
+             xlim=(corners[:, 0].min() - 10, corners[:, 0].max() + 10), xlabel="mm", ylabel="mm")
     first, every = (f"{unless_whole(float(row['ours']) / 100, row['ours'])} %" for row in rows)
     axes.set_title(f"contacts missed: {first} with N of P0, P1, P2; {every} with N of all vertices")
     figure.tight_layout()
@@ -375,9 +346,8 @@ def far_away(rows):
     axes.axhline(0.01, color=GREY, linewidth=0.6, linestyle="--")
     axes.annotate("logarithmic above, linear below", (1, 0.01), xycoords=("axes fraction", "data"), xytext=(-2, 2), textcoords="offset points",
                   ha="right", fontsize=7, color="#555555")
-    axes.set_xlabel("moved from the origin along every axis (mm)")
-    axes.set_ylabel("wrong answers (%)")
-    axes.set_title("the gripper, 90 mm wide, and balls of 4.5 mm")
+    axes.set(xlabel="moved from the origin along every axis (mm)", ylabel="wrong answers (%)",
+             title="the gripper, 90 mm wide, and balls of 4.5 mm")
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
     figure.tight_layout()
@@ -387,9 +357,8 @@ def far_away(rows):
 def missed(rows):
     figure, axes = plt.subplots(figsize=(6.8, 4.2))
     draw_missed(axes, rows)
-    axes.set_xlabel("step of the joint (degrees); the thesis's is 1")
-    axes.set_ylabel("missed first contacts (%; bars: 95 %)")
-    axes.set_ylim(-2, 102)
+    axes.set(xlabel="step of the joint (degrees); the thesis's is 1", ylabel="missed first contacts (%; bars: 95 %)",
+             ylim=(-2, 102))
     axes.legend(title="radius of the sphere", fontsize=8, loc="lower right")
     figure.tight_layout()
     return figure

@@ -162,8 +162,7 @@ def hierarchy(cell):
             y = 8.2 - j * 0.72
             box_text(axes, (x + 0.1, y), part.split("/", 1)[-1] if carrier != "link" else part, width=1.6, height=0.42, size=7.5)
             axes.plot([x - 0.82, x - 0.82, x - 0.72], [8.82, y, y], color=BLACK, linewidth=0.6)
-    axes.set_xlim(-1.1, 9.1)
-    axes.set_ylim(1.3, 10.9)
+    axes.set(xlim=(-1.1, 9.1), ylim=(1.3, 10.9))
     axes.axis("off")
     return figure
 
@@ -186,8 +185,7 @@ def chain(cell):
     axes.annotate("the elbow makes up for\nthe shoulder, so that the\nforearm keeps its elevation", (-1.4, -2.5), ha="right",
                   va="center", fontsize=9)
     axes.annotate("", (-1.1, -2), (-1.1, -3), arrowprops={"arrowstyle": "<->"})
-    axes.set_xlim(-4.2, 5.4)
-    axes.set_ylim(-7.5, 0.5)
+    axes.set(xlim=(-4.2, 5.4), ylim=(-7.5, 0.5))
     axes.axis("off")
     return figure
 
@@ -263,11 +261,8 @@ def area(cell, places):
                       bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
     for angle in range(-180, 180, 30):
         axes.annotate(f"{angle}°".replace("-", "−"), turned(-150 + angle, 775, 0), ha="center", va="center", fontsize=8)
-    axes.set_aspect("equal")
-    axes.set_xlim(-900, 900)
-    axes.set_ylim(-1000, 830)
-    axes.set_xlabel("x (mm); round the edge: the storage's angle")
-    axes.set_ylabel("y (mm)")
+    axes.set(aspect="equal", xlim=(-900, 900), ylim=(-1000, 830), xlabel="x (mm); round the edge: the storage's angle",
+             ylabel="y (mm)")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=2, fontsize=8, frameon=False)
     figure.tight_layout()
     return figure
@@ -300,9 +295,7 @@ def too_far(cell, places):
     axes.add_patch(plt.Circle((0, 0), math.sqrt(length ** 2 - up ** 2), facecolor="none", edgecolor=BLUE, linestyle="--"))
     axes.annotate("as far as the sphere reaches\nat the material's height", turned(25, 560, 0), fontsize=8, color=BLUE, ha="center",
                   bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
-    axes.set_xlim(-1000, 760)
-    axes.set_ylim(-1010, 740)
-    axes.set_title(f"radius {radius:g} mm: too far")
+    axes.set(xlim=(-1000, 760), ylim=(-1010, 740), title=f"radius {radius:g} mm: too far")
     figure.tight_layout()
     return figure
 
@@ -332,8 +325,7 @@ def process(cell):
         begin = (x0 + math.copysign(1.05, x1 - x0), y0) if y0 == y1 else (x0, y0 - 0.41)
         end = (x1 - math.copysign(1.05, x1 - x0), y1) if y0 == y1 else (x1, y1 + 0.41)
         axes.annotate("", end, begin, arrowprops={"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0})
-    axes.set_xlim(-1.3, 8.8)
-    axes.set_ylim(min(y for _, y in places) - 0.6, 0.6)
+    axes.set(xlim=(-1.3, 8.8), ylim=(min(y for _, y in places) - 0.6, 0.6))
     axes.axis("off")
     return figure
 
@@ -355,9 +347,8 @@ def joint_angles(cell):
                 axes.annotate("contact", (step, 45), rotation=90, fontsize=8, color=RED, ha="right", va="bottom")
         for (color, style, _), joint in zip(STYLES, lines):
             axes.plot(*zip(*lines[joint]), color=color, linestyle=style, linewidth=1.8, label=joint)
-        axes.set_ylabel("commanded, from home (degrees)")
-        axes.set_ylim(-200, 110)
-        axes.set_title(f"case {case}: storage at {'1' if case == 1 else '−33'}°")
+        axes.set(ylabel="commanded, from home (degrees)", ylim=(-200, 110),
+                 title=f"case {case}: storage at {'1' if case == 1 else '−33'}°")
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8, loc="lower right")
     both[-1].set_xlabel("steps of 1 degree")

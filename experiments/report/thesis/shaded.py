@@ -116,9 +116,7 @@ def draw(axes, solids, camera, aspect=0.75, pixels=900, background=None):
             fill(image, depth, triangle, (*np.clip(solid.color * shade, 0, 1), 1))
     axes.imshow(image, origin="lower", extent=(0, width, 0, height), interpolation="antialiased")
     draw_creases(axes, solids, to_pixels, depth)
-    axes.set_xlim(0, width)
-    axes.set_ylim(0, height)
-    axes.set_aspect("equal")
+    axes.set(xlim=(0, width), ylim=(0, height), aspect="equal")
     axes.axis("off")
     return lambda point: to_pixels(np.asarray(point, float))[:2]
 

@@ -12,16 +12,16 @@ import json
 import pathlib
 import sys
 
-from selenium import webdriver
-from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.actions.action_builder import ActionBuilder
 from selenium.webdriver.common.actions.mouse_button import MouseButton
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
 
-PATIENCE = 60  # seconds, for what takes one
-CORPUS = pathlib.Path(__file__).resolve().parents[2] / "corpus"
+TESTS = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(TESTS / "system"))
+from chromium import Chromium, Failure, expect  # noqa: E402
+
+CORPUS = TESTS / "corpus"
 # What the page's reader of cases does not know: JSON.parse keeps the last of two equal keys and does not count levels, and
 # a page has no use for tags.
 NOT_THE_PAGES = {"radius-twice", "tags-is-text"}
@@ -46,64 +46,22 @@ return JSON.stringify(arguments[0].map(verdict));
 """
 
 
-class Failure(Exception):
-    pass
+class Page(Chromium):
+    LEVELS, EXCUSED = ("SEVERE", "WARNING"), ("willReadFrequently",)  # of the test's own reading of pixels
 
-
-def expect(holds, otherwise):
-    if not holds:
-        raise Failure(otherwise)
-
-
-class Page:
     def __init__(self, html, pictures, width=1280, height=900, phone=False, media=None):
-        options = webdriver.ChromeOptions()
-        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--hide-scrollbars",
-                         "--host-resolver-rules=MAP * ~NOTFOUND"):
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(options=options, service=webdriver.chrome.service.Service("/usr/bin/chromedriver"))
-        self.html, self.pictures = pathlib.Path(html).resolve(), pictures
-        self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2 if phone else 1, mobile=phone)
-        self.cdp("Emulation.setEmulatedMedia", features=[{"name": name, "value": value} for name, value in (media or {}).items()])
+        super().__init__(pictures, ("--disable-gpu", "--host-resolver-rules=MAP * ~NOTFOUND"), width, height, phone, media)
+        self.html = pathlib.Path(html).resolve()
         if phone:
             self.cdp("Emulation.setTouchEmulationEnabled", enabled=True)
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, kind, error, trace):
-        try:
-            if kind is None:
-                worst = [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
-                worst = [text for text in worst if "willReadFrequently" not in text]  # of the test's own reading of pixels
-                expect(not worst, f"the console says {worst}")
-            elif self.pictures:
-                self.picture("failed")
-        finally:
-            self.driver.quit()
-
-    def cdp(self, command, **arguments):
-        return self.driver.execute_cdp_cmd(command, arguments)
-
-    def script(self, text, *arguments):
-        return self.driver.execute_script(text, *arguments)
-
     def find(self, name):
         return self.driver.find_element(By.ID, name)
-
-    def wait(self, what, holds):
-        WebDriverWait(self.driver, PATIENCE, 0.05).until(lambda _: holds(), what)
 
     def open(self, hash_=""):
         self.driver.get("about:blank")
         self.driver.get(self.html.as_uri() + hash_)
         self.wait("the library", lambda: not self.script("return document.body.hasAttribute('aria-busy')"))
-
-    def picture(self, name):
-        if self.pictures:
-            pathlib.Path(self.pictures).mkdir(parents=True, exist_ok=True)
-            self.driver.save_screenshot(f"{self.pictures}/{name}.png")
 
     def painted(self):
         self.wait("the failure map", lambda: self.script("return map.done && document.body.hasAttribute('data-painted')"))
@@ -184,7 +142,6 @@ def doubles_are_dots(page):
     page.painted()
     page.picture("map")
     expect(page.script("return view.dots()") is None, "there are dots in the whole polygon")
-    box = page.script("const b = at('window').getBoundingClientRect(); return [b.left, b.top]")
     for _ in range(60):  # the wheel over a corner, each notch about 4 times
         corner = page.place(1.3, 0.2)
         page.cdp("Input.dispatchMouseEvent", type="mouseWheel", x=corner[0], y=corner[1], deltaX=0, deltaY=-420)
@@ -290,7 +247,9 @@ def whole_page(html, pictures, name, **arguments):
 
 
 def main():
-    html, pictures = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else None
+    html, pictures = sys.argv[1], pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    if pictures:
+        pictures.mkdir(parents=True, exist_ok=True)
     with Page(html, pictures) as page:
         page.open()
         corpus(page)

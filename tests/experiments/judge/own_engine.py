@@ -28,9 +28,7 @@ for line in sys.stdin:
 
 class OwnEngine(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         (self.folder / "vertices.py").write_text(VERTICES)
         self.vertices = f"{sys.executable} vertices.py"
 

@@ -1,24 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: test_pictures.py SOURCE
 
-Pictures take the steps of a study from its data, show shares of one whole as such, and tell methods and libraries apart."""
+Pictures take the steps of a study from its data, show shares of one whole as such, and tell methods and libraries apart.
+There, on pages and in the paper, a share is shown as 0 % or 100 % only where it is."""
+import io
 import pathlib
 import re
 import sys
 import types
 import unittest
 
+import matplotlib.image
+import numpy as np
+
 SOURCE = pathlib.Path(sys.argv[1])
-sys.path.insert(0, str(SOURCE / "experiments/report"))
-
-import matplotlib
-
-matplotlib.use("Agg")
+sys.path[:0] = [str(SOURCE / "experiments/report"), str(SOURCE / "papers")]
 
 import dark
 from looks import LIBRARIES, LOOKS, asks_the_question
+from page import percent
+from shares import unless_whole
+from studies.regress import overall
 from thesis import cell as thesis_cell
 from thesis import method as thesis_method
+from values import latex
 
 STATION = {"azimuth": 0, "radius": 500, "height": 409, "deck": 412}
 
@@ -82,10 +87,6 @@ class Dark(unittest.TestCase):
     def test_both_kinds_of_pictures_are_changed(self):
         text = dark.svg('<svg width="1pt"><path style="fill: #ffffff"/><g>text</g><path style="stroke: #0072b2"/></svg>')
         self.assertEqual(text, '<svg fill="#e8e8e4" width="1pt"><path style="fill: #16181a"/><g>text</g><path style="stroke: #0072b2"/></svg>')
-        import io
-
-        import matplotlib.image
-        import numpy as np
         file = io.BytesIO()
         matplotlib.image.imsave(file, np.array([[[255, 255, 255], [0, 0x72, 0xb2]]], np.uint8), format="png")
         pixels = matplotlib.image.imread(io.BytesIO(dark.png(file.getvalue())), format="png")
@@ -97,6 +98,33 @@ class NotNumbers(unittest.TestCase):
         figure = thesis_method.not_numbers([{"ours": value} for value in ("60", "20", "50", "10")])
         widths = [bar.get_width() for bar in figure.axes[0].patches]
         self.assertEqual(widths, [60, 30, 3, 20])
+
+
+class Shares(unittest.TestCase):
+    def test_what_misleads_nobody_stays(self):
+        for share, shown in ((0.5, "50"), (0.0, "0"), (1.0, "100"), (1.63, "163"), (0.994, "99"), (3e-9, "3e-07")):
+            self.assertEqual(unless_whole(share, shown), shown)
+
+    def test_nothing_else_looks_like_all_or_nothing(self):
+        for share, shown, places, wanted in ((0.996, "100", 1, "99.6"), (1228 / 1229, "1e+02", 1, "99.9"), (0.9999, "100", 1, "> 99.9"),
+                                             (0.9999, "100.0", 2, "99.99"), (0.004, "0", 1, "0.4"), (0.0004, "0", 1, "< 0.1"),
+                                             (1e-9, "0.00", 2, "< 0.01")):
+            self.assertEqual(unless_whole(share, shown, places), wanted)
+
+    def test_in_pages(self):
+        self.assertEqual([percent(share) for share in (0, 0.123, 1228 / 1229, 0.99999, 1)],
+                         ["0\u00a0%", "12\u00a0%", "99.9\u00a0%", "&gt; 99.9\u00a0%", "100\u00a0%"])
+
+    def test_in_the_paper(self):
+        self.assertEqual([latex.percent(share) for share in (0, 0.123, 1228 / 1229, 0.99999, 1)],
+                         [r"0\,\%", r"12\,\%", r"99.9\,\%", r"$>$\,99.9\,\%", r"100\,\%"])
+
+    def test_in_tables_of_engines(self):
+        rows = [{"method": "fast", "numbers": numbers, "family": "u", "wrong": wrong, "cases": 100_000, "first_offset_exponent": None}
+                for numbers, wrong in (("doubles", 99_999), ("floats", 1))]
+        cells = overall(rows, 10)[0]
+        self.assertEqual(cells[2], "> 99.9 %")
+        self.assertEqual(cells[5], "0.001 %")
 
 
 if __name__ == "__main__":

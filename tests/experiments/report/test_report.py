@@ -24,6 +24,7 @@ from looks import EXACT, rounds
 from page import rounded, share_of_size, upper_limit
 from report import CHAPTERS, asked_in, page
 from results import DataError, study_in
+from style import rows_of
 
 VOID = {"meta", "img", "source", "br", "link", "input", "path", "line", "circle", "polygon"}
 
@@ -72,8 +73,7 @@ def report(results):
 
 def edited(path, edit):
     """Rewrites the rows of a CSV file: `edit` changes one in place."""
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+    rows = rows_of(path)
     for row in rows:
         edit(row)
     with open(path, "w", newline="", encoding="utf-8") as file:
@@ -82,15 +82,10 @@ def edited(path, edit):
         writer.writerows(rows)
 
 
-def rows_of(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
 class Report(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.original = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH)) / "results"
+        cls.original = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(dir=SCRATCH))) / "results"
         tiny.write(TOUCHSTONE, SOURCE, cls.original)
         cls.whole, complaint = report(cls.original)
         assert cls.whole is not None, complaint
@@ -98,10 +93,6 @@ class Report(unittest.TestCase):
         cls.light = cls.original.parent / "light"  # the cell's page is long
         shutil.copytree(cls.original, cls.light)
         (cls.light / "cell/cell.html").write_text("<canvas></canvas>")
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.original.parent)
 
     def setUp(self):
         self.results = self.original.parent / "changed"
@@ -179,11 +170,9 @@ class Report(unittest.TestCase):
         for name in CHAPTERS:
             gone = self.results.parent / "gone"
             (self.results / name).rename(gone)
-            if name == "thesis":  # what links to its page
-                page = self.changed()
-                self.assertFalse([link for link in page.links if link.startswith("thesis/")])
             page = self.changed()
             gone.rename(self.results / name)
+            self.assertFalse([link for link in page.links if link.startswith(f"{name}/")])
             behind = page.text.partition(f"Not run: {CHAPTERS[name].TITLE}.")[2]
             self.assertTrue(re.search(rf"touchstone .*--(?:output|json) changed/{name}\b", behind[:900]), behind[:900])
 
@@ -193,15 +182,12 @@ class Report(unittest.TestCase):
         self.assertIn("It was begun, and has not come to its end.", page.text)
         self.assertNotIn("in 200 cases", page.text)
 
-    def test_an_interrupted_study_is_shown_with_a_warning(self):
+    def test_says_if_a_study_was_interrupted_or_is_of_another_commit(self):
         path = self.results / "soak/run.json"
-        path.write_text(json.dumps(json.loads(path.read_text()) | {"interrupted": True, "samples_asked": 1000}))
-        self.assertIn("Interrupted: 200 of 1,000 samples were done", self.changed().text)
-
-    def test_a_study_of_another_commit_is_noticed(self):
-        path = self.results / "soak/run.json"
-        path.write_text(json.dumps(json.loads(path.read_text()) | {"commit": "another+"}))
-        self.assertIn("The studies were made by different commits", self.changed().text)
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"interrupted": True, "samples_asked": 1000, "commit": "another+"}))
+        text = self.changed().text
+        self.assertIn("Interrupted: 200 of 1,000 samples were done", text)
+        self.assertIn("The studies were made by different commits", text)
 
     def test_missing_data_are_an_error_that_names_the_file(self):
         for file in ("near-edge/rates.csv", "meshes/meshes.csv", "tradeoff/front.csv", "stability/failures.csv", "regress/outcomes.csv",
@@ -283,20 +269,18 @@ class Report(unittest.TestCase):
     def test_cost_against_nearness_is_that_of_the_bench(self):
         path = self.results / "bench/bench.json"
         bench = json.loads(path.read_text())
-        for contest in bench["contests"]:
-            if contest["family"] == "nearness":
-                filtered = next(c for c in contest["contestants"] if c["name"] == "filtered")
-                filtered["nanoseconds"]["median"] = {"2^-52": 70.0, "2^-1": 8.0}.get(contest["name"], 9.0)
-            if contest["name"] == "asked 8 times":
-                next(c for c in contest["contestants"] if c["name"] == "filtered")["nanoseconds"]["median"] = 0.5
-            elif contest["name"].startswith("asked"):
-                next(c for c in contest["contestants"] if c["name"] == "filtered")["nanoseconds"]["median"] = 500
+        times = [(contest["family"], contest["name"], c["nanoseconds"]) for contest in bench["contests"] for c in contest["contestants"] if c["name"] == "filtered"]
+        for family, name, nanoseconds in times:
+            if family == "nearness":
+                nanoseconds["median"] = {"2^-52": 70.0, "2^-1": 8.0}.get(name, 9.0)
+            elif name.startswith("asked"):
+                nanoseconds["median"] = 0.5 if name == "asked 8 times" else 500
         path.write_text(json.dumps(bench))
         text = self.changed().text
         self.assertIn("filtered takes 8.00 ns far from contact and 70.0 ns at it", text)
         self.assertIn("8 vertices: by 8 questions", text)
-        for contest in bench["contests"]:
-            next(c for c in contest["contestants"] if c["name"] == "filtered")["nanoseconds"]["upper_quartile"] = 100
+        for _, _, nanoseconds in times:
+            nanoseconds["upper_quartile"] = 100
         path.write_text(json.dumps(bench))
         text = self.changed().text
         self.assertIn("in this run the times are too noisy to tell", text)

@@ -2,7 +2,7 @@
 """Usage: test_run_studies.py TOUCHSTONE SOURCE SCRATCH
 
 What ./reproduce did is not done again, and what was half done goes on: with a program in place of touchstone that notes its
-calls. The commands in the list of studies are such as touchstone knows."""
+calls. The commands in the list of studies are such as touchstone knows. A file of results is replaced whole, or stays as it was."""
 import os
 import pathlib
 import shutil
@@ -16,6 +16,7 @@ import unittest
 TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 sys.path.insert(0, str(SOURCE / "experiments/report"))
 
+from replacing import replacing  # noqa: E402
 from studies import MESHES, OUTPUT, modules  # noqa: E402
 
 RUNS = [module.RUN for module in modules().values()]
@@ -36,8 +37,7 @@ exit 0
 
 class Studies(unittest.TestCase):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH))
-        self.addCleanup(shutil.rmtree, self.folder)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(dir=SCRATCH)))
         (self.folder / "cache/meshes").mkdir(parents=True)
         (self.folder / "cache/meshes/a.obj").write_text("v 0 0 0\n")
         self.write_program(PROGRAM)
@@ -114,17 +114,21 @@ class Studies(unittest.TestCase):
             self.assertLess(time.monotonic(), end)
         return int((self.folder / name).read_text())
 
+    def kill_in(self, study, *options):
+        """Kills a run, and what it runs, in the middle of a study."""
+        (self.folder / "waiting").unlink(missing_ok=True)
+        (self.folder / "waits").write_text(study)
+        process = self.start(*options)
+        self.wait_for("waiting", process)
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+        (self.folder / "waits").unlink()
+
     def test_what_was_killed_halfway_goes_on(self):
         for study, resumes in (("stability", True), ("thesis", False)):
             shutil.rmtree(self.folder / "results", ignore_errors=True)
-            (self.folder / "waiting").unlink(missing_ok=True)
-            (self.folder / "waits").write_text(study)
-            process = self.start()
-            self.wait_for("waiting", process)
-            os.killpg(process.pid, signal.SIGKILL)
-            process.communicate()
+            self.kill_in(study)
             self.assertTrue((self.folder / f"results/{study}/checkpoint.json").exists())
-            (self.folder / "waits").unlink()
             calls = self.run_all()
             self.assertEqual(calls[0].split()[0], study)
             self.assertTrue(calls[0].endswith("--resume" if resumes else "--force"))
@@ -132,12 +136,7 @@ class Studies(unittest.TestCase):
             self.assertEqual((self.folder / f"results/{study}/checkpoint.json").exists(), resumes)
 
     def test_quick_does_not_destroy_what_full_has_begun(self):
-        (self.folder / "waits").write_text("stability")
-        process = self.start("--full")
-        self.wait_for("waiting", process)
-        os.killpg(process.pid, signal.SIGKILL)
-        process.communicate()
-        (self.folder / "waits").unlink()
+        self.kill_in("stability", "--full")
         self.assertFalse(any(call.startswith("stability") for call in self.run_all()))
         self.assertTrue(any(call.startswith("stability") and call.endswith("--resume") for call in self.run_all("--full")))
 
@@ -179,6 +178,35 @@ class Commands(unittest.TestCase):
 
     def test_have_an_order(self):
         self.assertEqual(len({study.place for study in RUNS}), len(RUNS))
+
+
+class Replacing(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.page = self.folder / "report.html"
+        self.page.write_text("earlier")
+
+    def test_gives_the_new_file_the_name(self):
+        with replacing(self.page) as file:
+            file.write_text("new")
+            self.assertEqual(self.page.read_text(), "earlier")
+        self.assertEqual(self.page.read_text(), "new")
+        self.assertEqual(list(self.folder.iterdir()), [self.page])
+
+    def test_keeps_the_earlier_file_where_the_new_one_fails(self):
+        with self.assertRaises(OSError), replacing(self.page) as file:
+            file.write_text("half")
+            raise OSError
+        self.assertEqual(self.page.read_text(), "earlier")
+        self.assertEqual(list(self.folder.iterdir()), [self.page])
+
+    def test_follows_no_link(self):
+        link = self.folder / "index.html"
+        link.symlink_to(self.page)
+        with replacing(link) as file:
+            file.write_text("new")
+        self.assertEqual(self.page.read_text(), "earlier")
+        self.assertFalse(link.is_symlink())
 
 
 if __name__ == "__main__":

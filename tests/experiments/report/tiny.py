@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tiny results of every study, by the program itself, so that the report is tested on the formats that it writes."""
 import concurrent.futures
-import csv
 import json
 import pathlib
 import subprocess
@@ -55,28 +54,26 @@ def run(program, *arguments):
 
 def write(program, source, results):
     """A folder for each study, pictures of one line, and the thesis's page."""
-    from studies.thesis import write_page
+    from studies.thesis import rows_of, write_page
 
     results.mkdir(parents=True)
     mesh = results / "tetrahedron.obj"
     mesh.write_text(MESH)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         list(pool.map(lambda item: run(program, *item[1], "--output", str(results / item[0])), reversed(calls(source, str(mesh)).items())))
+    cell, folder = str(source / "experiments/thesis/cell/cells/aristo.json"), results / "cell"
+    of_preset = lambda preset, *more: ["cell", "run", cell, "--preset", preset, "--methods", "filtered,thesis", *more]
     for n in (1, 2):
-        run(program, "cell", "run", str(source / "experiments/thesis/cell/cells/aristo.json"), "--preset", f"case {n}", "--every-face", "--methods", "filtered,thesis",
-            "--output", str(results / "cell" / f"case-{n}"))
-    for folder, drive in (("u-part", []), ("driven", ["--drive", "thesis"])):  # which ends with status 1
-        call = ["cell", "run", str(source / "experiments/thesis/cell/cells/aristo.json"), "--preset", "U-part", "--methods", "filtered,thesis", *drive]
-        assert subprocess.run([program, *call, "--output", str(results / "cell" / folder)], capture_output=True).returncode == len(drive) / 2
-    run(program, "cell", "export", str(source / "experiments/thesis/cell/cells/aristo.json"), str(results / "cell/cell.html"), "--methods", "filtered")
+        run(program, *of_preset(f"case {n}", "--every-face", "--output", str(folder / f"case-{n}")))
+    run(program, *of_preset("U-part", "--output", str(folder / "u-part")))
+    driven = of_preset("U-part", "--drive", "thesis", "--output", str(folder / "driven"))
+    assert subprocess.run([program, *driven], capture_output=True).returncode == 1  # into the vice
+    run(program, "cell", "export", cell, str(folder / "cell.html"), "--methods", "filtered")
     for path in (results / "near-edge").glob("map-*.csv"):
         path.write_text("".join(path.read_text().splitlines(keepends=True)[:200]))  # enough of one
     (results / "methods.txt").write_text(run(program, "methods"))
     thesis = results / "thesis"
-    with open(thesis / "entries.csv", newline="", encoding="utf-8") as file:
-        entries = list(csv.DictReader(file))
-    with open(thesis / "numbers.csv", newline="", encoding="utf-8") as file:
-        numbers = list(csv.DictReader(file))
+    entries, numbers = rows_of(thesis / "entries.csv"), rows_of(thesis / "numbers.csv")
     stems = [(pathlib.Path(folder), stem) for folder, names in PICTURES.items() for stem in names]
     stems += [(pathlib.Path("thesis"), entry["picture"]) for entry in entries if entry["picture"]]
     for folder, stem in stems:

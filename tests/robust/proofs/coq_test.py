@@ -31,9 +31,7 @@ CLAIMED = CROSS["value"] - MODEL["rounding_of_bound"]
 
 class InFolder(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.check = prove_in_coq.Check(GAPPA, COQC, self.folder)
 
     def faults(self, theory):

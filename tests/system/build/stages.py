@@ -67,9 +67,7 @@ class Table(unittest.TestCase):
 
 class Check(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        self.root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         shutil.copy(ROOT / "check", self.root)
         shutil.copytree(ROOT / ".ci", self.root / ".ci")
         with (self.root / ".ci/stages").open("a") as stages:

@@ -20,7 +20,7 @@ def main(program):
         case.write_text(CASE)
         subprocess.run([program, "show", case, "--png", picture], check=True)
         pixels = matplotlib.image.imread(picture)
-    row = [tuple(round(255 * value) for value in pixel[:3]) for pixel in pixels[492:493, 44:836].reshape(-1, pixels.shape[2])]
+    row = [tuple(round(255 * value) for value in pixel[:3]) for pixel in pixels[492, 44:836]]
     runs = [colour for colour, before in zip(row, [None, *row]) if colour != before and row.count(colour) > 50]
     if len(runs) != 5 or runs[2] != (255, 255, 255) or runs[1] != runs[3] or runs[1] == runs[0]:
         sys.exit(f"along a line through the hole there are {runs}")

@@ -19,24 +19,15 @@ import tempfile
 import urllib.parse
 import urllib.request
 
-from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
 
-PATIENCE = 60  # seconds, for what takes one
 ROOT = pathlib.Path(__file__).resolve().parents[5]
+sys.path.append(str(ROOT / "tests/system"))
+from chromium import PATIENCE, Chromium, Failure, expect  # noqa: E402
+
 CELL = ROOT / "experiments/thesis/cell/cells/aristo.json"
-
-
-class Failure(Exception):
-    pass
-
-
-def expect(holds, otherwise):
-    if not holds:
-        raise Failure(otherwise)
 
 
 @contextlib.contextmanager
@@ -59,48 +50,18 @@ def ask(address, setting):
         return json.load(reply)
 
 
-class Page:
+class Page(Chromium):
+    EXCUSED = ("422", "400")  # Chromium's own note on a refusal
+
     def __init__(self, pictures, width=1280, height=800, phone=False, arguments=(), **media):
-        options = webdriver.ChromeOptions()
-        for argument in (*arguments, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
-                         "--enable-unsafe-swiftshader", "--hide-scrollbars"):
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(options=options, service=webdriver.chrome.service.Service("/usr/bin/chromedriver"))
-        self.pictures = pictures
-        self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2 if phone else 1,
-                 mobile=phone)
-        self.cdp("Emulation.setEmulatedMedia", features=[{"name": name.replace("_", "-"), "value": value}
-                                                         for name, value in media.items()])
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, kind, error, trace):
-        try:
-            if kind is None:
-                worst = [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
-                worst = [text for text in worst if "422" not in text and "400" not in text]  # Chromium's own note on a refusal
-                expect(not worst, f"the console says {worst}")
-            elif self.pictures:
-                self.picture("failed")
-        finally:
-            self.driver.quit()
-
-    def cdp(self, command, **arguments):
-        return self.driver.execute_cdp_cmd(command, arguments)
-
-    def script(self, text, *arguments):
-        return self.driver.execute_script(text, *arguments)
+        super().__init__(pictures, (*arguments, "--use-angle=swiftshader", "--enable-unsafe-swiftshader"), width, height, phone,
+                         {name.replace("_", "-"): value for name, value in media.items()})
 
     def find(self, selector):
         return self.driver.find_element(By.CSS_SELECTOR, selector)
 
     def text(self, name):
         return self.script("return document.getElementById(arguments[0]).textContent", name)
-
-    def wait(self, what, holds):
-        WebDriverWait(self.driver, PATIENCE, 0.05).until(lambda _: holds(), what)
 
     def open(self, address):
         self.driver.get(address)
@@ -173,7 +134,7 @@ class Page:
     def picture(self, name):
         if self.pictures:
             size = self.script("return [document.documentElement.scrollWidth, document.documentElement.scrollHeight]")
-            self.driver.save_screenshot(str(self.pictures / f"{name}.png"))
+            super().picture(name)
             shot = self.cdp("Page.captureScreenshot", captureBeyondViewport=True,
                             clip={"x": 0, "y": 0, "width": size[0], "height": size[1], "scale": 1})
             (self.pictures / f"{name}-whole.png").write_bytes(base64.b64decode(shot["data"]))
