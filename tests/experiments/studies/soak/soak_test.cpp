@@ -15,6 +15,7 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/commands.h"
+#include "experiments/run/checkpoint.h"
 #include "experiments/run/output.h"
 #include "experiments/run/sweep.h"
 #include "experiments/studies/soak/measure.h"
