@@ -11,14 +11,14 @@ from replacing import replacing
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from looks import look_of
+from looks import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, SKY, look_of
 
 plt.rcParams.update({"svg.hashsalt": "touchstone", "font.size": 9, "axes.titlesize": 9, "axes.spines.top": False,
                      "axes.spines.right": False})
 
-# Okabe and Ito's colours, told apart by all eyes; line and marker tell them apart without colour.
-STYLES = [("#0072B2", "-", "o"), ("#E69F00", "--", "s"), ("#D55E00", "-", "^"), ("#000000", ":", "v"),
-          ("#009E73", "-.", "D"), ("#CC79A7", "--", "P"), ("#56B4E9", "-", "X"), ("#999999", "-.", "*")]
+GREY = "#999999"  # of what is no method's
+# Of curves that are no methods'; line and marker tell them apart without colour.
+STYLES = [(BLUE, "-", "o"), (ORANGE, "--", "s"), (RED, "-", "^"), (BLACK, ":", "v"), (GREEN, "-.", "D"), (PURPLE, "--", "P"), (SKY, "-", "X"), (GREY, "-.", "*")]
 
 
 def rows_of(path):

@@ -2,10 +2,11 @@
 """The chapter of `touchstone cell area`: where the cell's storage may stand."""
 import math
 
+from looks import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED
 from page import count, smaller
 from results import finite
 from studies import CELL, OUTPUT, Run
-from style import STYLES, plt, rows_of, save
+from style import GREY, plt, rows_of, save
 
 RUN = Run(16, "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]])
 TITLE = "Where the storage of the cell may stand"
@@ -27,7 +28,6 @@ def told(study):
             "maps": [each for each in (map_of(*item) for item in MAPS.items()) if each["path"]]}
 
 
-BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, GREY = (STYLES[i][0] for i in (0, 1, 2, 3, 4, 5, 7))
 OUTCOMES = {"completed": ("the whole process runs", GREEN, "o", 14),
             "in-the-way": ("arm, gripper or part come upon something", RED, "s", 5),
             "misplaced": ("the part would not arrive in its place", GREY, "d", 6),

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from style import STYLES, plt, rows_of, save
+from looks import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED
+from style import plt, rows_of, save
 
-BLUE, ORANGE, RED, BLACK, GREEN, PURPLE = (STYLES[i][0] for i in (0, 1, 2, 3, 4, 5))
 CASES = {"1": (BLUE, "case 1: storage at +1°"), "2": (ORANGE, "case 2: storage at −33°")}
 STORAGE_ANGLES = {"1": 1, "2": -33}
 COUPLINGS = {"keeps-elevation": "forearm keeps its elevation while the shoulder turns",

@@ -10,7 +10,7 @@ def draw_missed(axes, rows):
         own = [row for row in rows if row["radius_mm"] == radius]
         steps = [float(row["step_deg"]) * 1.05 ** (place - (len(radii) - 1) / 2) for row in own]  # whiskers beside each other
         whiskers(axes, steps, *([100 * float(row[name]) for row in own] for name in ("share", "lower", "upper")),
-                 color=plt.get_cmap("cividis")(place / len(radii)), linestyle=line, marker=marker, label=f"{float(radius):g} mm")  # colours of STYLES are of methods
+                 color=plt.get_cmap("cividis")(place / len(radii)), linestyle=line, marker=marker, label=f"{float(radius):g} mm")  # other colours are of methods
     axes.set_xscale("log")
     steps = sorted({float(row["step_deg"]) for row in rows})
     axes.set_xticks(steps, [f"{step:g}" for step in steps])

@@ -9,14 +9,14 @@ from matplotlib.patches import Circle, Patch
 from matplotlib.patches import Polygon as Outline
 
 from asked import by_method
-from looks import in_order
+from looks import BLUE, RED, in_order
 from page import bar, code, count, number, percent, share_of_size, smaller, upper_limit
 from results import finite, maybe, natural, share
 from results import number as any_number
 from shares import unless_whole
 from studies import OUTPUT, Run
 from studies.regress import ENGINES
-from style import STYLES, curve, distinct, plt, rows_of, save
+from style import curve, distinct, plt, rows_of, save
 
 RUN = Run(10, "moving balls near their thresholds", resumes=True,
           full=[["motions", "--output", OUTPUT]], quick=[["motions", "--samples", "8", "--output", OUTPUT]])
@@ -132,11 +132,11 @@ def draw_scene(axes, spots):
         if what.startswith("loop"):
             axes.add_patch(Outline(points, facecolor="#dddddd", edgecolor="#555555", linewidth=2))
     (from_,), (to,), (center,) = at["from"], at["to"], at["center"]
-    axes.annotate("", to, from_, arrowprops={"arrowstyle": "->", "color": STYLES[0][0]})
+    axes.annotate("", to, from_, arrowprops={"arrowstyle": "->", "color": BLUE})
     for place, line in ((from_, ":"), (center, "-"), (to, ":")):
-        axes.add_patch(Circle(place, center[1], fill=False, edgecolor=STYLES[0][0], linestyle=line))
-    axes.plot(*center, ".", color=STYLES[0][0])
-    axes.plot(0, 0, "o", color=STYLES[2][0], markersize=4)
+        axes.add_patch(Circle(place, center[1], fill=False, edgecolor=BLUE, linestyle=line))
+    axes.plot(*center, ".", color=BLUE)
+    axes.plot(0, 0, "o", color=RED, markersize=4)
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.set_title("the ball of the threshold radius grazes the polygon (grey), seen from its side;\nlengths in sizes of the polygon")

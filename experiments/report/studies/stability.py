@@ -5,12 +5,12 @@ import math
 import numpy as np
 
 from asked import Asked
-from looks import in_order
+from looks import BLUE, ORANGE, RED, in_order
 from page import bar, code, count, escaped, level, percent, power, smaller, words
 from results import finite, maybe, natural, number, share
 from shares import unless_whole
 from studies import OUTPUT, Run
-from style import curve, distinct, draw, plt, rows_of, save
+from style import GREY, curve, distinct, draw, plt, rows_of, save
 
 RUN = Run(4, "polygons under stress", resumes=True,
           full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]])
@@ -128,7 +128,6 @@ def told(study):
 UNDERFLOWING = ("small", "mixed", "flush")
 CONDITIONED = ["vertex", "along", "beyond", "line", "front", "plane", "side", "above"]
 MAPPED = ("close", "ample")  # nearnesses; within one double nearly all fail
-BLUE, RED, GREY = "#0072B2", "#D55E00", "#999999"
 
 
 def panels(names, height=2.0):
@@ -310,7 +309,7 @@ def draw_tightness(folder, rows):
                              ("median", "quantile_99", "max"))
     left.hlines(y, median, largest, color=GREY, linewidth=1)
     left.plot(median, y, "o", color=BLUE, markersize=4, label="median")
-    left.plot(most, y, "s", color="#E69F00", markersize=4, label="99 %")
+    left.plot(most, y, "s", color=ORANGE, markersize=4, label="99 %")
     left.plot(largest, y, "^", color=RED, markersize=5, label="largest")
     left.axvline(1, color="k", linewidth=1)
     left.set(xscale="log", xlim=(5e-13, 3))

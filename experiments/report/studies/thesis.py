@@ -6,12 +6,13 @@ import re
 import shutil
 import sys
 
+from looks import BLACK, BLUE, ORANGE
 from page import code, count, escaped, inlined, number, percent, rendered, smaller
 from replacing import replacing
 from results import maybe, natural
 from results import number as any_number
 from studies import OUTPUT, Run
-from style import STYLES, draw, plt, rows_of, save
+from style import draw, plt, rows_of, save
 from thesis import cell as views
 from thesis import method, model
 
@@ -131,7 +132,6 @@ def write_page(folder, entries, numbers, run):
         file.write_text(text, encoding="utf-8")
 
 
-BLUE, ORANGE, RED, BLACK = (STYLES[i][0] for i in range(4))
 
 
 def numeric(rows):

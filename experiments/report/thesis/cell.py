@@ -7,10 +7,10 @@ import math
 
 import numpy as np
 
+from looks import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+from style import GREY, plt
 from thesis.shaded import Camera, Solid, draw
-from style import STYLES, plt
 
-BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
 COLORS = {"link": "#f0c878", "gripper": RED, "storage": SKY, "machine": "#b9c4b9", "material": PURPLE}
 FLOOR = 1150  # mm: half a side of what is drawn of it
 STATION_COLORS = {"storage 1": BLUE, "storage 2": ORANGE, "machine": GREEN}

@@ -7,12 +7,10 @@ import math
 import numpy as np
 from matplotlib.patches import FancyBboxPatch, Patch, Polygon
 
-from studies.cell_missed import draw_missed
-from looks import look_of
-from style import STYLES, plt
+from looks import BLACK, BLUE, GREEN, ORANGE, RED, SKY, look_of
 from shares import unless_whole
-
-BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
+from studies.cell_missed import draw_missed
+from style import GREY, STYLES, plt, whiskers
 
 
 def outline_patch(corners, **style):
@@ -230,10 +228,8 @@ def false_hits(rows):
             lines.setdefault(outline, []).append((float(rest.split(" %")[0]), row))
     for (color, style, marker), (outline, own) in zip(STYLES, lines.items()):
         aside = 1.04 ** (list(lines).index(outline) - (len(lines) - 1) / 2)  # so that outlines do not cover each other
-        x, y = [radius * aside for radius, _ in own], [float(row["ours"]) for _, row in own]
-        low = [v - float(row["lower"]) for v, (_, row) in zip(y, own)]
-        high = [float(row["upper"]) - v for v, (_, row) in zip(y, own)]
-        axes.errorbar(x, y, yerr=[low, high], color=color, linestyle=style, marker=marker, markersize=4, capsize=2, label=outline)
+        whiskers(axes, [radius * aside for radius, _ in own], *([float(row[name]) for _, row in own] for name in ("ours", "lower", "upper")),
+                 color=color, linestyle=style, marker=marker, label=outline)
         stated = [(radius * aside, float(row["stated"])) for radius, row in own if row["stated"]]
         if stated:
             axes.plot(*zip(*stated), linestyle="", marker="o", markersize=9, markerfacecolor="none", markeredgecolor=color)

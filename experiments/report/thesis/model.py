@@ -8,11 +8,11 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import FancyBboxPatch
 
-from thesis.shaded import Camera, Solid, draw
-from style import STYLES, plt
+from looks import BLACK, BLUE, ORANGE, PURPLE, RED, SKY
+from style import GREY, STYLES, plt
 from thesis.cell import COLORS, plan, turned
+from thesis.shaded import Camera, Solid, draw
 
-BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
 PART_COLORS = ("#f0c878", SKY, "#cfa0b8")
 
 
