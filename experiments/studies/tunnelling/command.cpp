@@ -35,7 +35,7 @@ int run_tunnelling(run::StudyRun& run, const Options& options) {
       return measure_cost(timed, control.stop, control.progress);
     });
     write_cost(run.folder(), cost);
-    text += "\n" + table(cost);
+    text += "\n" + tunnelling::table(cost);
   }
   return run.finish({.done = misses.samples,
                      .missing = misses.missing,
