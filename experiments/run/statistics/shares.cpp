@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boost.Math inverts the incomplete beta function; Clopper and Pearson's limits follow from that and need no code of ours
-// beyond the ends. It has no limits for the mean of a bounded variable.
+// Boost.Math inverts the incomplete beta function; Clopper and Pearson's limits follow from that and need no code of
+// ours beyond the ends. It has no limits for the mean of a bounded variable.
 #include "experiments/run/statistics/shares.h"
 
 #include <fmt/core.h>
