@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "experiments/cases/case.h"
+#include "experiments/run/json.h"
 #include "experiments/cases/output_lines.h"
 
 using namespace touchstone;
