@@ -29,8 +29,9 @@ constexpr std::int64_t rounded(std::int64_t exact, int bits, Rounding rounding) 
   return negative ? -result : result;
 }
 
-/// A floating-point number of few significant bits without limits of the exponent, whose value is an integer. All are of
-/// the arithmetic that was set last: templates over it would take minutes to compile.
+/// A floating-point number of few significant bits without limits of the exponent, whose value is an integer. Every
+/// number computes with the bits and the rounding that were set last: templates over them would take a minute to
+/// compile.
 struct Toy {
   std::int64_t value;
 
@@ -47,7 +48,7 @@ struct Toy {
   static inline Rounding rounding = Rounding::Nearest;
 };
 
-/// Calls visit(rounding) for each rounding, with toys of so many bits.
+/// Calls visit(rounding) for each rounding, with toys of `bits` bits.
 template <class Visit>
 void for_each_rounding(int bits, Visit visit) {
   for (const Rounding rounding : {Rounding::Nearest, Rounding::Down, Rounding::Up, Rounding::TowardZero}) {

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "experiments/cases/case.h"
-#include "experiments/run/json.h"
 #include "experiments/cases/output_lines.h"
+#include "experiments/run/json.h"
 
 using namespace touchstone;
 
