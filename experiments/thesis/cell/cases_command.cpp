@@ -24,13 +24,6 @@ namespace {
 constexpr double kNear = 4;  // radii
 constexpr std::size_t kMostVertices = 16;
 
-std::vector<Polygon> polygons_of(const scene::Faces& faces) {
-  std::vector<Polygon> polygons;
-  for (const Triangle& t : faces.triangles) polygons.emplace_back(Loop{t.a, t.b, t.c});
-  polygons.insert(polygons.end(), faces.polygons.begin(), faces.polygons.end());
-  return polygons;
-}
-
 /// The stop at which the sphere is nearest to the face; none where it never is near.
 std::optional<std::size_t> nearest_stop(const cell::Process& process, const Polygon& polygon) {
   std::optional<std::size_t> nearest;

@@ -15,13 +15,6 @@
 namespace touchstone::figures {
 namespace {
 
-std::vector<Polygon> polygons_of(const scene::Faces& faces) {
-  std::vector<Polygon> all;
-  for (const Triangle& t : faces.triangles) all.push_back(Polygon({t.a, t.b, t.c}));
-  all.insert(all.end(), faces.polygons.begin(), faces.polygons.end());
-  return all;
-}
-
 /// The face that is nearest to a ball's centre.
 std::size_t nearest(const std::vector<Polygon>& faces, const Ball& ball) {
   std::size_t nearest = 0;
@@ -91,7 +84,7 @@ CaseStudy study_case(const cell::Cell& cell, const std::vector<cell::ModelPart>&
     if (move.until != cell::Until::Contact || move.phase > cell::Phase::ToMachine) continue;
     const bool at_machine = move.phase == cell::Phase::ToMachine;
     const cell::Workplace& place = workcell.at(at_machine ? StationSlot::Machine : StationSlot::Storage);
-    const std::vector<Polygon> faces = polygons_of(at_machine ? place.virtual_faces : place.faces);
+    const std::vector<Polygon> faces = cell::polygons_of(at_machine ? place.virtual_faces : place.faces);
     const double step = move.degrees < 0 ? -cell.step : cell.step;
     const Ball at = stops[i].sphere, before = sphere_at(workcell, stops[i], move, move.degrees - step);
     const std::size_t face = nearest(faces, at);

@@ -131,7 +131,7 @@ Json separation_json(const Recording& recording, const Arm& arm) {
                      {"low", each.bounds.lower},
                      {"high", each.bounds.upper},
                      {"stop", each.stop},
-                     {"seconds", optional(when(recording.times, arm, recording.process, each))}});
+                     {"seconds", optional(when(recording.times, arm, recording.process, each.stop, each.degrees))}});
   for (const Mover mover : kMovers) {
     Json here = Json::array(), low = Json::array(), element = Json::array();
     for (const auto& at : separation.nearest[static_cast<std::size_t>(mover)]) {

@@ -74,4 +74,11 @@ ModelFaces scene_faces(const SolidFaces& solid) {
   return result;
 }
 
+std::vector<Polygon> polygons_of(const scene::Faces& faces) {
+  std::vector<Polygon> polygons;
+  for (const Triangle& t : faces.triangles) polygons.emplace_back(Loop{t.a, t.b, t.c});
+  polygons.insert(polygons.end(), faces.polygons.begin(), faces.polygons.end());
+  return polygons;
+}
+
 }  // namespace touchstone::cell

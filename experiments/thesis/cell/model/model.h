@@ -42,5 +42,7 @@ struct ModelFaces {
   std::vector<std::size_t> numbers;
 };
 [[nodiscard]] ModelFaces scene_faces(const SolidFaces& solid);
+/// Returns the faces of a scene as polygons, by their numbers there: triangles first.
+[[nodiscard]] std::vector<Polygon> polygons_of(const scene::Faces& faces);
 
 }  // namespace touchstone::cell

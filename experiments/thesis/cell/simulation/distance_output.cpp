@@ -62,7 +62,7 @@ std::vector<LeastRow> least_rows(const Workcell& workcell, const Process& proces
   const std::vector<double> times = times_of(workcell.arm(), process);
   std::vector<LeastRow> rows;
   for (const LeastDistance& least : separation.least)
-    rows.push_back({&least, when(times, workcell.arm(), process, least)});
+    rows.push_back({&least, when(times, workcell.arm(), process, least.stop, least.degrees)});
   return rows;
 }
 
@@ -106,17 +106,9 @@ run::Table<TriggerRow> triggers_csv() {
 std::vector<TriggerRow> trigger_rows(const Workcell& workcell, const Process& process) {
   const std::vector<double> times = times_of(workcell.arm(), process);
   std::vector<TriggerRow> rows;
-  for (const Trigger& trigger : process.triggers) {
-    TriggerRow row{&trigger, &workcell.cell().zones[trigger.zone], {}};
-    if (!times.empty()) {
-      row.seconds = times[trigger.after];
-      if (trigger.after + 1 < process.stops.size()) {
-        const Moved joint = step_between(process.stops[trigger.after], process.stops[trigger.after + 1]).joint;
-        *row.seconds += seconds(workcell.arm(), joint, trigger.degrees).value();
-      }
-    }
-    rows.push_back(row);
-  }
+  for (const Trigger& trigger : process.triggers)
+    rows.push_back({&trigger, &workcell.cell().zones[trigger.zone],
+                    when(times, workcell.arm(), process, trigger.after, trigger.degrees)});
   return rows;
 }
 

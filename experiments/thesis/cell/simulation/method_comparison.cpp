@@ -28,14 +28,12 @@ struct PreparedFace {
 
 std::vector<PreparedFace> prepared(const scene::Faces& faces, const std::vector<std::string>& owners) {
   std::vector<PreparedFace> all;
-  const auto add = [&](const Polygon& polygon) {
+  for (const Polygon& polygon : polygons_of(faces)) {
     filtered::PreparedPolygon certified(polygon);
     const touchstone::Box box = scene::detail::lifted_box(polygon, certified);
     const std::string& owner = owners.size() == 1 ? owners.front() : owners[all.size()];
     all.push_back({owner, all.size(), polygon, std::move(certified), box, {}});
-  };
-  for (const Triangle& t : faces.triangles) add(Polygon({t.a, t.b, t.c}));
-  for (const Polygon& polygon : faces.polygons) add(polygon);
+  }
   return all;
 }
 

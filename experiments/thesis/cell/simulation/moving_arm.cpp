@@ -23,9 +23,7 @@ Driver::Driver(const Workcell& workcell, const cases::Method& method) {
   for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
     for (const bool copy : {false, true}) {
       const scene::Faces& faces = copy ? workcell.at(slot).virtual_faces : workcell.at(slot).faces;
-      auto& prepared = faces_[index(slot, copy)];
-      for (const Triangle& t : faces.triangles) prepared.push_back(method.prepare(Polygon({t.a, t.b, t.c})));
-      for (const Polygon& polygon : faces.polygons) prepared.push_back(method.prepare(polygon));
+      for (const Polygon& face : polygons_of(faces)) faces_[index(slot, copy)].push_back(method.prepare(face));
     }
 }
 

@@ -215,4 +215,12 @@ std::vector<double> times_of(const Arm& arm, const Process& process) {
   return times;
 }
 
+std::optional<double> when(const std::vector<double>& times, const Arm& arm, const Process& process, std::size_t stop,
+                           double degrees) {
+  if (times.empty()) return std::nullopt;
+  if (degrees == 0 || stop + 1 == process.stops.size()) return times[stop];
+  const Moved joint = step_between(process.stops[stop], process.stops[stop + 1]).joint;
+  return times[stop] + seconds(arm, joint, degrees).value();
+}
+
 }  // namespace touchstone::cell

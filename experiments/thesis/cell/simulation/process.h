@@ -188,6 +188,11 @@ struct Rule {
 /// the cycle time, without gripping and milling.
 [[nodiscard]] std::vector<double> times_of(const Arm& arm, const Process& process);
 
+/// Returns when a joint has turned by `degrees` of its way from a stop to the next, in seconds since the first
+/// stop; at the last stop, when the arm is there; none if `times`, as of times_of, is empty.
+[[nodiscard]] std::optional<double> when(const std::vector<double>& times, const Arm& arm, const Process& process,
+                                         std::size_t stop, double degrees);
+
 /// Returns the joint that moves from one stop to the next, and by how much. Requires stops that differ in one joint, or
 /// in none: then the base moves by 0.
 struct StepOfJoint {

@@ -245,14 +245,6 @@ class Measurement {
 
 }  // namespace
 
-std::optional<double> when(const std::vector<double>& times, const Arm& arm, const Process& process,
-                           const LeastDistance& least) {
-  if (times.empty()) return std::nullopt;
-  if (least.degrees == 0) return times[least.stop];
-  const Moved joint = step_between(process.stops[least.stop], process.stops[least.stop + 1]).joint;
-  return times[least.stop] + seconds(arm, joint, least.degrees).value();
-}
-
 Separation separation_of(const Workcell& workcell, const Process& process) {
   return Measurement(workcell, process).run();
 }

@@ -38,11 +38,6 @@ struct Separation {
   double tolerance;  ///< bounds of `least` differ by at most this
 };
 
-/// Returns when a least distance is attained, in seconds since the first stop; none if `times`, as of times_of, is
-/// empty.
-[[nodiscard]] std::optional<double> when(const std::vector<double>& times, const Arm& arm, const Process& process,
-                                         const LeastDistance& least);
-
 /// Computes how near everything that moves comes to everything that stands, on the whole run.
 ///
 /// Distances are those of triangles that cover the faces. The material in a slot is an element while it lies there, the
