@@ -34,7 +34,8 @@ Indices indices_of(py::handle numbers, const std::string& name) {
   if (array.size() > 0 && kind != 'i' && kind != 'u')
     throw py::type_error(name + ": expected whole numbers below 2**63, got " +
                          py::str(array.dtype()).cast<std::string>());
-  if (array.size() > 0 && kind == 'u' && array.attr("max")() > py::int_(std::numeric_limits<std::int64_t>::max()))
+  if (array.size() > 0 && kind == 'u' &&
+      py::int_(array.attr("max")()) > py::int_(std::numeric_limits<std::int64_t>::max()))
     reject(name + ": a vertex number is 2**63 or more");
   return Indices(array);
 }

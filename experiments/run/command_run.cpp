@@ -17,9 +17,15 @@ void declare_output(Command& command, FolderOptions& options, const std::string&
   command.keep_line(options.line);
 }
 
-CommandRun::CommandRun(const FolderOptions& options, bool resume) : options_(options) {
-  if (options.needs_folder || !options.output.empty())
-    held_.emplace(options.output, options.line, Existing{.force = options.force, .resume = resume});
+CommandRun::CommandRun(const FolderOptions& options) : options_(options) { lock(false); }
+
+CommandRun::CommandRun(const FolderOptions& options, bool resume) : options_(options), stop_signal_(std::in_place) {
+  lock(resume);
+}
+
+void CommandRun::lock(bool resume) {
+  if (options_.needs_folder || !options_.output.empty())
+    held_.emplace(options_.output, options_.line, Existing{.force = options_.force, .resume = resume});
 }
 
 const std::atomic<bool>& CommandRun::stop() {

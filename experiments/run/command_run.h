@@ -33,7 +33,7 @@ void declare_output(Command& command, FolderOptions& options, const std::string&
 class CommandRun {
  public:
   /// Locks the folder, if one is named or needed. Throws as OutputFolder does.
-  explicit CommandRun(const FolderOptions& options, bool resume = false);
+  explicit CommandRun(const FolderOptions& options);
 
   [[nodiscard]] bool has_folder() const { return held_.has_value(); }
   /// Requires has_folder().
@@ -57,7 +57,13 @@ class CommandRun {
   /// Reports an interrupted run that writes nothing. Returns its exit status.
   [[nodiscard]] static int finish_unwritten();
 
+ protected:
+  /// The same for a run that may resume and that stops itself from its beginning on, before its folder is there.
+  CommandRun(const FolderOptions& options, bool resume);
+
  private:
+  void lock(bool resume);
+
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   const FolderOptions& options_;
   std::optional<OutputFolder> held_;

@@ -43,9 +43,7 @@ StudyRun::StudyRun(std::string study, int version, const StudyOptions& options)
       study_(std::move(study)),
       version_(version),
       options_(options),
-      part_(Part::read(options.part)) {
-  (void)stop();
-}
+      part_(Part::read(options.part)) {}
 
 ResultSettings StudyRun::settings(const std::optional<Part>& part, std::uint64_t items) const {
   return {version_, options_.result_options(),
