@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: rejections.py ROOT [--write]
 
-Draws docs/rejections/CODE.svg from the case of each code in REJECTIONS.md: the loops seen along z, with the ball, and
+Draws docs/rejections/CODE.svg from the case of each code in docs/rejections.md: the loops seen along z, with the ball, and
 what is wrong marked. Compares the drawings with the files (exit status 1 if one differs), or writes them.
 """
 

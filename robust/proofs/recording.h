@@ -29,7 +29,8 @@ struct Recording {
 };
 
 /// A number type that computes nothing and records its operations: those of the templates over a scalar. The lanes of
-/// doubles that answer queries (pack.h) overload `dot` and `cross`, which are not recorded: they add x + (y + z).
+/// doubles that answer queries (lane_vector.h) overload `dot` and `cross`, which are not recorded: they add
+/// x + (y + z).
 struct Recorded {
   Recording* recording;
   int node;

@@ -35,7 +35,7 @@ def reject_if(condition, code):
         raise Rejected(code)
 
 
-# Reading: section 3
+# Reading a case
 
 def read_json(line):
     """The JSON value of a line, each number a float, and the flaws that only the text shows: a set of codes.
@@ -326,7 +326,7 @@ class Face:
 
 
 def answer(scale, c, r, loops):
-    """The answer of section 2 for valid integers, which are the case's numbers times `scale`."""
+    """The contract's answer for valid integers, which are the case's numbers times `scale`."""
     face = Face(loops)
     foot, s = face.place(c), face.height(c)
     d2, nearest, point = face.closest(c)
@@ -434,7 +434,7 @@ def judge_case(text_line):
     return verdict
 
 
-# Comparing: section 4
+# Comparing
 
 def differences(ours, line, method):
     """One sentence for each way in which the verdict line differs from our verdict."""
