@@ -199,8 +199,9 @@ std::vector<Command> parts_commands(const std::vector<Command>& commands) {
   merging.no_pictures(merged->no_pictures);
   run::declare_printing(merging, *merged);
   merging.footer(
-      "A part is a run of a study with --part, such as `soak --part 1/2 --output one`. The data are the same bytes as those of one run. What is not a sum over "
-      "samples, such as times and maps, is done here.");
+      "A part is a run of a study with --part, such as `soak --part 1/2 --output one`. The data are the same bytes as "
+      "those of one run, times aside. What is not a sum over samples, such as times and maps, is done here; `merging` "
+      "alone measures its times in its parts.");
   merging.example("merge one two --output all");
   merging.runs([merged, commands] { return merge(*merged, commands); });
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -46,8 +47,9 @@ std::optional<std::string> Checkpoint::read_text() const {
     for (const auto& [name, value] : settings_.options) {
       const auto& held = whole.at(name).get_ref<const std::string&>();
       if (held == value) continue;
-      found += " --" + name + " " + held;
-      wanted += " --" + name + " " + value;
+      const std::string option = std::isupper(static_cast<unsigned char>(name.front())) != 0 ? name : "--" + name;
+      found += " " + option + " " + held;
+      wanted += " " + option + " " + value;
     }
     if (const std::string part = whole.value("part", ""); part != settings_.part) {
       found += part.empty() ? " all items" : " --part " + part;

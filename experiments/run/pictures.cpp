@@ -3,8 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -40,13 +42,16 @@ int draw_pictures(const std::string& name, const OutputFolder& folder) {
   return 1;
 }
 
-std::string png_of(const std::string& svg) {
+std::string png_of(const std::string& svg, double height) {
+  constexpr double kMostPixels = 32767;  // that rsvg-convert draws
   // A file without a name, which the program inherits and nobody needs to remove.
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> drawing(std::tmpfile(), std::fclose);
   if (!drawing || std::fwrite(svg.data(), 1, svg.size(), drawing.get()) != svg.size() ||
       std::fflush(drawing.get()) != 0)
     throw std::system_error(errno, std::generic_category(), "a temporary file cannot be written");
-  std::FILE* drawn = ::popen(fmt::format("rsvg-convert --zoom 2 /dev/fd/{}", ::fileno(drawing.get())).c_str(), "r");
+  const double zoom = std::min(2.0, std::floor(kMostPixels / height * 1000) / 1000);
+  const std::string command = fmt::format("rsvg-convert --zoom {} /dev/fd/{}", zoom, ::fileno(drawing.get()));
+  std::FILE* drawn = ::popen(command.c_str(), "r");
   if (drawn == nullptr) throw std::system_error(errno, std::generic_category(), "rsvg-convert cannot be started");
   std::string png;
   std::array<char, 65536> part{};

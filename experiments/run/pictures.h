@@ -12,8 +12,8 @@ namespace touchstone::run {
 /// pictures could be drawn; standard error then says why. Throws as data() does.
 [[nodiscard]] int draw_pictures(const std::string& name, const OutputFolder& folder);
 
-/// Returns the drawing (SVG) as a PNG, with two pixels a unit, by librsvg's rsvg-convert. Throws std::runtime_error if
-/// it could not be drawn.
-[[nodiscard]] std::string png_of(const std::string& svg);
+/// Returns the drawing (SVG) as a PNG by librsvg's rsvg-convert, with two pixels a unit, or fewer if rsvg-convert would
+/// refuse so high a picture. `height`: of the drawing, in units. Throws std::runtime_error if it could not be drawn.
+[[nodiscard]] std::string png_of(const std::string& svg, double height);
 
 }  // namespace touchstone::run

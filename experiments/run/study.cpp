@@ -75,8 +75,9 @@ int StudyRun::finish(const End& end) {
        .interrupted = interrupted},
       fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), io::all_legible(options_.output)), script);
   if (interrupted)
-    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume continues\n",
-               io::all_legible(options_.output), end.done, asked);
+    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {}; {}--resume continues\n",
+               io::all_legible(options_.output), end.done, counted(asked, end.items ? "item" : "sample"),
+               options_.has_pictures ? "no pictures; " : "");
   if (end.status != 0) return end.status;
   return interrupted ? kInterrupted : drawn;
 }

@@ -4,6 +4,9 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -28,6 +31,16 @@ Polygon face_polygon(const Mesh& mesh, std::uint64_t face) {
   Polygon polygon(loop);
   if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
   return polygon;
+}
+
+std::vector<std::string> with_hashes(const std::vector<std::string>& files) {
+  std::vector<std::string> named;
+  for (const std::string& file : files) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    named.push_back(stream ? fmt::format("{} (hash {:016x})", file, std::hash<std::string>()(content)) : file);
+  }
+  return named;
 }
 
 std::vector<std::string> short_names(const std::vector<std::string>& files) {

@@ -116,7 +116,7 @@ int show_cases(const ShowOptions& options) {
   for (std::size_t i = 1; i < views.size(); ++i) all.append(show::picture(views[i]));
   const std::string drawing = all.text_of_file(title);
   if (!options.svg.empty()) run::write_file(options.svg, drawing, options.force);
-  if (!options.png.empty()) run::write_file(options.png, run::png_of(drawing), options.force);
+  if (!options.png.empty()) run::write_file(options.png, run::png_of(drawing, all.height()), options.force);
   return status;
 }
 
@@ -150,7 +150,7 @@ run::Command show_command() {
   command.footer(
       "From above: the polygon, the ball, the foot of its centre and the nearest point (of a moving ball: its way, "
       "and the first touched point). From the side: a section. Below: the radii next to the ball's, in doubles, and "
-      "what exact and each method say of contact with each. Exit status: 2 for wrong input, 1 if no PNG could be "
+      "what exact and each method say of contact with each. Exit status: 2 for wrong input or if no PNG could be "
       "drawn, else 0.");
   command.example("show tests/corpus/edge.jsonl --samples 3 --html edge.html");
   command.runs([options] {

@@ -36,6 +36,8 @@ class Svg {
   /// Adds another drawing below, and makes this one as much higher.
   void append(const Svg& other);
 
+  [[nodiscard]] double height() const { return height_; }
+
   /// Returns the file. `title` is read to those who do not see it.
   [[nodiscard]] std::string text_of_file(std::string_view title) const;
 

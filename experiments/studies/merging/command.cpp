@@ -2,11 +2,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "experiments/cases/workloads/meshes.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/run_record.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/merging/measure.h"
 #include "geometry/io/detail/legible.h"
@@ -74,23 +77,27 @@ int run_merging(run::StudyRun& run, const Options& options) {
   settings.seed = options.seed;
   const std::uint64_t files = options.files.size();
   const std::vector<std::string> names = workloads::short_names(options.files);
+  std::uint64_t told = 0;  // of the bad files
   const Results results =
       run.phase("meshes", "checkpoint.json", files, Results(), [&](const auto& control, Results& sum) {
         const std::uint64_t first = control.part.first(files), size = control.part.size(files);
         while (sum.files < size && !control.stop) {
           const std::uint64_t number = first + sum.files;
+          const std::uint64_t before = sum.bad;
           if (!study_file(options, settings, names[number], number, control.stop, sum)) break;
+          told += sum.bad - before;
           control.save(sum);
           control.progress(sum.files);
         }
       });
-  run::StudyRun::End end{.done = results.read.size(),
-                         .missing = results.files - results.read.size(),
-                         .items = files,
-                         .status = results.bad > 0 ? kBadInput : 0};
+  run::StudyRun::End end{.done = results.read.size(), .missing = results.files - results.read.size(), .items = files};
   if (run.is_part()) return run.finish(end);
+  if (results.bad > told)
+    fmt::print(stderr, "touchstone: {} of {} cannot be read or has rejected faces, as an earlier run said\n",
+               results.bad - told, run::counted(files, "file"));
+  if (results.bad > 0 && !run.stopped()) end.status = kBadInput;
   if (results.read.empty() && !run.stopped()) {
-    run.remove_files({"checkpoint.json"});
+    std::filesystem::remove(run.folder() / "checkpoint.json");
     return kBadInput;
   }
   const std::vector<MeshResult> meshes = results.meshes();
@@ -112,7 +119,9 @@ run::Command merging_command() {
   options->output = "results/merging";
   options->has_pictures = false;
   Settings& settings = options->settings;
-  command.meshes(options->files, "Mesh files").changes_results();
+  command.meshes(options->files, "Mesh files").changes_results([options] {
+    return run::joined(workloads::with_hashes(options->files));
+  });
   command
       .real(
           "--tolerance", settings.tolerance,

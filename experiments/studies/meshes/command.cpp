@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "experiments/methods/selection.h"
 #include "experiments/run/numbers.h"
 #include "experiments/run/output.h"
+#include "experiments/run/run_record.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/meshes/measure.h"
 
@@ -25,6 +27,9 @@ struct Options : run::StudyOptions {
 
 // Raised when the balls of a face change, or the form of what is kept.
 constexpr int kVersion = 1;
+
+// More than --faces takes, so that help has no default.
+constexpr std::uint64_t kAllFaces = std::numeric_limits<std::uint64_t>::max();
 
 /// Reports faces that are not polygons, unless they may be skipped. Returns the exit status.
 int tell_rejected(const Options& options, const Result& result) {
@@ -47,7 +52,7 @@ int run_meshes(run::StudyRun& run, const Options& options) {
   const Result result = run.phase("faces", "checkpoint.json", faces, no_result(settings, meshes),
                                   [&](const auto& control, Result& sum) { measure(settings, meshes, control, sum); });
   run::StudyRun::End end{.done = items_done(result), .missing = result.rejected.size(), .items = faces};
-  if (!files.all_read) end.status = kBadInput;
+  if (!files.all_read && !run.stopped()) end.status = kBadInput;
   if (run.is_part()) return run.finish(end);
   write_meshes(run.folder(), settings, meshes, result);
   write_rejected(run.folder(), meshes, result);
@@ -65,10 +70,12 @@ int run_meshes(run::StudyRun& run, const Options& options) {
 run::Command meshes_command() {
   run::Command command("meshes", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
-  options->samples = std::numeric_limits<std::uint64_t>::max();  // more than --faces takes, so that help has no default
+  options->samples = kAllFaces;
   options->output = "results/meshes";
   options->has_pictures = false;
-  command.meshes(options->files, "Mesh files").changes_results();
+  command.meshes(options->files, "Mesh files").changes_results([options] {
+    return run::joined(workloads::with_hashes(options->files));
+  });
   methods::declare_compared_methods(command, options->methods);
   command
       .flag("--skip-bad", options->skip_bad,
@@ -76,7 +83,8 @@ run::Command meshes_command() {
       .changes_results([options] { return std::string(options->skip_bad ? "yes" : "no"); });
   run::declare_study(command, *options, "--faces",
                      "The number of faces of each mesh to test, from the first on (default: all)")
-      .changes_results();
+      .changes_results(
+          [options] { return options->samples == kAllFaces ? std::string("all") : std::to_string(options->samples); });
   command.writes(tables());
   command.example("meshes part.obj --methods fast,filtered");
   command.runs(run::study_runner(command, kVersion, options, run_meshes));

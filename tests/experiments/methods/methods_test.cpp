@@ -15,11 +15,15 @@
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/bench/polygon_queries.h"
+#include "experiments/thesis/convex/convex.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/generators.h"
 
 namespace touchstone::methods {
 namespace {
+
+// The program adds these, too, before it asks for any method.
+[[maybe_unused]] const bool kAdded = (convex::add_methods(), true);
 
 using workloads::BallPlace;
 using workloads::Placement;

@@ -137,7 +137,7 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
   ended = true;
   interrupting.join();
   EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
-  EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers 0 of 1 samples"),
+  EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers 0 of 1 item; --resume"),
             std::string::npos)
       << ran.err;
   const auto record = nlohmann::json::parse(run_tests::text_of(scratch.path / "out" / "run.json"));
@@ -163,7 +163,7 @@ TEST(MergeCommand, PartsAddUpToTheCountsOfOneRun) {
     return run_tests::run_captured(commands::merging_command, arguments).status;
   };
   EXPECT_EQ(status("whole", ""), 2) << "for the bad file";
-  EXPECT_EQ(status("one", "1/2"), 2);
+  EXPECT_EQ(status("one", "1/2"), 0) << "merge reports the bad file";
   EXPECT_EQ(status("two", "2/2"), 0);
   auto arguments = three_files(scratch.path, "merged");
   arguments.emplace_back("--quiet");
@@ -178,10 +178,34 @@ TEST(MergeCommand, ResumesBehindTheFilesThatAreDone) {
   auto arguments = three_files(scratch.path, "out");
   EXPECT_EQ(run_tests::run_captured(commands::merging_command, arguments).status, 2);
   const std::string times = run_tests::text_of(scratch.path / "out" / "merge-times.csv");
-  std::filesystem::remove(scratch.path / "a.obj");
   arguments.emplace_back("--resume");
-  EXPECT_EQ(run_tests::run_captured(commands::merging_command, arguments).err, "");
+  const auto again = run_tests::run_captured(commands::merging_command, arguments);
+  EXPECT_EQ(again.status, 2);
+  EXPECT_NE(again.err.find("1 of 3 files cannot be read"), std::string::npos) << again.err;
   EXPECT_EQ(run_tests::text_of(scratch.path / "out" / "merge-times.csv"), times);
+}
+
+TEST(MergeCommand, DoesNotResumeOverMeshesThatHaveChanged) {
+  const run_tests::Scratch scratch;
+  auto arguments = three_files(scratch.path, "out");
+  (void)run_tests::run_captured(commands::merging_command, arguments);
+  run::write_file(scratch.path / "a.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
+  arguments.emplace_back("--resume");
+  const auto again = run_tests::run_captured(commands::merging_command, arguments);
+  EXPECT_NE(again.status, 0);
+  EXPECT_NE(again.err.find("checkpoint.json: is of MESH "), std::string::npos) << again.err;
+}
+
+TEST(MergeCommand, KeepsTheFormerCheckpointIfNoFileCanBeRead) {
+  const run_tests::Scratch scratch;
+  auto arguments = three_files(scratch.path, "out");
+  (void)run_tests::run_captured(commands::merging_command, arguments);
+  const std::string former = run_tests::text_of(scratch.path / "out" / "checkpoint.json");
+  EXPECT_EQ(run_tests::run_captured(commands::merging_command,
+                                    {scratch.path / "nowhere.obj", "--force", "--output", scratch.path / "out"})
+                .status,
+            2);
+  EXPECT_EQ(run_tests::text_of(scratch.path / "out" / "checkpoint.json.previous"), former);
 }
 
 TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {

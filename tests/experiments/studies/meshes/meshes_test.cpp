@@ -216,6 +216,16 @@ TEST_F(MeshContact, AResumedRunIsOfTheSameMeshesMethodsAndFaces) {
   }
 }
 
+TEST_F(MeshContact, AResumedRunIsNotOfMeshesThatHaveChanged) {
+  const std::string run = "meshes one.obj --methods fast --output o";
+  write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ASSERT_EQ(touchstone(run).status, 0);
+  write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+  const Run refused = touchstone(run + " --resume");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("checkpoint.json: is of MESH one.obj (hash "), std::string::npos) << refused.err;
+}
+
 TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {
   ASSERT_EQ(touchstone("meshes model/cube.obj --skip-bad --output o").status, 0);
   const auto cases = lines_of(folder / "o/failures.jsonl");
