@@ -235,6 +235,22 @@ TEST(MovingBallInScene, NamesTheLowestOfFacesTouchedAtOnce) {
   EXPECT_EQ(scene.first_contact(kFalls, std::vector<std::uint32_t>{0})->face, (FaceId{0, 0}));
 }
 
+// Whichever leaf of the tree comes first, the others follow.
+TEST(MovingBallInScene, NamesTheLowestOfManyPolygonsTouchedAtOnce) {
+  for (const bool reversed : {false, true}) {
+    std::vector<Polygon> floors;
+    for (int i = 0; i < 64; ++i) {
+      const double x = (reversed ? 63 - i : i) / 64.0;
+      floors.emplace_back(Loop{{x - 4, -4, 0}, {x + 4, -4, 0}, {x + 4, 4, 0}, {x - 4, 4, 0}});
+    }
+    Scene scene;
+    scene.add("floors", {{}, floors});
+    const auto first = scene.first_contact(kFalls);
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->face, (FaceId{0, 0}));
+  }
+}
+
 // Both times round to 7/8, but the second floor is higher.
 TEST(MovingBallInScene, TellsTimesApartThatRoundToOneDouble) {
   Scene scene;
