@@ -16,6 +16,7 @@ constexpr unsigned long kTurn = 360;
 /// Applies `f`, a correctly rounded function of MPFR, in place to a number of 53 bits that starts as `value`.
 template <class F>
 double rounded(double value, const F& f) {
+  free_mpfr_at_thread_end();
   mpfr_t number;
   mpfr_init2(number, 53);
   mpfr_set_d(number, value, MPFR_RNDN);
@@ -79,6 +80,13 @@ double arc_tangent(double y, double x) {
     mpfr_atan2u(result, result, abscissa, kTurn, MPFR_RNDN);
     mpfr_clear(abscissa);
   });
+}
+
+void free_mpfr_at_thread_end() {
+  struct Freeing {
+    ~Freeing() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+  };
+  thread_local const Freeing freeing;
 }
 
 }  // namespace touchstone::workloads

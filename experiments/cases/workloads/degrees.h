@@ -15,4 +15,8 @@ namespace touchstone::workloads {
 /// Returns the angle of (x, y), greater than -180 and at most 180; 0 for the origin.
 [[nodiscard]] double arc_tangent(double y, double x);
 
+/// Frees what MPFR keeps for this thread, when the thread ends. A function that calls one of MPFR's transcendental
+/// functions calls this first, as those above do.
+void free_mpfr_at_thread_end();
+
 }  // namespace touchstone::workloads

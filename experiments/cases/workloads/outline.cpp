@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/cases/workloads/degrees.h"
 #include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
 
@@ -212,6 +213,7 @@ struct Point {
 
 /// Returns 4^(-1/dimension), the same double on every machine.
 double koch_ratio(double dimension) {
+  free_mpfr_at_thread_end();
   mpfr_t value;
   mpfr_init2(value, 200);
   mpfr_set_d(value, dimension, MPFR_RNDN);
@@ -219,7 +221,6 @@ double koch_ratio(double dimension) {
   mpfr_exp2(value, value, MPFR_RNDN);
   const double ratio = mpfr_get_d(value, MPFR_RNDN);
   mpfr_clear(value);
-  mpfr_free_cache();  // of this thread, which may end soon
   return ratio;
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/cases/workloads/degrees.h"
+
 namespace touchstone::kinematics {
 namespace {
 
@@ -70,6 +72,7 @@ void Charts::with_angle(int chart, const Dyadic& w, Towards side, long bits, con
   const mpfr_rnd_t inner = chart == 0 ? out : low ? MPFR_RNDU : MPFR_RNDD;  // of what is subtracted
   mpz_class part = w.numerator;
   if (chart != 0) part = (mpz_class(1) << w.shift) - part;
+  workloads::free_mpfr_at_thread_end();
   mpfr_t length, angle;
   mpfr_init2(length, bits);
   mpfr_init2(angle, bits);
