@@ -46,8 +46,8 @@ StudyRun::StudyRun(std::string study, int version, const StudyOptions& options)
       part_(Part::read(options.part)) {}
 
 ResultSettings StudyRun::settings(const std::optional<Part>& part, std::uint64_t items) const {
-  return {version_, options_.result_options(),
-          part ? fmt::format("{} of {}", to_string(*part), counted(items, "item")) : ""};
+  if (!result_options_) result_options_ = options_.result_options();
+  return {version_, *result_options_, part ? fmt::format("{} of {}", to_string(*part), counted(items, "item")) : ""};
 }
 
 void StudyRun::remove_files(const std::vector<std::string>& beginnings) const {

@@ -121,6 +121,8 @@ class StudyRun : public CommandRun {
   int version_;
   const StudyOptions& options_;
   std::optional<Part> part_;
+  // What options_.result_options() has returned: it is called once, because it may read files.
+  mutable std::optional<std::vector<std::pair<std::string, std::string>>> result_options_;
 };
 
 /// Returns the function of a command that runs a study: run(StudyRun&, options) returns the exit status.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cases/workloads/meshes.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <fstream>
@@ -33,14 +33,14 @@ Polygon face_polygon(const Mesh& mesh, std::uint64_t face) {
   return polygon;
 }
 
-std::vector<std::string> with_hashes(const std::vector<std::string>& files) {
+std::string with_hashes(const std::vector<std::string>& files) {
   std::vector<std::string> named;
   for (const std::string& file : files) {
     std::ifstream stream(file, std::ios::binary);
     const std::string content{std::istreambuf_iterator<char>(stream), {}};
     named.push_back(stream ? fmt::format("{} (hash {:016x})", file, std::hash<std::string>()(content)) : file);
   }
-  return named;
+  return fmt::format("{}", fmt::join(named, ","));
 }
 
 std::vector<std::string> short_names(const std::vector<std::string>& files) {

@@ -19,9 +19,9 @@ namespace touchstone::workloads {
 /// second and later ones get the next number that keeps all names distinct: `puma/puma_link1`, `puma/puma_link1#2`.
 [[nodiscard]] std::vector<std::string> short_names(const std::vector<std::string>& files);
 
-/// Returns the files, each with a hash of what it holds, by which a later run knows whether it is the same. A file that
-/// cannot be read has none. Cost: reads the files.
-[[nodiscard]] std::vector<std::string> with_hashes(const std::vector<std::string>& files);
+/// Returns the files, separated by commas, each with a hash of what it holds, by which a later run knows whether it is
+/// the same. A file that cannot be read has none. Cost: reads the files.
+[[nodiscard]] std::string with_hashes(const std::vector<std::string>& files);
 
 /// A mesh file and its content.
 struct NamedFile {

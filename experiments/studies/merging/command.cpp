@@ -9,7 +9,6 @@
 
 #include "experiments/cases/workloads/meshes.h"
 #include "experiments/run/numbers.h"
-#include "experiments/run/run_record.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/merging/measure.h"
 #include "geometry/io/detail/legible.h"
@@ -120,7 +119,7 @@ run::Command merging_command() {
   options->has_pictures = false;
   Settings& settings = options->settings;
   command.meshes(options->files, "Mesh files").changes_results([options] {
-    return run::joined(workloads::with_hashes(options->files));
+    return workloads::with_hashes(options->files);
   });
   command
       .real(

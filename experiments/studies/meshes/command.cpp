@@ -10,7 +10,6 @@
 #include "experiments/methods/selection.h"
 #include "experiments/run/numbers.h"
 #include "experiments/run/output.h"
-#include "experiments/run/run_record.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/meshes/measure.h"
 
@@ -74,7 +73,7 @@ run::Command meshes_command() {
   options->output = "results/meshes";
   options->has_pictures = false;
   command.meshes(options->files, "Mesh files").changes_results([options] {
-    return run::joined(workloads::with_hashes(options->files));
+    return workloads::with_hashes(options->files);
   });
   methods::declare_compared_methods(command, options->methods);
   command
