@@ -1,6 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# Uses a faster linker and a compiler cache where they are installed, and lets g++ take more memory before it collects
-# what it no longer needs. None of these changes what is built.
+# Compiles the files of a room together, uses a faster linker and a compiler cache where they are installed, and lets g++
+# take more memory before it collects what it no longer needs. None of these changes what is built.
+
+# compile_together(TARGET): headers cost more than code, so that eight files at once take a third of the time. Names in
+# the files' unnamed namespaces must differ. The presets dev, clang and tidy compile each file alone, so that one that
+# forgets an `#include` fails there.
+option(TOUCHSTONE_TOGETHER "Compile the files of rooms and tests eight at once" ${PROJECT_IS_TOP_LEVEL})
+function(compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TOUCHSTONE_TOGETHER} UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
 option(TOUCHSTONE_FASTER_BUILDS "Use mold or lld, and ccache, where they are installed" ${PROJECT_IS_TOP_LEVEL})
 if(NOT TOUCHSTONE_FASTER_BUILDS)
   return()

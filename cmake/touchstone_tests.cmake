@@ -15,6 +15,7 @@ set(properties_environment "RC_PARAMS=max_success=${property_samples}")
 function(touchstone_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 tests "OPTIMISED" "" "LABELS;ROOMS;SOURCES")
   add_executable(${name}_tests ${tests_SOURCES})
+  compile_together(${name}_tests)
   target_compile_definitions(${name}_tests PRIVATE TOUCHSTONE_SAMPLES=${TOUCHSTONE_SAMPLES}
                              TOUCHSTONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   list(TRANSFORM tests_ROOMS PREPEND touchstone_)

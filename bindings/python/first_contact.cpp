@@ -17,11 +17,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// The members, enumerators as numbers, from which first_contact_from makes it again.
-py::tuple members_of(const FirstContact& f) {
-  return py::make_tuple(static_cast<int>(f.kind), f.time, f.momentary, static_cast<int>(f.feature.kind),
-                        f.feature.index, coordinates_of(f.point));
-}
+/// From its members, enumerators as numbers.
 FirstContact first_contact_from(int kind, double time, bool momentary, int feature, std::size_t index,
                                 const Coordinates& point) {
   return {enumerator_of<FirstContactKind>(kind, "kind"),
@@ -38,7 +34,10 @@ void add_first_contact(py::module_& module) {
       module, "FirstContact",
       "The first contact of a moving ball, in the words of the contract: `kind` is 'start', 'way'\n"
       "or 'none'. Without a contact `time` is infinite.");
-  make_picklable(type, members_of);
+  make_picklable(type, [](const FirstContact& f) {
+    return py::make_tuple(static_cast<int>(f.kind), f.time, f.momentary, static_cast<int>(f.feature.kind),
+                          f.feature.index, coordinates_of(f.point));
+  });
   type.def(py::init(&first_contact_from), "Takes what `pickle` kept.")
       .def_property_readonly("kind", [](const FirstContact& f) { return text(to_string(f.kind)); })
       .def_property_readonly("contact", &FirstContact::contact)

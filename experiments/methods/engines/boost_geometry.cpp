@@ -15,9 +15,9 @@ using Point2 = bg::model::d2::point_xy<double>;
 using Polygon2 = bg::model::polygon<Point2>;
 
 /// The test of the foot in the plane. Boost.Geometry locates the foot; plain doubles compute it.
-class Prepared : public PreparedMethod {
+class PreparedBoostGeometry : public PreparedMethod {
  public:
-  explicit Prepared(const Polygon& polygon) {
+  explicit PreparedBoostGeometry(const Polygon& polygon) {
     normal_ = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
       normal_ += (polygon.vertex(i) - polygon.vertex(0)).cross(polygon.vertex(polygon.next(i)) - polygon.vertex(0));
@@ -61,7 +61,7 @@ class BoostGeometry : public Method {
     return "Boost.Geometry's point in polygon, about a foot of plain doubles: the second test alone";
   }
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(polygon);
+    return std::make_unique<PreparedBoostGeometry>(polygon);
   }
 };
 

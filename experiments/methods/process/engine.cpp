@@ -115,9 +115,9 @@ std::string text_of(const cases::Verdict& member) {
   return line;
 }
 
-class Prepared : public cases::PreparedMethod {
+class PreparedEngine : public cases::PreparedMethod {
  public:
-  Prepared(Processes& processes, const Polygon& polygon)
+  PreparedEngine(Processes& processes, const Polygon& polygon)
       : processes_(processes), polygon_(text_of(cases::object_of(polygon))) {}
 
   [[nodiscard]] cases::PartialAnswer ask(const Ball& ball, cases::QueryKind) const override {
@@ -142,7 +142,7 @@ class External : public cases::Method {
   [[nodiscard]] std::string_view summary() const override { return summary_; }
   [[nodiscard]] bool through_pipe() const override { return true; }
   [[nodiscard]] std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(processes_, polygon);
+    return std::make_unique<PreparedEngine>(processes_, polygon);
   }
 
  private:

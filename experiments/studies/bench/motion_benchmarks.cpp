@@ -33,7 +33,7 @@ struct FirstDecisions {
   }
 };
 
-constexpr auto kContact = [](const Motion& motion, const auto& polygon) { return contact(motion, polygon); };
+constexpr auto kContactInMotion = [](const Motion& motion, const auto& polygon) { return contact(motion, polygon); };
 constexpr auto kFirst = [](const Motion& motion, const auto& polygon) {
   return FirstDecisions{first_contact(motion, polygon)};
 };
@@ -118,18 +118,18 @@ Family motion_family() {
     family.benchmarks.emplace_back(
         [=](const Settings& settings) { return about_triangles(name, ways, settings, question, goal); });
   };
-  triangles("contact, random triangles", Ways::Random, kContact, 1.3);
+  triangles("contact, random triangles", Ways::Random, kContactInMotion, 1.3);
   triangles("first contact, random triangles", Ways::Random, kFirst, 3);
-  triangles("contact, 2^-50 from grazing", Ways::NearGrazing, kContact, 6);
+  triangles("contact, 2^-50 from grazing", Ways::NearGrazing, kContactInMotion, 6);
   triangles("first contact, 2^-50 from grazing", Ways::NearGrazing, kFirst, 6);
   const auto polygons = [&family](const char* name, std::size_t vertices, auto question,
                                   std::optional<timing::Goal> goal) {
     family.benchmarks.emplace_back(
         [=](const Settings& settings) { return about_polygons(name, vertices, settings, question, goal); });
   };
-  polygons("contact", 8, kContact, std::nullopt);
+  polygons("contact", 8, kContactInMotion, std::nullopt);
   polygons("first contact", 8, kFirst, std::nullopt);
-  polygons("contact", 1024, kContact, timing::Goal{0.1});
+  polygons("contact", 1024, kContactInMotion, timing::Goal{0.1});
   polygons("first contact", 1024, kFirst, timing::Goal{0.1});
   return family;
 }

@@ -16,16 +16,16 @@ namespace touchstone::bench_scenes {
 namespace {
 
 namespace bg = boost::geometry;
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using BoostBox = bg::model::box<Point>;
+using BoostPoint = bg::model::point<double, 3, bg::cs::cartesian>;
+using BoostBox = bg::model::box<BoostPoint>;
 using Entry = std::pair<BoostBox, std::uint32_t>;
 using Tree = bg::index::rtree<Entry, bg::index::quadratic<16>>;
 
-Point point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+BoostPoint boost_point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-BoostBox box_around(const Ball& ball) {
+BoostBox boost_box_around(const Ball& ball) {
   const Eigen::Vector3d radius = Eigen::Vector3d::Constant(ball.radius);
-  return {point(ball.center - radius), point(ball.center + radius)};
+  return {boost_point(ball.center - radius), boost_point(ball.center + radius)};
 }
 
 std::vector<Entry> entries(std::span<const Triangle> triangles) {
@@ -33,7 +33,8 @@ std::vector<Entry> entries(std::span<const Triangle> triangles) {
   entries.reserve(triangles.size());
   for (const Triangle& t : triangles) {
     const Box box = touchstone::box(t);
-    entries.emplace_back(BoostBox(point(box.low), point(box.high)), static_cast<std::uint32_t>(entries.size()));
+    entries.emplace_back(BoostBox(boost_point(box.low), boost_point(box.high)),
+                         static_cast<std::uint32_t>(entries.size()));
   }
   return entries;
 }
@@ -45,7 +46,7 @@ class RTreeScene : public BuiltScene {
 
   [[nodiscard]] bool any(const Ball& ball) const override {
     const auto touches = [&](const Entry& entry) { return fast::contact(ball, triangles_[entry.second]); };
-    return tree_.qbegin(bg::index::intersects(box_around(ball)) && bg::index::satisfies(touches)) != tree_.qend();
+    return tree_.qbegin(bg::index::intersects(boost_box_around(ball)) && bg::index::satisfies(touches)) != tree_.qend();
   }
 
   void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const override {
@@ -53,7 +54,7 @@ class RTreeScene : public BuiltScene {
     const auto meet = [&](const Entry& entry) {
       if (fast::contact(ball, triangles_[entry.second])) triangles.push_back(entry.second);
     };
-    tree_.query(bg::index::intersects(box_around(ball)), boost::make_function_output_iterator(meet));
+    tree_.query(bg::index::intersects(boost_box_around(ball)), boost::make_function_output_iterator(meet));
   }
 
   /// The triangle of the nearest box says how far others may be.
@@ -61,7 +62,7 @@ class RTreeScene : public BuiltScene {
     const auto squared = [&](std::uint32_t triangle) {
       return methods::ericson_squared_distance(center, triangles_[triangle]);
     };
-    std::uint32_t nearest = tree_.qbegin(bg::index::nearest(point(center), 1))->second;
+    std::uint32_t nearest = tree_.qbegin(bg::index::nearest(boost_point(center), 1))->second;
     double least = squared(nearest);
     const auto meet = [&](const Entry& entry) {
       const double distance = squared(entry.second);
@@ -69,7 +70,7 @@ class RTreeScene : public BuiltScene {
       least = distance;
       nearest = entry.second;
     };
-    tree_.query(bg::index::intersects(box_around({center, std::sqrt(least)})),
+    tree_.query(bg::index::intersects(boost_box_around({center, std::sqrt(least)})),
                 boost::make_function_output_iterator(meet));
     return nearest;
   }

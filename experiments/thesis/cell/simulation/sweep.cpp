@@ -94,9 +94,8 @@ std::optional<Hindrance> overlap_of_things(const Workcell& workcell) {
 
 namespace {
 
-constexpr double kRounding = 1e-12;   // of the arm's reach: more than a posed point is off
-constexpr double kRests = 1e-9;       // of the arm's reach: what lies so little higher than held material is below it
-constexpr double kFinest = 1.0 / 64;  // of a step
+constexpr double kRounding = 1e-12;  // of the arm's reach: more than a posed point is off
+constexpr double kRests = 1e-9;      // of the arm's reach: what lies so little higher than held material is below it
 
 }  // namespace
 

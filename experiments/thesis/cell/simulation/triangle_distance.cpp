@@ -43,8 +43,8 @@ std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end) {
 namespace {
 
 using Vertices = std::array<Eigen::Vector3d, 3>;
-constexpr double kRounding = 1e-14;  // of coordinates: more than a projection is off
-constexpr double kPosing = 1e-13;    // of coordinates: more than a posed point is off
+constexpr double kProjecting = 1e-14;  // of coordinates: more than a projection is off
+constexpr double kPosing = 1e-13;      // of coordinates: more than a posed point is off
 
 struct Nearest {
   Eigen::Vector3d one = Eigen::Vector3d::Zero(), other = Eigen::Vector3d::Zero();
@@ -103,7 +103,7 @@ double apart(const Vertices& first, const Vertices& second, const Eigen::Vector3
     high = std::max(high, along.dot(v)), size = std::max(size, v.cwiseAbs().maxCoeff());
   for (const Eigen::Vector3d& v : second)
     low = std::min(low, along.dot(v)), size = std::max(size, v.cwiseAbs().maxCoeff());
-  return std::max(0.0, ((low - high) / length) * (1 - kRounding) - kRounding * size);
+  return std::max(0.0, ((low - high) / length) * (1 - kProjecting) - kProjecting * size);
 }
 
 double size_of(const Triangle& t) {

@@ -17,8 +17,6 @@
 namespace touchstone::cell {
 namespace {
 
-constexpr double kFinest = 1.0 / 64;  // of a step
-
 /// A virtual object in the cell: what is within `radius` of the triangles, or in the box.
 struct Posed {
   TriangleTree triangles;
