@@ -55,7 +55,7 @@ Face face_of(const std::int64_t* numbers, py::ssize_t count, std::size_t vertice
 }
 
 /// Returns the faces, n x 3 if all are triangles, else a list of lists.
-py::object faces_of(const Mesh& mesh) {
+py::object numbers_of_faces(const Mesh& mesh) {
   const auto is_triangle = [](const Face& face) { return face.size() == 3; };
   if (!std::ranges::all_of(mesh.faces, is_triangle)) return py::cast(mesh.faces);
   py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(mesh.faces.size()), py::ssize_t{3}});
@@ -134,7 +134,7 @@ void add_mesh(py::module_& module) {
                         "finite, a number out of range and a face of fewer than three vertices. Two meshes are equal "
                         "if vertices and faces\n"
                         "are, one by one.");
-  make_picklable(type, [](const Mesh& mesh) { return py::make_tuple(vertices_of(mesh), faces_of(mesh)); });
+  make_picklable(type, [](const Mesh& mesh) { return py::make_tuple(vertices_of(mesh), numbers_of_faces(mesh)); });
   type.def(py::init([](const py::object& vertices, const py::object& faces) { return mesh_of(vertices, faces); }),
            py::arg("vertices"), py::arg("faces"))
       .def_static("read", read, py::arg("path"),
@@ -144,7 +144,7 @@ void add_mesh(py::module_& module) {
           "of", [](const py::object& object) { return mesh_of(object); }, py::arg("object"),
           "Returns the mesh of any object with `vertices` and `faces`, such as one of trimesh.")
       .def_property_readonly("vertices", vertices_of, "A copy of the vertices, m x 3.")
-      .def_property_readonly("faces", faces_of,
+      .def_property_readonly("faces", numbers_of_faces,
                              "A copy of the faces: n x 3 if all are triangles, else a list of lists.")
       .def("__len__", [](const Mesh& mesh) { return mesh.faces.size(); })
       .def("__eq__", equal, py::is_operator())

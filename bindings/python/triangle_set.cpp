@@ -59,7 +59,7 @@ py::object ask_triangles_hit(const TriangleSet& set, const py::object& rows) {
   return all;
 }
 
-bool equal(const Triangle& a, const Triangle& b) {
+bool same_triangle(const Triangle& a, const Triangle& b) {
   return same_point(a.a, b.a) && same_point(a.b, b.b) && same_point(a.c, b.c);
 }
 
@@ -93,7 +93,7 @@ void add_triangle_set(py::module_& module) {
       .def(
           "__eq__",
           [](const TriangleSet& a, const TriangleSet& b) {
-            return std::ranges::equal(a.triangles(), b.triangles(), equal);
+            return std::ranges::equal(a.triangles(), b.triangles(), same_triangle);
           },
           py::is_operator())
       .def("__repr__", [](const TriangleSet& set) {

@@ -23,6 +23,9 @@ namespace touchstone::run {
 [[nodiscard]] std::string number_field(double number, const char* format);
 /// @}
 
+/// Returns `yes` or `no`.
+[[nodiscard]] constexpr const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
+
 /// Returns any value as a field: texts and numbers as above, an enumerator by its to_string(), a missing value as an
 /// empty field.
 template <class T>

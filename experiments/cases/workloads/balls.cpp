@@ -147,7 +147,7 @@ Ball foot_near(Random& random, const PlacedOutline& placed, Kind kind) {
 }
 
 /// An integer position, the whole number of lattice units from there to the outline, and the feature at that distance.
-struct Tangent {
+struct TangentBall {
   LatticePoint foot;
   std::int64_t h;
   std::int64_t radius;
@@ -175,15 +175,15 @@ Quadruple pythagorean(Random& random, bool triple) {
   return {scale * q.x, scale * q.y, scale * q.z, scale * q.length};
 }
 
-std::optional<Tangent> tangent_above_face(Random& random, const Outline& outline) {
+std::optional<TangentBall> tangent_above_face(Random& random, const Outline& outline) {
   const auto point = inner_point(random, outline);
   if (!point) return std::nullopt;
   const std::int64_t radius = random_magnitude(random);
-  return Tangent{*point, random.coin() ? radius : -radius, radius, Kind::Face};
+  return TangentBall{*point, random.coin() ? radius : -radius, radius, Kind::Face};
 }
 
 /// Draws a position straight above a vertex, or above a lattice point inside an edge if there is one.
-std::optional<Tangent> tangent_above_boundary(Random& random, const Outline& outline, Kind kind) {
+std::optional<TangentBall> tangent_above_boundary(Random& random, const Outline& outline, Kind kind) {
   const Corner c = random_corner(random, outline);
   LatticePoint foot = c.here;
   if (kind == Kind::Edge) {
@@ -194,11 +194,11 @@ std::optional<Tangent> tangent_above_boundary(Random& random, const Outline& out
     foot = {foot.x + along.x / steps * step, foot.y + along.y / steps * step};
   }
   const std::int64_t radius = random_magnitude(random);
-  return Tangent{foot, random.coin() ? radius : -radius, radius, kind};
+  return TangentBall{foot, random.coin() ? radius : -radius, radius, kind};
 }
 
 /// Draws a position off an edge along an axis of the lattice, by a Pythagorean triple.
-std::optional<Tangent> tangent_off_edge(Random& random, const Outline& outline) {
+std::optional<TangentBall> tangent_off_edge(Random& random, const Outline& outline) {
   const Corner c = random_corner(random, outline);
   const LatticePoint along = c.next - c.here;
   const std::int64_t length = std::abs(along.x + along.y);
@@ -208,22 +208,22 @@ std::optional<Tangent> tangent_off_edge(Random& random, const Outline& outline) 
   const std::int64_t step = random.integer(1, length - 1);
   const Quadruple q = pythagorean(random, true);
   const std::int64_t reach = std::abs(q.x);
-  return Tangent{{c.here.x + forward.x * step + out.x * reach, c.here.y + forward.y * step + out.y * reach},
-                 q.y,
-                 q.length,
-                 Kind::Edge};
+  return TangentBall{{c.here.x + forward.x * step + out.x * reach, c.here.y + forward.y * step + out.y * reach},
+                     q.y,
+                     q.length,
+                     Kind::Edge};
 }
 
 /// Draws a position off a vertex where the region is convex, by a Pythagorean quadruple.
-std::optional<Tangent> tangent_off_vertex(Random& random, const Outline& outline) {
+std::optional<TangentBall> tangent_off_vertex(Random& random, const Outline& outline) {
   const Corner c = random_corner(random, outline);
   const Quadruple q = pythagorean(random, false);
   const LatticePoint offset{q.x, q.y};
   if (!c.convex() || dot(offset, c.previous - c.here) > 0 || dot(offset, c.next - c.here) > 0) return std::nullopt;
-  return Tangent{c.here + offset, q.z, q.length, Kind::Vertex};
+  return TangentBall{c.here + offset, q.z, q.length, Kind::Vertex};
 }
 
-std::optional<Tangent> tangent(Random& random, const Outline& outline) {
+std::optional<TangentBall> tangent(Random& random, const Outline& outline) {
   switch (random.integer(0, 4)) {
     case 0: return tangent_above_face(random, outline);
     case 1: return tangent_above_boundary(random, outline, Kind::Edge);

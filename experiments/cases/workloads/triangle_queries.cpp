@@ -110,7 +110,7 @@ using workloads::LatticePoint;
 using workloads::Random;
 
 /// A triangle in the plane of the lattice, and a centre at a height above it.
-struct Tangent {
+struct TangentQuery {
   LatticePoint a, b, c;
   LatticePoint center;
   std::int64_t height, radius;
@@ -138,8 +138,8 @@ Triple pythagorean_triple(Random& random) {
 }
 
 /// Draws a tangent above the face. Returns nothing if the foot would lie outside.
-std::optional<Tangent> above_face(Random& random, std::int64_t reach) {
-  Tangent t{random_point(random, reach), random_point(random, reach), random_point(random, reach), {}, 0, 0};
+std::optional<TangentQuery> above_face(Random& random, std::int64_t reach) {
+  TangentQuery t{random_point(random, reach), random_point(random, reach), random_point(random, reach), {}, 0, 0};
   const std::int64_t i = random.integer(1, 100), j = random.integer(1, 100), k = random.integer(1, 100),
                      sum = i + j + k;
   t.center = {(i * t.a.x + j * t.b.x + k * t.c.x) / sum, (i * t.a.y + j * t.b.y + k * t.c.y) / sum};
@@ -156,12 +156,12 @@ std::optional<Tangent> above_face(Random& random, std::int64_t reach) {
 
 /// Draws a tangent off an edge. The edge has a Pythagorean direction of length c, so that its perpendicular has the
 /// same length.
-std::optional<Tangent> off_edge(Random& random, std::int64_t reach) {
+std::optional<TangentQuery> off_edge(Random& random, std::int64_t reach) {
   const Triple direction = pythagorean_triple(random), offset = pythagorean_triple(random);
   if (direction.length > reach) return std::nullopt;
   const std::int64_t steps = random.integer(2, 1 + reach / direction.length), scale = power_of_two(random, 8);
   const std::int64_t step = random.integer(1, steps - 1);
-  Tangent t{random_point(random, reach), {}, random_point(random, reach), {}, 0, 0};
+  TangentQuery t{random_point(random, reach), {}, random_point(random, reach), {}, 0, 0};
   t.b = {t.a.x + steps * direction.x, t.a.y + steps * direction.y};
   const std::int64_t area = cross(t.b - t.a, t.c - t.a);
   if (area == 0) return std::nullopt;
@@ -173,13 +173,13 @@ std::optional<Tangent> off_edge(Random& random, std::int64_t reach) {
 }
 
 /// Draws a tangent off vertex a by a Pythagorean quadruple, if no point of the triangle is nearer.
-std::optional<Tangent> off_vertex(Random& random, std::int64_t reach) {
+std::optional<TangentQuery> off_vertex(Random& random, std::int64_t reach) {
   std::int64_t m[4];
   for (std::int64_t& part : m) part = random.integer(-6, 6);
   const auto [p, q, r, s] = m;
   const std::int64_t scale = power_of_two(random, 8);
   const LatticePoint offset{scale * 2 * (p * r + q * s), scale * (p * p + q * q - r * r - s * s)};
-  Tangent t{random_point(random, reach), random_point(random, reach), random_point(random, reach), {}, 0, 0};
+  TangentQuery t{random_point(random, reach), random_point(random, reach), random_point(random, reach), {}, 0, 0};
   if (cross(t.b - t.a, t.c - t.a) == 0 || dot(offset, t.b - t.a) > 0 || dot(offset, t.c - t.a) > 0) return std::nullopt;
   t.center = t.a + offset;
   t.height = scale * 2 * (q * r - p * s);
@@ -187,7 +187,7 @@ std::optional<Tangent> off_vertex(Random& random, std::int64_t reach) {
   return t;
 }
 
-std::optional<Tangent> tangent(Random& random, Feature::Kind kind, std::int64_t reach) {
+std::optional<TangentQuery> tangent(Random& random, Feature::Kind kind, std::int64_t reach) {
   switch (kind) {
     case Feature::Kind::Face: return above_face(random, reach);
     case Feature::Kind::Edge: return off_edge(random, reach);
@@ -196,7 +196,7 @@ std::optional<Tangent> tangent(Random& random, Feature::Kind kind, std::int64_t 
   return std::nullopt;
 }
 
-TriangleQuery placed(const Tangent& t, const workloads::Frame& frame) {
+TriangleQuery placed(const TangentQuery& t, const workloads::Frame& frame) {
   const auto at = [&](LatticePoint p, std::int64_t height) {
     return frame.at(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(height));
   };

@@ -88,11 +88,11 @@ class AskedScene : public PreparedMethod {
   std::unique_ptr<BuiltScene> scene_;
 };
 
-class Engine : public Method {
+class TriangleEngine : public Method {
  public:
   using Prepare = std::function<std::unique_ptr<PreparedMethod>(std::vector<Triangle>)>;
 
-  Engine(std::string_view name, std::string_view summary, Prepare prepare)
+  TriangleEngine(std::string_view name, std::string_view summary, Prepare prepare)
       : name_(name), summary_(summary), prepare_(std::move(prepare)) {}
 
   [[nodiscard]] std::string_view name() const override { return name_; }
@@ -122,15 +122,16 @@ std::optional<double> BuiltScene::first_contact(const Motion&) const {
 
 std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary, TriangleContact contact,
                                         TriangleSweep sweep, TrianglesFilter answers) {
-  return std::make_unique<Engine>(name, summary, [=](std::vector<Triangle> triangles) {
+  return std::make_unique<TriangleEngine>(name, summary, [=](std::vector<Triangle> triangles) {
     return std::make_unique<EachTriangle>(name, std::move(triangles), contact, sweep, answers);
   });
 }
 
 std::unique_ptr<Method> mesh_method(std::string_view name, std::string_view summary, Library library) {
-  return std::make_unique<Engine>(name, summary, [name, library = std::move(library)](std::vector<Triangle> triangles) {
-    return std::make_unique<AskedScene>(name, library, std::move(triangles));
-  });
+  return std::make_unique<TriangleEngine>(name, summary,
+                                          [name, library = std::move(library)](std::vector<Triangle> triangles) {
+                                            return std::make_unique<AskedScene>(name, library, std::move(triangles));
+                                          });
 }
 
 }  // namespace touchstone::methods

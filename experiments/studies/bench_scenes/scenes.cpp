@@ -31,7 +31,7 @@ Box box_of(const std::vector<Triangle>& triangles) {
   return all;
 }
 
-std::vector<Triangle> triangles_of(const Mesh& mesh) {
+std::vector<Triangle> triangles_of(const touchstone::Mesh& mesh) {
   std::vector<Triangle> triangles;
   for (const auto& face : mesh.faces)
     for (std::size_t i = 2; i < face.size(); ++i) {

@@ -137,7 +137,7 @@ run::Command merging_command() {
   command.whole("--repetitions", settings.repetitions, "The number of repetitions of every timing", 1, 1000);
   command.seed(options->seed, "Any number; the same seed gives the same bytes, except for times").changes_results();
   command.flag("--skip-bad", options->skip_bad, "Leave out faulty parts of a file, report them, and succeed")
-      .changes_results([options] { return std::string(options->skip_bad ? "yes" : "no"); });
+      .changes_results([options] { return std::string(run::yes_or_no(options->skip_bad)); });
   run::declare_parts(command, *options);
   command.writes(tables());
   command.example("merging part.obj");

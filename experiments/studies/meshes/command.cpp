@@ -79,7 +79,7 @@ run::Command meshes_command() {
   command
       .flag("--skip-bad", options->skip_bad,
             "Leave out faulty parts of a file, and report them; rejected faces are then not an error")
-      .changes_results([options] { return std::string(options->skip_bad ? "yes" : "no"); });
+      .changes_results([options] { return std::string(run::yes_or_no(options->skip_bad)); });
   run::declare_study(command, *options, "--faces",
                      "The number of faces of each mesh to test, from the first on (default: all)")
       .changes_results(

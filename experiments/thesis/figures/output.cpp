@@ -23,8 +23,6 @@ using namespace kinematics;
 using nlohmann::ordered_json;
 using run::path;
 
-const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
-
 const run::Table<Entry>& entries_csv() {
   static const run::Table<Entry> table(
       "entries.csv", "a figure or table",
@@ -73,7 +71,7 @@ const run::Table<NumberRow>& numbers_csv() {
           return row.number->basis ? std::string(1, static_cast<char>(label_of(*row.number->basis))) : std::string();
         }},
        {"agrees", "whether the two agree",
-        [](const NumberRow& row) { return row.number->stated ? yes_or_no(*row.number->agrees()) : ""; }},
+        [](const NumberRow& row) { return row.number->stated ? run::yes_or_no(*row.number->agrees()) : ""; }},
        {"rests_on", "C if our value depends on chosen values",
         [](const NumberRow& row) { return row.number->chosen ? "C" : ""; }}});
   return table;

@@ -17,8 +17,6 @@ namespace {
 using namespace kinematics;
 using run::path;
 
-const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
-
 struct BranchRow {
   const Flowchart* flowchart;
   std::string_view method;
@@ -46,9 +44,9 @@ const run::Table<MapPoint>& map_csv() {
       {{"x_mm", "the point", &MapPoint::x, kFormat},
        {"y_mm", "the point", &MapPoint::y, kFormat},
        {"sum_deg", "the sum of the angles at which the edges are seen, without signs", &MapPoint::sum, kFormat},
-       {"inside", "whether it is inside", [](const MapPoint& point) { return yes_or_no(point.inside); }},
+       {"inside", "whether it is inside", [](const MapPoint& point) { return run::yes_or_no(point.inside); }},
        {"called", "whether the thesis's method calls it inside",
-        [](const MapPoint& point) { return yes_or_no(point.called); }}});
+        [](const MapPoint& point) { return run::yes_or_no(point.called); }}});
   return table;
 }
 

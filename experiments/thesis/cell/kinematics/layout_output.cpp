@@ -63,7 +63,7 @@ Table<Member> homes_csv(const char* file, const char* about) {
            {"clearance_mm", "by which the sphere is lifted after gripping from above", of_layout(&Layout::clearance),
             kLength},
            {"captions_come_out", "whether the layout reproduces the captions: `yes` or `no`",
-            [](const Member& row) { return row.failure.empty() ? "yes" : "no"; }},
+            [](const Member& row) { return run::yes_or_no(row.failure.empty()); }},
            {"otherwise", "why it does not", &Member::failure}}};
 }
 
