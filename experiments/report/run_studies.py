@@ -1,10 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: run_studies.py TOUCHSTONE RESULTS [--full] [--paper]
-
-Runs the studies of studies/, each in its folder of RESULTS; called from the project's folder. Skips studies that
-the same program has finished with the same arguments, and continues interrupted ones if the study can.
+"""Runs the studies of studies/, each in its folder of RESULTS; called from the project's folder. Skips studies that the same
+program has finished with the same arguments, and continues interrupted ones if the study can.
 """
+import argparse
 import fcntl
 import hashlib
 import json
@@ -111,28 +110,41 @@ def run(program, study, path, mode, lock):
     return 0
 
 
-def main(program, results, *options):
-    mode = "full" if "--full" in options else "paper" if "--paper" in options else "quick"
-    results = pathlib.Path(results)
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", metavar="TOUCHSTONE")
+    parser.add_argument("results", metavar="RESULTS", type=pathlib.Path)
+    parser.add_argument("--full", action="store_const", const="full", dest="mode", default="quick")
+    parser.add_argument("--paper", action="store_true")
+    parser.add_argument("--first-study", metavar="PROGRAM", help="runs the study that can be built first, instead of TOUCHSTONE")
+    parser.add_argument("--only-first", action="store_true", help="run that study alone")
+    return parser.parse_args()
+
+
+def main():
+    asked = arguments()
+    program, results = asked.program, asked.results
+    mode = "paper" if asked.paper and asked.mode == "quick" else asked.mode
     results.mkdir(parents=True, exist_ok=True)
     lock = open(results / "lock", "w", opener=lambda path, flags: os.open(path, flags | os.O_NOFOLLOW, 0o666))
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         sys.exit(f"run_studies.py: another run is working in {results}")
-    methods = subprocess.run([program, "methods"], check=True, capture_output=True, text=True).stdout
-    with replacing(results / "methods.txt") as file:
-        file.write_text(methods, encoding="utf-8")
+    if not asked.only_first:
+        methods = subprocess.run([program, "methods"], check=True, capture_output=True, text=True).stdout
+        with replacing(results / "methods.txt") as file:
+            file.write_text(methods, encoding="utf-8")
     begin, failed = time.monotonic(), []
     for name, module in modules().items():
         study = module.RUN
-        if not study.calls(mode):
+        if not study.calls(mode) or (asked.only_first and not study.first):
             continue
         print(f"\n== {name}: {study.about} (after {time.monotonic() - begin:.0f} s of studies)", flush=True)
         if study.needs_meshes and not meshes():
             print("Skipped: there are no meshes in cache/meshes.")
             continue
-        status = run(program, study, results / name, mode, lock)
+        status = run(asked.first_study if study.first and asked.first_study else program, study, results / name, mode, lock)
         if status == INTERRUPTED:
             print("run_studies.py: interrupted; run it again to continue", file=sys.stderr)
             return INTERRUPTED
@@ -145,4 +157,4 @@ def main(program, results, *options):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main())

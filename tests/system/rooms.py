@@ -86,6 +86,8 @@ def faults_of_rooms(root, rooms):
 
 def faults_of_sources(root, build):
     compiled = {entry["file"] for entry in json.loads((build / "compile_commands.json").read_text())}
+    for together in [file for file in compiled if "/Unity/" in file]:
+        compiled.update(re.findall(r'^#include "(.+\.cpp)"', pathlib.Path(together).read_text(), re.MULTILINE))
     for folder in ("geometry", "robust", "experiments"):
         for path in sorted((root / folder).rglob("*.cpp")):
             file = path.relative_to(root).as_posix()

@@ -23,6 +23,7 @@ class Run:
     quick: list | None = None  # None: with --full alone, or for the paper
     paper: list | None = None  # what the paper needs of it, if that is more than the quick calls
     resumes: bool = False  # continues after an interruption, with --resume
+    first: bool = False  # ./reproduce builds the program first_study for it, and runs it first
 
     @property
     def needs_meshes(self):

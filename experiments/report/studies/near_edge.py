@@ -16,7 +16,7 @@ from results import finite, maybe, natural, share
 from studies import NEAR_EDGE, OUTPUT, Run
 from style import curve, distinct, draw, plt, rows_of, save
 
-RUN = Run(2, "random polygons, double by double", resumes=True,
+RUN = Run(2, "random polygons, double by double", resumes=True, first=True,
           full=[[*NEAR_EDGE, "--output", OUTPUT]], quick=[[*NEAR_EDGE, "--samples", "60", "--search", "8", "--output", OUTPUT]])
 TITLE = "Random polygons, double by double"
 

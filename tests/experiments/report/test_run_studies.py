@@ -42,8 +42,8 @@ class Studies(unittest.TestCase):
         (self.folder / "cache/meshes/a.obj").write_text("v 0 0 0\n")
         self.write_program(PROGRAM)
 
-    def write_program(self, text):
-        program = self.folder / "touchstone"
+    def write_program(self, text, name="touchstone"):
+        program = self.folder / name
         program.write_text(text)
         program.chmod(0o755)
 
@@ -69,6 +69,17 @@ class Studies(unittest.TestCase):
     def test_runs_each_once(self):
         self.assertEqual(len(self.run_all()), self.quick_calls())
         self.assertEqual(self.run_all(), [])
+
+    def test_the_first_study_runs_alone_by_a_program_of_its_own_and_is_kept(self):
+        self.write_program(PROGRAM.replace("calls", "calls_first"), "first_study")
+        self.assertEqual(self.run_all("--first-study", "./first_study", "--only-first"), [])
+        self.assertEqual([call.split()[0] for call in (self.folder / "calls_first").read_text().splitlines()], ["near-edge"])
+        calls = self.run_all("--first-study", "./first_study")
+        self.assertEqual(len(calls), self.quick_calls() - 1)
+        self.assertNotIn("near-edge", [call.split()[0] for call in calls])
+        self.write_program(PROGRAM.replace("calls", "calls_again"), "first_study")
+        self.assertEqual(self.run_all("--first-study", "./first_study"), [])
+        self.assertTrue((self.folder / "calls_again").exists())
 
     def test_another_program_runs_all_again(self):
         self.run_all()

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: reproduce.py ROOT
 
-./reproduce configures before it builds, each time: what was installed since is found. Programs that take long are replaced
+./reproduce configures before it builds, each time: what was installed since is found. It builds the program of the first
+study before the whole one. Programs that take long are replaced
 by such as note their call. Exit status 1 otherwise."""
 import os
 import pathlib
@@ -33,9 +34,9 @@ def main(root):
         for script in ("run_studies.py", "report.py"):
             (folder / "experiments/report" / script).write_text("")
         (folder / ".ci/packages").write_text("need_packages() { :; }\n")
-        build = "cmake --build build/release --target touchstone"
-        wanted = {"at first": ["cmake --preset release -DTOUCHSTONE_TESTS=OFF", build],
-                  "again": ["cmake --preset release", build]}  # which keeps tests that a developer has
+        builds = [f"cmake --build build/release --target {target}" for target in ("first_study", "touchstone")]
+        wanted = {"at first": ["cmake --preset release -DTOUCHSTONE_TESTS=OFF", *builds],
+                  "again": ["cmake --preset release", *builds]}  # which keeps tests that a developer has
         for when, calls in wanted.items():
             found = calls_of(folder)
             if found != calls:

@@ -2,7 +2,8 @@
 """Usage: waiting.py BUILD [--write PAGE]
 
 What a build and its tests cost, from the logs of Ninja and CTest of a whole build and test run: for each room the number
-of compiled files and their seconds, and the seconds of its tests, the most expensive first. With --write the table between the markers of PAGE is replaced.
+of compilations and their seconds, and the seconds of its tests, the most expensive first. With --write the table between the
+markers of PAGE is replaced.
 """
 
 import collections
@@ -55,8 +56,8 @@ def report(build):
     seconds, files = compiled(build)
     rooms = sorted(((f"`{room}`", files[room], time) for room, time in seconds.items()), key=lambda row: -row[-1])
     tests = sorted(((f"`{name}`", time) for name, time in tested(build).items()), key=lambda row: -row[-1])
-    return (f"Measured on {platform.machine()} with {os.cpu_count()} cores. Ninja compiles more files at once than there are cores, so the\n"
-            "seconds of a file include its waiting.\n\n" + table(["compiled", "files", "seconds"], rooms) +
+    return (f"Measured on {platform.machine()} with {os.cpu_count()} cores. Ninja compiles more at once than there are cores, so the\n"
+            "seconds of a compilation include its waiting.\n\n" + table(["compiled", "compilations", "seconds"], rooms) +
             "\n" + table(["tests", "seconds"], tests))
 
 
