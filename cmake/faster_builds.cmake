@@ -3,8 +3,8 @@
 # take more memory before it collects what it no longer needs. None of these changes what is built.
 
 # compile_together(TARGET): headers cost more than code, so that eight files at once take a third of the time. Names in
-# the files' unnamed namespaces must differ. The presets dev, clang and tidy compile each file alone, so that one that
-# forgets an `#include` fails there.
+# the files' unnamed namespaces must differ. The presets dev and tidy compile each file alone, so that one that forgets an
+# `#include` fails there.
 option(TOUCHSTONE_TOGETHER "Compile the files of rooms and tests eight at once" ${PROJECT_IS_TOP_LEVEL})
 function(compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${TOUCHSTONE_TOGETHER} UNITY_BUILD_BATCH_SIZE 8)

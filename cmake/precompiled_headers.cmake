@@ -4,7 +4,7 @@
 # Parses headers that most files of a target include once, instead of once a file: Eigen, for example, takes a second.
 # Targets of the same headers, options and libraries share one result. It saves nothing to add the JSON library or the
 # one of command-line options: g++ 12 then takes longer to load the result than the other files take. A file must
-# include what it uses all the same: the presets dev and clang build without precompiled headers.
+# include what it uses all the same: the preset dev builds without precompiled headers.
 function(precompile_headers target)
   cmake_parse_arguments(PARSE_ARGV 1 headers "" "" "OPTIONS;LIBRARIES")
   string(SHA1 key "${headers_UNPARSED_ARGUMENTS} ${headers_OPTIONS} ${headers_LIBRARIES}")
