@@ -23,8 +23,6 @@ using namespace kinematics;
 using nlohmann::ordered_json;
 using run::path;
 
-const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
-
 const run::Table<Entry>& entries_csv() {
   static const run::Table<Entry> table(
       "entries.csv", "a figure or table",

@@ -17,8 +17,6 @@ namespace {
 using namespace kinematics;
 using run::path;
 
-const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
-
 struct BranchRow {
   const Flowchart* flowchart;
   std::string_view method;

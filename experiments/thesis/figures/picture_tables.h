@@ -15,4 +15,7 @@ void write_picture_tables(const std::filesystem::path& folder, const Study& stud
 
 [[nodiscard]] std::vector<run::TableDescription> picture_tables();
 
+/// Returns how tables write a truth value.
+[[nodiscard]] inline const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
+
 }  // namespace touchstone::figures

@@ -88,7 +88,7 @@ Zone::Cuboid read_cuboid(const CellEntry& entry) {
   return box;
 }
 
-Zone::Capsule read_sphere(const CellEntry& entry) {
+Zone::Capsule read_zone_sphere(const CellEntry& entry) {
   entry.has_only({"at", "radius"});
   const Eigen::Vector3d at = entry.at("at").point();
   return {at, at, entry.at("radius").positive()};
@@ -117,7 +117,7 @@ Zone read_zone(const CellEntry& entry) {
   };
   take("face", read_face);
   take("box", read_cuboid);
-  take("sphere", read_sphere);
+  take("sphere", read_zone_sphere);
   take("capsule", read_capsule);
   if (!shape) entry.bad("has no shape: face, box, sphere or capsule");
   Zone zone{entry.at("name").name(), std::move(*shape), {}, false};
