@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -13,7 +14,6 @@
 #include "experiments/run/input.h"
 #include "experiments/run/output.h"
 #include "experiments/run/printing.h"
-#include "experiments/run/stop_signal.h"
 #include "experiments/thesis/cell/browser/cell_json.h"
 #include "experiments/thesis/cell/browser/http_server.h"
 #include "experiments/thesis/cell/browser/page.h"
@@ -55,8 +55,8 @@ struct ServeOptions {
   std::uint16_t port = 8080;
 };
 
+/// Serves until a signal ends the process, as it would end any other: no run writes anything that could be lost.
 int serve(const ServeOptions& options) {
-  const run::StopSignal stop_signal;
   RunOptions chosen = options.run;
   if (chosen.file.empty()) chosen.file = run::data("experiments/thesis/cell/cells/aristo.json").string();
   const browser::Simulator simulator = simulator_of(chosen);
@@ -77,7 +77,8 @@ int serve(const ServeOptions& options) {
     fmt::print(stderr, "touchstone: --host {}: other machines can also reach this server\n", options.host);
   fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());
   run::flush_standard_output();
-  server.run(stop_signal.requested());
+  const std::atomic<bool> never = false;
+  server.run(never);
   return 0;
 }
 

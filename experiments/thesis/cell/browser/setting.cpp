@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string>
 #include <string_view>
 
 #include "experiments/methods/registry.h"
@@ -27,7 +28,7 @@ constexpr std::array<std::string_view, 40> kKeys{
     "obstacles", "parts",  "place", "radius",  "robot",        "robots",   "sides",     "slot",      "slots", "solid",
     "sphere",    "stand",  "step",  "stops",   "storage",      "storages", "to",        "top",       "turn",  "zones"};
 
-void require_within(const char* key, double number, double least, double most) {
+void require_within(const std::string& key, double number, double least, double most) {
   if (number < least || number > most)
     throw BadSetting(fmt::format("request: {}: must be from {:g} to {:g}, is {:g}", key, least, most, number));
 }
@@ -111,6 +112,8 @@ Variation read_variation(std::string_view text) {
       for (const std::string& key : keys_named(change))
         if (std::ranges::find(kKeys, key) == kKeys.end())
           change.bad(fmt::format("the page does not set \"{}\"; it sets {}", io::legible(key), fmt::join(kKeys, ", ")));
+      if (const auto step = number_of_change(change.text(), "step"))
+        require_within(change.path() + ": step", *step, kLeastStep, kMostStep);
       variation.changes.push_back(change.text());
     }
     if (variation.changes.size() > kMostChanges) changes->bad(fmt::format("are more than {}", kMostChanges));

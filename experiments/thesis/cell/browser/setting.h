@@ -44,9 +44,9 @@ struct Variation {
 };
 inline constexpr std::size_t kMostChanges = 200;
 /// Reads the keys "changes", an array of texts, and "piece" of a request. Throws BadSetting for text that is not JSON,
-/// another type, more than kMostChanges changes, one that is not a path and a value (change_cell.h), and one that names
-/// a key which the page does not set: files, for instance, are for who starts the program. Copies of what is there are
-/// not searched for such keys.
+/// another type, more than kMostChanges changes, one that is not a path and a value (change_cell.h), one that sets a
+/// step out of bounds, and one that names a key which the page does not set: files, for instance, are for who starts
+/// the program. Copies of what is there are not looked at.
 [[nodiscard]] Variation read_variation(std::string_view text);
 
 /// Reads {"storage": {"angle": a, "radius": r, "height": h}, "slot": name, "step": s, "drive": name}. Missing values

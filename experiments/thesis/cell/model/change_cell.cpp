@@ -176,4 +176,10 @@ std::set<std::string> keys_of_change(const std::string& assignment) {
   return names;
 }
 
+std::optional<double> number_of_change(const std::string& assignment, const std::string& path) {
+  const Change change = parsed(assignment);
+  if (change.path != path || !change.value.is_number()) return std::nullopt;
+  return change.value.get<double>();
+}
+
 }  // namespace touchstone::cell

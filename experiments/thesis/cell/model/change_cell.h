@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -23,5 +24,9 @@ void change_cell(nlohmann::json& cell, const std::string& assignment);
 /// objects in its value, at every depth, as they read once the JSON is parsed. What it copies from the cell itself is
 /// not looked at. Throws BadCell, as change_cell does, for an assignment that is not a path and a value.
 [[nodiscard]] std::set<std::string> keys_of_change(const std::string& assignment);
+
+/// Returns the number that an assignment sets at a path; none if it sets something else. Throws BadCell, as change_cell
+/// does, for an assignment that is not a path and a value.
+[[nodiscard]] std::optional<double> number_of_change(const std::string& assignment, const std::string& path);
 
 }  // namespace touchstone::cell

@@ -32,13 +32,13 @@ CELL = ROOT / "experiments/thesis/cell/cells/aristo.json"
 
 @contextlib.contextmanager
 def server(touchstone):
-    """The address of a server that ends well when it is interrupted."""
+    """The address of a server, which an interrupt ends."""
     signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background of a shell it is ignored, also by children
     process = subprocess.Popen([touchstone, "cell", "serve", str(CELL), "--port", "0"], stdout=subprocess.PIPE, text=True)
     try:
         yield re.search(r"http://\S+/", process.stdout.readline()).group()
         process.send_signal(signal.SIGINT)
-        expect(process.wait(PATIENCE) == 0, f"interrupted, the server ends with status {process.returncode}")
+        expect(process.wait(PATIENCE) == -signal.SIGINT, f"interrupted, the server ends with status {process.returncode}")
     finally:
         process.kill()
 

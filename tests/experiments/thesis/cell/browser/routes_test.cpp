@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -174,8 +176,10 @@ TEST_F(Page, RefusesBytesThatAreNotUtf8ByTheirPlace) {
 
 // A variation is asked about by its changes; without the means to build others, only the served cell is there.
 TEST(Variations, AreAskedAboutLikeTheCell) {
+  std::size_t built = 0;
   const Routes routes{
-      simulator(), KnownHosts("127.0.0.1", true), {}, [](const Variation& variation) {
+      simulator(), KnownHosts("127.0.0.1", true), {}, [&built](const Variation& variation) {
+        ++built;
         auto plant = std::make_shared<const cell::Plant>(cell::read_plant(kAristo, std::nullopt, variation.changes));
         const std::size_t piece = variation.piece.empty() ? 0 : cell::piece_named(*plant, variation.piece);
         return Simulator(cell::cell_of(*plant, piece), {.plant = plant, .piece = piece});
@@ -200,7 +204,10 @@ TEST(Variations, AreAskedAboutLikeTheCell) {
   EXPECT_EQ(ran["triggers"][0]["zone"], "z");
   EXPECT_EQ(post("/api/run", {{"changes", {"storage.hight=1"}}}).status, 400U);
   EXPECT_EQ(post("/api/run", {{"changes", {"storage.slots[9].name=x"}}}).status, 422U);
-  EXPECT_EQ(post("/api/run", {{"changes", {"step=0.004"}}}).status, 400U);
+  const std::size_t built_before = built;
+  for (const char* path : {"/api/varied", "/api/run", "/api/area", "/api/pose"})
+    EXPECT_EQ(post(path, {{"changes", {"step=0.004"}}}).status, 400U) << path;
+  EXPECT_EQ(built, built_before) << "a cell is built for a step that is refused";
   const char* const profile = R"(obstacles[0]={"name":"profile","box":{"from":[0,0,0],"to":[9,9,9]},"move":[0,900,0]})";
   const HttpReply named = post("/api/varied", {{"changes", {profile}}});
   EXPECT_EQ(named.status, 200U) << named.body;
