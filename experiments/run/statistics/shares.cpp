@@ -58,7 +58,7 @@ double share_of(std::uint64_t part, std::uint64_t whole) {
 
 std::string percent_to_places(double share, int places) {
   if (share == 0 || share == 1) return share == 0 ? "0" : "100";
-  const std::string text = fmt::format("{:.{}f}", 100 * share, places);
+  std::string text = fmt::format("{:.{}f}", 100 * share, places);
   if (share > 0 && std::stod(text) == 0) return fmt::format("<{:.{}f}", std::pow(10, -places), places);
   if (share < 1 && std::stod(text) >= 100) return fmt::format(">{:.{}f}", 100 - std::pow(10, -places), places);
   return text;

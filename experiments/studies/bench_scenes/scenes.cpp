@@ -128,8 +128,8 @@ std::vector<Triangle> Machine::replicated(std::size_t triangles) const {
   std::vector<Triangle> all;
   all.reserve(triangles);
   for (std::size_t slot = 0; slot < slots; ++slot) {
-    const Eigen::Vector3d shift(static_cast<double>(slot % side), static_cast<double>(slot / side % side),
-                                static_cast<double>(slot / side / side));
+    const std::size_t column = slot % side, row = slot / side % side, layer = slot / side / side;
+    const Eigen::Vector3d shift(static_cast<double>(column), static_cast<double>(row), static_cast<double>(layer));
     for (const Triangle& t : parts_[slot % parts_.size()]) {
       if (all.size() == triangles) return all;
       const Triangle moved{t.a + shift, t.b + shift, t.c + shift};

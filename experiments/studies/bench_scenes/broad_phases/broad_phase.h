@@ -67,8 +67,8 @@ class BroadPhaseScene : public BuiltScene {
 };
 
 template <class Structure>
-[[nodiscard]] Library broad_phase(std::string name) {
-  return {.name = std::move(name),
+[[nodiscard]] Library broad_phase(const std::string& name) {
+  return {.name = name,
           .build = [](const Mesh& mesh) -> std::unique_ptr<BuiltScene> {
             return std::make_unique<BroadPhaseScene<Structure>>(mesh.triangles);
           },
