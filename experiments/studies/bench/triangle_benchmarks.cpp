@@ -23,7 +23,7 @@ std::optional<timing::Goal> goal_of(workloads::TriangleFamily family) {
     case workloads::TriangleFamily::Random: return timing::Goal{1};
     case workloads::TriangleFamily::HalfNear: return timing::Goal{2.5};
     case workloads::TriangleFamily::Near: return timing::Goal{4};
-    case workloads::TriangleFamily::Extreme: return timing::Goal{10};
+    case workloads::TriangleFamily::Extreme:
     case workloads::TriangleFamily::LatticeTangent: return timing::Goal{10};
     default: return std::nullopt;
   }

@@ -34,7 +34,7 @@ Eigen::Matrix3d small_rotation(workloads::Random& random) {
     z = random.integer(-100, 100);
   }
   std::int64_t a = 0;
-  while (a * a < 115 * 115 * (x * x + y * y + z * z)) ++a;
+  while (a * a < std::int64_t{115} * 115 * (x * x + y * y + z * z)) ++a;
   const auto unit = static_cast<double>(a * a + x * x + y * y + z * z);
   const auto entry = [unit](std::int64_t numerator) { return static_cast<double>(numerator) / unit; };  // one rounding
   Eigen::Matrix3d matrix;

@@ -4,8 +4,6 @@
 namespace touchstone::tunnelling {
 namespace {
 
-using run::path;
-
 struct MissRow {
   double radius;
   std::uint64_t steps, contacts, missed, beside;
