@@ -13,7 +13,7 @@ from looks import BLUE, RED, in_order
 from page import bar, code, count, number, percent, share_of_size, smaller, upper_limit
 from results import finite, maybe, natural, share
 from results import number as any_number
-from shares import unless_whole
+from shares import percents
 from studies import OUTPUT, Run
 from studies.regress import ENGINES
 from style import curve, distinct, plt, rows_of, save
@@ -65,14 +65,13 @@ ENGINE_HEADS = ["engine", "", "wrong motions", "missed contacts", "invented cont
 def engine_lines(data):
     """The cells of a line for each engine, under the heads ENGINE_HEADS, for a page of Markdown."""
     def share_of(part, whole):
-        value = 100 * part / whole
-        return unless_whole(part / whole, f"{value:.0f}" if value >= 9.5 else f"{value:.2g}") + " %"
+        return percents(part, whole, ".0f" if 100 * part / whole >= 9.5 else ".2g")
 
     lines = []
     for engine in data.methods:
         row = data.all(engine)
         samples, timed = row["samples"], row["timed"]
-        wrong = share_of(row["failed"], samples) if row["failed"] else f"0 of {samples:,} (< {100 * (1 - 0.05 ** (1 / samples)):.2g} %)"
+        wrong = share_of(row["failed"], samples) if row["failed"] else f"0 of {samples:,} (< {100 * upper_limit(samples):.2g} %)"
         offset = "none" if row["furthest"] is None else f"2^-{round(-math.log2(row['furthest']))}" if row["furthest"] else "at offset 0 alone"
         lines.append([engine, ENGINES[engine], wrong, f"{row['missed']:,}", f"{row['invented']:,}", offset,
                       share_of(row["correctly_rounded"], timed) if timed else "no time", f"{row['worst_size']:.2g}" if timed else ""])
