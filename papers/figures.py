@@ -43,11 +43,7 @@ def draw_map(study, output):
     figure, grid = plt.subplots(1, len(panels), figsize=(WIDTH, 1.95), layout="constrained")
     for axes, (method, distance) in zip(grid, panels):
         letters = near_edge.read_map(study / f"map-reflex-vertex-foot-{distance}.csv")
-        axes.imshow(near_edge.colours(letters["truth"], letters[method]), interpolation="nearest")
-        axes.set_xticks([])
-        axes.set_yticks([])
-        for spine in axes.spines.values():
-            spine.set(visible=True, color="#888888", linewidth=0.5)
+        near_edge.show_map(axes, letters, method)
         axes.set_title(f"{method},\n{DISTANCES[distance]}")
     save(figure, output, "map", ("pdf",))
 

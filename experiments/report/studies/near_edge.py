@@ -253,6 +253,14 @@ def colours(truth, verdicts):
     return picture
 
 
+def show_map(axes, letters, name):
+    """Where a method is wrong, or the truth alone."""
+    axes.imshow(colours(letters["truth"], None if name == "truth" else letters[name]), interpolation="nearest")
+    axes.set(xticks=[], yticks=[])
+    for spine in axes.spines.values():
+        spine.set(visible=True, color="#888888", linewidth=0.5)
+
+
 SPOTS = {"face": ("a point inside an L", "the centre straight above it"),
          "edge": ("the middle of an edge of an L", "the centre straight above it (foot); beyond the edge, which is nearest (final answer)"),
          "vertex": ("a vertex of an L", "the centre straight above it (foot); beyond the vertex, which is nearest (final answer)"),
@@ -285,12 +293,7 @@ def draw_maps(folder, spot):
         for column, name in enumerate(names):
             axes = figure.add_axes([(left + column * (side + gap)) / width,
                                     1 - (top + (row + 1) * side + row * gap) / height, side / width, side / height])
-            verdicts = None if name == "truth" else letters[name]
-            axes.imshow(colours(letters["truth"], verdicts), interpolation="nearest")
-            axes.set_xticks([])
-            axes.set_yticks([])
-            for spine in axes.spines.values():
-                spine.set(visible=True, color="#888888", linewidth=0.5)
+            show_map(axes, letters, name)
             if row == 0:
                 axes.set_title(name)
             if column == 0:

@@ -9,7 +9,7 @@ from matplotlib.path import Path as MarkerPath
 from matplotlib.textpath import TextPath
 
 from asked import by_method
-from looks import asks_the_question, in_order, look_of
+from looks import asks_the_question, by_group, in_order, look_of
 from names import OWN_TEST, PLACEMENTS, TITLES
 from noise import TOO_NOISY, is_steady
 from page import bar, code, multiple, percent, smaller, words
@@ -329,10 +329,8 @@ def legend(figure, measure, rows, **where):
 
 def legend_by_group(figure, measure, rows):
     """A column a group of methods, below the panels."""
-    groups = {}
-    for method in in_order(row["method"] for row in rows):
-        groups.setdefault(look_of(method).group, []).append(method)
-    columns = [(title, [(handle, handle.get_label()) for handle in handles(methods)]) for title, methods in groups.items()]
+    columns = [(title, [(handle, handle.get_label()) for handle in handles(methods)])
+               for title, methods in by_group(row["method"] for row in rows).items()]
     columns.append(("signs", symbols(measure, rows)))
     for number, (title, lines) in enumerate(columns):
         figure.legend(*zip(*lines), title=title, loc="upper left", bbox_to_anchor=(0.01 + 0.98 * number / len(columns), 0.235), frameon=False, fontsize=8.5,
@@ -389,10 +387,7 @@ def draw_offsets(rows, folder, placement):
     """Wrong answers by offset: a row a kind of method, a column a threshold."""
     rows = [row for row in rows if row["family"] == "all" and row["placement"] == placement]
     thresholds = [t for t in TITLES if any(row["threshold"] == t for row in rows)]
-    groups = {}
-    for method in in_order(row["method"] for row in rows):
-        groups.setdefault(look_of(method).group, []).append(method)
-    curves = {}
+    groups, curves = by_group(row["method"] for row in rows), {}
     for row in rows:
         curves.setdefault((row["threshold"], row["method"]), []).append(
             (place(int(row["offset"])), 100 * float(row["rate"]), 100 * float(row["lower"]), 100 * float(row["upper"])))
