@@ -7,9 +7,10 @@ import numpy as np
 
 from looks import in_order
 from names import DISTANCES, TITLES
+from results import distinct
 from studies import near_edge, tradeoff
 from studies.soak import COLOURS as STAGE_COLOURS
-from style import curve, distinct, plt, rows_of, save
+from style import curve, plt, rows_of, save
 
 WIDTH = 6.1  # inches of text
 plt.rcParams.update({"pdf.fonttype": 42})

@@ -28,10 +28,6 @@ def rows_of(path):
         return list(csv.DictReader(file))
 
 
-def distinct(rows, name):
-    return list(dict.fromkeys(row[name] for row in rows))
-
-
 def curve(axes, method, x, y, low=None, high=None, shade=0.15, marker=True, **more):
     """A method's line, with a band from `low` to `high`."""
     look = look_of(method)

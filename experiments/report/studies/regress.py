@@ -5,7 +5,7 @@ import re
 
 from asked import Asked
 from page import code, escaped, percent, power, words
-from results import maybe, natural
+from results import distinct, maybe, natural
 from shares import percents, upper_limit
 from studies import OUTPUT, Run, same
 
@@ -58,7 +58,7 @@ OWN = ("filtered", "fast", "fast-float", "thesis")
 
 
 def families_of(rows):
-    return list(dict.fromkeys(row["family"] for row in rows))
+    return distinct(rows, "family")
 
 
 def rows_by_engine(rows, numbers="doubles"):
@@ -85,7 +85,7 @@ def asked(study):
     differs: so it was tested only if the method exact was asked too."""
     rows = [row for row in rows_of(study) if row["numbers"] == "doubles"]
     polygons = polygons_of(study, rows)
-    methods = dict.fromkeys(row["method"] for row in rows)
+    methods = distinct(rows, "method")
 
     def asked_of(method):
         own = [row for row in rows if row["method"] == method]
