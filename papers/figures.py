@@ -7,9 +7,10 @@ import numpy as np
 
 from looks import in_order
 from names import DISTANCES, TITLES
+from results import distinct
 from studies import near_edge, tradeoff
 from studies.soak import COLOURS as STAGE_COLOURS
-from style import curve, distinct, plt, rows_of, save
+from style import curve, plt, rows_of, save
 
 WIDTH = 6.1  # inches of text
 plt.rcParams.update({"pdf.fonttype": 42})
@@ -43,11 +44,7 @@ def draw_map(study, output):
     figure, grid = plt.subplots(1, len(panels), figsize=(WIDTH, 1.95), layout="constrained")
     for axes, (method, distance) in zip(grid, panels):
         letters = near_edge.read_map(study / f"map-reflex-vertex-foot-{distance}.csv")
-        axes.imshow(near_edge.colours(letters["truth"], letters[method]), interpolation="nearest")
-        axes.set_xticks([])
-        axes.set_yticks([])
-        for spine in axes.spines.values():
-            spine.set(visible=True, color="#888888", linewidth=0.5)
+        near_edge.show_map(axes, letters, method)
         axes.set_title(f"{method},\n{DISTANCES[distance]}")
     save(figure, output, "map", ("pdf",))
 

@@ -5,7 +5,7 @@ import math
 
 from page import escaped
 
-LEFT, GAP, BOTTOM = 62, 20, 40  # of a panel, in its units
+LEFT = 62  # of a panel, in its units
 DASHES = {"-": "", "--": "6 3", ":": "2 3", "-.": "7 3 2 3"}
 
 

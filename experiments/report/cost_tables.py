@@ -20,7 +20,7 @@ import tempfile
 
 import markers
 import noise
-from shares import unless_whole
+from shares import percents
 
 FAMILIES = {  # of `touchstone bench`: family, the contest in it, in words
     ("random-triangles", ""): "triangles, balls anywhere",
@@ -110,7 +110,7 @@ def share(wrong):
         return ""
     if not wrong["count"]:
         return f"0 of {wrong['of']:,}"
-    return unless_whole(wrong["count"] / wrong["of"], f"{100 * wrong['count'] / wrong['of']:.2g}") + " %"
+    return percents(wrong["count"], wrong["of"])
 
 
 def spread(numbers, form):

@@ -88,6 +88,14 @@ def in_order(methods):
     return sorted(dict.fromkeys(methods), key=lambda method: places.get(method, len(places)))
 
 
+def by_group(methods):
+    """Each once, in the order of legends, by the title of its group."""
+    groups = {}
+    for method in in_order(methods):
+        groups.setdefault(look_of(method).group, []).append(method)
+    return groups
+
+
 EXACT = {"filtered", "exact", "rational", "interval", "cgal-epeck", "cgal-epeck-distance", "cgal-epeck-intersect"}
 MORE_DIGITS = {"fast-double-double", "fast-mpfr-101", "fast-mpfr-201"}
 NOT_LIFTED = {"cgal-epeck-distance", "cgal-epeck-intersect", "convex-parts"}  # about parts of a loop, which on rotated polygons are another question

@@ -11,7 +11,7 @@ import jinja2
 
 import dark
 from results import DataError
-from shares import unless_whole
+from shares import unless_whole, upper_limit
 
 PIXELS_AN_INCH = 150  # of the pictures in PNG: style.py
 
@@ -73,11 +73,6 @@ def level(text):
     """A level of stress from its name in the data: 1e4 as 10⁴, 2^20 as 2²⁰."""
     parts = re.fullmatch(r"(?:1e|(2)\^)(-?\d+)", text)
     return power(parts[1] or "10", parts[2]) if parts else escaped(text).replace("-", "−")
-
-
-def upper_limit(trials):
-    """The one-sided 95 % limit of a probability after `trials` independent trials without a failure (Clopper and Pearson)."""
-    return 1 - 0.05 ** (1 / trials)
 
 
 def counted(number, plural, singular=None):

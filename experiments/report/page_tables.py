@@ -16,7 +16,7 @@ import tempfile
 
 import markers
 from results import Study
-from shares import unless_whole
+from shares import percents, upper_limit
 from studies import motions, near_edge
 from studies.regress import ENGINES, OVERALL, by_family, overall, polygons_of, rows_of
 
@@ -44,20 +44,18 @@ def results_of(touchstone, *call):
 def cell(failures, trials):
     """A rate; where nothing failed, its upper 95 % limit (one-sided, Clopper-Pearson)."""
     if failures:
-        return unless_whole(failures / trials, f"{100 * failures / trials:.0f}") + " %"
-    return f"0 of {trials} (< {100 * (1 - 0.05 ** (1 / trials)):.2f} %)"
+        return percents(failures, trials, ".0f")
+    return f"0 of {trials} (< {100 * upper_limit(trials):.2f} %)"
 
 
 def near_edge_table(touchstone):
     """All families and placements, within one double of the threshold."""
-    lines = ["| within one double of the threshold | " + " | ".join(f"`{method}`" for method in NEAR_EDGE_METHODS) + " |",
-             "|---|" + "---|" * len(NEAR_EDGE_METHODS)]
     with results_of(touchstone, "near-edge", "--methods", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1", "--search", "0",
                     "--no-pictures") as study:
         data = near_edge.Data(study)
-        for threshold, description in ROWS.items():
-            lines.append(f"| {description} | " + " | ".join(cell(*data.within_one_double(method, threshold)) for method in NEAR_EDGE_METHODS) + " |")
-    return "\n".join(lines) + "\n"
+        return markdown(["within one double of the threshold", *map("`{}`".format, NEAR_EDGE_METHODS)],
+                        [[description, *(cell(*data.within_one_double(method, threshold)) for method in NEAR_EDGE_METHODS)]
+                         for threshold, description in ROWS.items()])
 
 
 @functools.cache
@@ -79,16 +77,21 @@ def outcomes(touchstone):
 
 
 def markdown(head, lines):
-    return "".join(["| " + " | ".join(head) + " |\n", "|" + "---|" * len(head) + "\n",
-                    *(f"| `{engine}` | " + " | ".join(cells) + " |\n" for engine, *cells in lines)])
+    head_line, *rows = (f"| {' | '.join(cells)} |\n" for cells in (head, *lines))
+    return "".join([head_line, "|" + "---|" * len(head) + "\n", *rows])
+
+
+def of_engines(head, lines):
+    """The first cell of each line names an engine."""
+    return markdown(head, [[f"`{engine}`", *cells] for engine, *cells in lines]).replace("|  |", "| |")
 
 
 def engines_table(touchstone):
-    return markdown(OVERALL, overall(*outcomes(touchstone))).replace("|  |", "| |")
+    return of_engines(OVERALL, overall(*outcomes(touchstone)))
 
 
 def engines_by_family_table(touchstone):
-    return markdown(*by_family(outcomes(touchstone)[0]))
+    return of_engines(*by_family(outcomes(touchstone)[0]))
 
 
 def columns_page(touchstone):
@@ -98,7 +101,7 @@ def columns_page(touchstone):
 def moving_engines_table(touchstone):
     present = [engine for engine in ENGINES if engine not in absent_engines(touchstone) and engine not in NO_SWEEP]
     with results_of(touchstone, "motions", "--methods", ",".join(present), "--samples", str(MOTION_SAMPLES), "--no-pictures") as study:
-        return markdown(motions.ENGINE_HEADS, motions.engine_lines(motions.Data(study))).replace("|  |", "| |")
+        return of_engines(motions.ENGINE_HEADS, motions.engine_lines(motions.Data(study)))
 
 
 TABLES = [  # page, name in its markers, what makes it

@@ -2,9 +2,10 @@
 """A picture: how far from contact each method was found wrong."""
 import math
 
+from chart import text
 from looks import in_order, look_of
 from names import DISTANCES
-from page import escaped, power
+from page import power, rendered
 
 LEFT, RIGHT, ROW, NAME, BAR, TOP = 8, 296, 58, 15, 11, 40  # of the drawing, in its units; narrow, so that a phone shows all of it
 LEAST = -60  # the exponent at its left
@@ -28,22 +29,18 @@ def line(x, top, bottom, more=""):
     return f'<line x1="{x:.1f}" y1="{top}" x2="{x:.1f}" y2="{bottom}" {more}/>'
 
 
-def text(x, y, words, anchor="start", more=""):
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {more}>{words}</text>'
-
-
 def bars(data, method, top):
     """One a distance, and their words, which come after all lines; a word in their place where no wrong answer was found."""
     shares = [data.furthest(method, distance) for distance in data.distances]
     if not any(shares):
-        return "", text(LEFT + 4, top + NAME + BAR, "none found", more='font-weight="600"')
+        return "", text(LEFT + 4, top + NAME + BAR, "none found", "start", 'font-weight="600"')
     drawn = words = ""
     for i, share in enumerate(shares):
         y = top + NAME + i * (BAR + 1)
         if share:
             drawn += (f'<rect x="{LEFT}" y="{y}" width="{x_of(share) - LEFT:.1f}" height="{BAR}" fill="{look_of(method).colour}" '
                       f'stroke="none" opacity="{OPACITY[i]}"/>')
-        words += text((x_of(share) if share else LEFT) + 4, y + BAR - 1.5, length(share) if share else "none", more=f'font-size="10.5" {HALO}')
+        words += text((x_of(share) if share else LEFT) + 4, y + BAR - 1.5, length(share) if share else "none", "start", f'font-size="10.5" {HALO}')
     return drawn, words
 
 
@@ -57,18 +54,14 @@ def picture(data):
     for i, method in enumerate(methods):
         own_bars, own_words = bars(data, method, TOP + ROW * i)
         drawn += own_bars
-        words += text(LEFT, TOP + ROW * i + NAME - 4, escaped(method), more=f'font-family="monospace" {HALO}') + own_words
+        words += text(LEFT, TOP + ROW * i + NAME - 4, method, "start", f'font-family="monospace" {HALO}') + own_words
     for exponent in range(LEAST, 1, 20):
         drawn += line(x_of(2.0**exponent), TOP, bottom, 'opacity=".18"') + text(x_of(2.0**exponent), bottom + 15, power("2", exponent) if exponent else "1", "start" if exponent == LEAST else "middle")
     for named, share in LENGTHS.items():
         drawn += line(x_of(share), TOP - 6, bottom, 'stroke-dasharray="3 3"') + text(x_of(share), TOP - 10, named, "middle")
     key = "".join(f'<rect x="{LEFT}" y="{bottom + 43 + 16 * i}" width="24" height="{BAR}" fill="currentColor" opacity="{OPACITY[i]}" stroke="none"/>'
-                  + text(LEFT + 30, bottom + 53 + 16 * i, f"polygon {DISTANCES[distance]}") for i, distance in enumerate(data.distances))
+                  + text(LEFT + 30, bottom + 53 + 16 * i, f"polygon {DISTANCES[distance]}", "start") for i, distance in enumerate(data.distances))
     said = "; ".join(f"{method}: " + (", ".join(length(s) if s else "none" for s in shares) if any(
         shares := [data.furthest(method, d) for d in data.distances]) else "none found") for method in methods)
-    return f"""<figure><svg class="part" viewBox="0 0 360 {bottom + 94}" role="img" aria-labelledby="reach-title" fill="none" stroke="currentColor" stroke-width="1"
-font-family="system-ui, sans-serif" font-size="12"><title id="reach-title">The furthest wrong answer of each method from contact, on a polygon of 1 m, at growing
-distances from the origin. {escaped(said)}.</title>{text(LEFT, TOP - 26, "on a part of 1 m:")}
-{drawn}{words}{text(LEFT, bottom + 33, "furthest wrong answer, as a share of the polygon’s size")}{key}
-</svg><figcaption>How far from contact each method was found wrong, by random samples and by a search that moves coordinates, about polygons without
-stress: a ball whose radius is off by so much is still answered wrongly. Lengths are those on a part of 1 m.</figcaption></figure>"""
+    drawn += words + text(LEFT, bottom + 33, "furthest wrong answer, as a share of the polygon’s size", "start") + key
+    return rendered("reach.html", height=bottom + 94, said=said, drawn=text(LEFT, TOP - 26, "on a part of 1 m:", "start") + "\n" + drawn)

@@ -72,6 +72,12 @@ def read_csv(path, **columns):
         raise DataError(f"{path}: is not text in UTF-8") from None
 
 
+def distinct(rows, name, of=None):
+    """What rows have in a column, each once: in their order, or `of` some values, in the order of those."""
+    found = dict.fromkeys(row[name] for row in rows)
+    return list(found) if of is None else [value for value in of if value in found]
+
+
 # Kinds of what run.json says.
 def is_natural(value):
     return type(value) is int and value >= 0

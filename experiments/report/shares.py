@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shares in percent, as readers see them."""
+"""Shares in percent, as readers see them, and their limits."""
+
+
+def upper_limit(trials):
+    """The one-sided 95 % limit of a probability after `trials` independent trials without a failure (Clopper and Pearson)."""
+    return 1 - 0.05 ** (1 / trials)
 
 
 def unless_whole(share, shown, places=1):
@@ -12,3 +17,8 @@ def unless_whole(share, shown, places=1):
     if float(finer) == 0:
         return f"< {unit:.{places}f}"
     return f"> {100 - unit:.{places}f}" if float(finer) >= 100 else finer
+
+
+def percents(part, whole, form=".2g"):
+    """As text, 12 %: two digits, if no other form is given."""
+    return unless_whole(part / whole, format(100 * part / whole, form)) + " %"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How all pictures look, and what is common to those of several studies. Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
+import functools
 import multiprocessing
 import os
 
@@ -27,10 +28,6 @@ def rows_of(path):
         return list(csv.DictReader(file))
 
 
-def distinct(rows, name):
-    return list(dict.fromkeys(row[name] for row in rows))
-
-
 def curve(axes, method, x, y, low=None, high=None, shade=0.15, marker=True, **more):
     """A method's line, with a band from `low` to `high`."""
     look = look_of(method)
@@ -42,6 +39,33 @@ def curve(axes, method, x, y, low=None, high=None, shade=0.15, marker=True, **mo
 def whiskers(axes, x, y, low, high, **more):
     """A line with a bar from `low` to `high` at each point."""
     axes.errorbar(x, y, yerr=[[b - a for a, b in zip(low, y)], [b - a for a, b in zip(y, high)]], markersize=4, capsize=2, **more)
+
+
+def on_white(pad, alpha=None):
+    """The box of words that stand before lines."""
+    return {"boxstyle": f"round,pad={pad}", "facecolor": "white", "edgecolor": "none", "alpha": alpha}
+
+
+def picture(width, height, rows=1, columns=1, frame=True, margins=None, **more):
+    """Of a function that draws on axes, its first argument, one that returns the figure. Without a `frame` the drawing fills it.
+    `margins`: as of `subplots_adjust`; None: as wide as labels need."""
+    def of(draw_on):
+        @functools.wraps(draw_on)
+        def drawn(*arguments, **options):
+            figure, axes = plt.subplots(rows, columns, figsize=(width, height), **more)
+            draw_on(axes, *arguments, **options)
+            if not frame:
+                axes.axis("off")
+                figure.subplots_adjust(0, 0, 1, 1)
+            elif margins:
+                figure.subplots_adjust(*margins)
+            else:
+                figure.tight_layout()
+            return figure
+
+        return drawn
+
+    return of
 
 
 UNTOLD = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None, "Producer": None}}

@@ -34,11 +34,6 @@ def decimal(x, digits=2):
     return rf"${mantissa}\cdot10^{{{int(exponent)}}}$"
 
 
-def never(trials):
-    """The upper 95 % limit of a rate of which none was seen (one-sided, Clopper and Pearson)."""
-    return 1 - 0.05 ** (1 / trials)
-
-
 def mean_limit(samples):
     """How far the mean of so many independent numbers between 0 and 1 is from what it estimates, at most, at 95 % confidence
     (two-sided, Hoeffding)."""

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Moving balls: what methods and engines answer near their thresholds."""
+from shares import upper_limit
 from studies.motions import Data
 from studies.regress import ENGINES
-from values.latex import count, decimal, never, percent, power, table
+from values.latex import count, decimal, percent, power, table
 
 CERTIFIED = ("exact", "filtered")
 
@@ -17,7 +18,7 @@ def values(study):
         raise ValueError("exact and filtered differ")
     samples = data.all("filtered")["samples"]
     yield "motions", count(samples)
-    yield "limit", percent(never(samples))
+    yield "limit", percent(upper_limit(samples))
     yield "answers", count(data.all("filtered")["answers"])
     for method in ("fast", "bullet", "fcl"):
         row = data.all(method)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Questions recorded from Bullet."""
+from shares import upper_limit
 from studies.recorded import Data
-from values.latex import count, never, percent, power, table
+from values.latex import count, percent, power, table
 
 KEYS = {"bullet": "doubles", "bullet-float": "floats"}
 
@@ -16,7 +17,7 @@ def values(study):
     if any(row["wrong"] for row in data.rows if row["method"] == "filtered"):
         raise ValueError("filtered differs from exact on recorded questions")
     yield "piles", count(data.piles())
-    yield "piles-limit", percent(never(data.piles()))
+    yield "piles-limit", percent(upper_limit(data.piles()))
     for simulation, key in KEYS.items():
         row = data.of_simulation(simulation)
         yield f"{key}/questions", count(row["questions"])

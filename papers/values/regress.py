@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Others' engines on the cases of `touchstone regress`."""
+from shares import upper_limit
 from studies.regress import OWN, Outcomes, polygons_of, rows_by_engine, rows_of
-from values.latex import count, escaped, never, percent, table
+from values.latex import count, escaped, percent, table
 
 PREFIX = "engines"  # of the keys of \val
 
@@ -21,7 +22,7 @@ def values(study):
     yield "count", str(len(others))
     yield "cases", count(max(outcomes.cases for outcomes in others.values()))
     yield "polygons", count(polygons)
-    yield "limit", percent(never(polygons))
+    yield "limit", percent(upper_limit(polygons))
     yield "never-wrong-count", str(len(never_wrong))
     yield "never-wrong", ", ".join(rf"\method{{{escaped(engine)}}}" for engine in never_wrong) or "none"
 

@@ -3,8 +3,9 @@
 import pathlib
 import re
 
+from shares import upper_limit
 from studies.stability import STAND_IN, Data, asked
-from values.latex import count, decimal, never, percent, table
+from values.latex import count, decimal, percent, table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FAR = 1000000
@@ -57,7 +58,7 @@ def values(study):
     yield "levels", str(len({(row["axis"], row["level"]) for row in certified}))
     polygons = asked(study)["filtered"].trials
     yield "filtered-samples", count(polygons)
-    yield "filtered-limit", percent(never(polygons))
+    yield "filtered-limit", percent(upper_limit(polygons))
     yield "aspect-close/fast", decimal(float(data.first_failure("aspect", "close", "fast")), 1)
     for (distance, method), (first, wrong) in onset(data).items():
         where = "1e6" if distance == FAR else str(distance)

@@ -19,6 +19,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.append(str(pathlib.Path(__file__).parents[1] / "system"))
+import running  # noqa: E402
+
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PROGRAMS = ("cpp", "sh", "python")
 
@@ -48,13 +51,6 @@ def blocks_of(page):
     return blocks
 
 
-def run_tool(*command):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
-    return done.stdout
-
-
 def compile_samples(blocks, options, folder):
     """Returns the programs of the blocks `cpp`, in their order."""
     texts = [block.text for block in blocks if block.language == "cpp" and block.output]
@@ -62,16 +58,16 @@ def compile_samples(blocks, options, folder):
         return []
     prefix, build = folder / "prefix", folder / "build"
     for component in "library", "development":
-        run_tool("cmake", "--install", options.build, "--prefix", prefix, "--component", component)
+        running.run("cmake", "--install", options.build, "--prefix", prefix, "--component", component)
     use = next(block.text for block in blocks if block.language == "cmake")
     project = "cmake_minimum_required(VERSION 3.25)\nproject(Reader LANGUAGES CXX)\n"
     for number, text in enumerate(texts):
         (folder / f"sample_{number}.cpp").write_text(text)
         project += f"add_executable(sample_{number} sample_{number}.cpp)\n" + use.replace("yours", f"sample_{number}")
     (folder / "CMakeLists.txt").write_text(project)
-    run_tool("cmake", "-G", "Ninja", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}", *options.configure)
-    run_tool("cmake", "--build", build)
-    read = set(re.findall(r"^    (.*\b(?:geometry|robust|touchstone)/.*\.h)$", run_tool("ninja", "-C", build, "-t", "deps"), re.MULTILINE))
+    running.run("cmake", "-G", "Ninja", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}", *options.configure)
+    running.run("cmake", "--build", build)
+    read = set(re.findall(r"^    (.*\b(?:geometry|robust|touchstone)/.*\.h)$", running.run("ninja", "-C", build, "-t", "deps").stdout, re.MULTILINE))
     elsewhere = sorted(header for header in read if prefix not in (build / header).resolve().parents)
     if not read or elsewhere:
         sys.exit(f"headers were read from outside of the installation: {elsewhere}")

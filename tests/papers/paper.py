@@ -13,15 +13,10 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parent))
+TESTS = pathlib.Path(__file__).resolve().parents[1]
+sys.path += [str(TESTS / "papers"), str(TESTS / "system")]
 import miniature  # noqa: E402
-
-faults = []
-
-
-def expect(condition, what):
-    if not condition:
-        faults.append(what)
+from running import expect  # noqa: E402
 
 
 def build(root, results, output, *options):
@@ -87,25 +82,16 @@ def data_make_the_numbers(root, results, output, scratch):
     expect(r"\defineval{engines/never-wrong-count}{0}" in (again / "values.tex").read_text(), "a wrong answer changes nothing")
 
 
-def faster_predicate(path):
-    bench = json.loads(path.read_text())
-    next(c for c in bench["contests"][0]["contestants"] if c["name"] == "EPICK, compare")["nanoseconds"]["median"] = 1
-    path.write_text(json.dumps(bench))
+def bench_says(family, name, contestant, what, which, value):
+    """Spoils the bench: one number of one contestant."""
+    def spoil(at):
+        path = at / "bench/bench.json"
+        bench = json.loads(path.read_text())
+        contest = next(contest for contest in bench["contests"] if (contest["family"], contest["name"]) == (family, name))
+        next(c for c in contest["contestants"] if c["name"] == contestant)[what][which] = value
+        path.write_text(json.dumps(bench))
 
-
-def unsteady(path):
-    """At the nearest balls."""
-    bench = json.loads(path.read_text())
-    contest = next(contest for contest in bench["contests"] if contest["family"] == "nearness" and contest["name"] == "2^-52")
-    next(c for c in contest["contestants"] if c["name"] == "filtered")["nanoseconds"]["upper_quartile"] = 70
-    path.write_text(json.dumps(bench))
-
-
-def cheap_variant(path):
-    bench = json.loads(path.read_text())
-    contest = next(contest for contest in bench["contests"] if contest["family"] == "variants")
-    next(c for c in contest["contestants"] if c["name"] == "no double")["ratio"]["median"] = 0.9
-    path.write_text(json.dumps(bench))
+    return spoil
 
 
 def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
@@ -140,7 +126,7 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
     spoiled("rates.csv: line 2: failures cannot be", lambda at: edit(at / "near-edge/rates.csv", ",1,4,", ",-1,4,"))
     spoiled("soak: ValueError: 1 answers of filtered differ", lambda at: edit(at / "soak/soak.csv", "1,1,1,0", "1,1,1,1"))
     spoiled("seed-4/rates.csv", lambda at: (at / "seeds/seed-4/rates.csv").unlink())
-    spoiled("bench: ValueError: no double costs nothing on random-triangles, against the text", lambda at: cheap_variant(at / "bench/bench.json"))
+    spoiled("bench: ValueError: no double costs nothing on random-triangles, against the text", bench_says("variants", "random-triangles", "no double", "ratio", "median", 0.9))
     spoiled("regress: ValueError: exact was not asked everything", lambda at: edit(at / "regress/outcomes.csv", "exact,doubles,u,0,0,8,", "exact,doubles,u,0,0,7,"))
     spoiled("recorded: ValueError: filtered differs", lambda at: edit(at / "recorded/recorded.csv", "filtered,8,4,0", "filtered,8,4,1"))
     spoiled("motions: ValueError: exact and filtered differ", lambda at: edit(at / "motions/ways.csv", "all,filtered,8,0", "all,filtered,8,1"))
@@ -156,8 +142,8 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
             lambda at: edit(at / "bench/bench.json", '"ratio": {', '"ratio": {"too_noisy": true, '))
     spoiled("too noisy to quote: tradeoff/time/filtered", lambda at: edit(at / "tradeoff/front.csv", "filtered,300,290,310", "filtered,300,190,310"))
     spoiled("too noisy to quote: scenes/moving/fcl", lambda at: edit(at / "bench-scenes/motions.csv", "FCL BVHModel,9000,8900,9100", "FCL BVHModel,9000,6000,9100"))
-    spoiled("too noisy to quote: bench/nearness/near", lambda at: unsteady(at / "bench/bench.json"))
-    spoiled("bench: ValueError: EPICK's compare_squared_distance is faster", lambda at: faster_predicate(at / "bench/bench.json"))
+    spoiled("too noisy to quote: bench/nearness/near", bench_says("nearness", "2^-52", "filtered", "nanoseconds", "upper_quartile", 70))
+    spoiled("bench: ValueError: EPICK's compare_squared_distance is faster", bench_says("random-triangles", "", "EPICK, compare", "nanoseconds", "median", 1))
     spoiled("bench/bench.json", lambda at: (at / "bench/bench.json").write_text("{"))
 
 
@@ -212,9 +198,8 @@ def main(root):
         data_make_the_numbers(root, results, output, scratch)
         what_is_stale_is_told(root, results, output, scratch)
         no_measured_number_is_typed(root)
-    print("\n".join(faults) or "the paper is made of its data")
-    return 1 if faults else 0
+    print("the paper is made of its data")
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    main(*sys.argv[1:])

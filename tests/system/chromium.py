@@ -1,18 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A page in a headless Chromium, for the tests of pages: what they expect of it, and how they use it."""
+"""A page in a headless Chromium, for the tests of pages: how they use it."""
+import pathlib
+
+from running import expect
 from selenium import webdriver
 from selenium.webdriver.support.ui import WebDriverWait
 
 PATIENCE = 60  # seconds, for what takes one
-
-
-class Failure(Exception):
-    pass
-
-
-def expect(holds, otherwise):
-    if not holds:
-        raise Failure(otherwise)
 
 
 class Chromium:
@@ -25,7 +19,9 @@ class Chromium:
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=webdriver.chrome.service.Service("/usr/bin/chromedriver"))
-        self.pictures = pictures
+        self.pictures = pictures and pathlib.Path(pictures)
+        if pictures:
+            self.pictures.mkdir(parents=True, exist_ok=True)
         self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2 if phone else 1, mobile=phone)
         self.cdp("Emulation.setEmulatedMedia", features=[{"name": name, "value": value} for name, value in (media or {}).items()])
 

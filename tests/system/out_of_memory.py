@@ -13,6 +13,8 @@ import subprocess
 import sys
 import tempfile
 
+from running import expect
+
 SAYS_SO = "there is not enough memory to read", "touchstone: out of memory", "cannot be read to its end"
 MIB = 1 << 20
 
@@ -40,11 +42,9 @@ def check(command):
         status, said = ended
         if status == 0:
             break
-        if status != 2 or not any(sentence in said for sentence in SAYS_SO):
-            sys.exit(f"{command} with {limit // MIB} MiB: exit status {status}: {said}")
+        expect(status == 2 and any(sentence in said for sentence in SAYS_SO), f"{command} with {limit // MIB} MiB: exit status {status}: {said}")
         refusals += 1
-    if refusals == 0 or status != 0:
-        sys.exit(f"{command}: it was refused {refusals} times, and ended with {status}")
+    expect(refusals > 0 and status == 0, f"{command}: it was refused {refusals} times, and ended with {status}")
 
 
 def main(program):

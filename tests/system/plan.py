@@ -15,7 +15,8 @@ import sys
 import tempfile
 import time
 
-from same_bytes import Failure, compare, data, run
+from running import Failure, expect, run
+from same_bytes import compare, data
 
 STUDIES = {"soak": ["--samples", "40000", "--seed", "5"],
            "tunnelling": ["--vertices", "6", "--seed", "5", "--repetitions", "1", "--no-pictures", "--samples", "2000"]}
@@ -46,19 +47,17 @@ def kill_a_part(running, folder):
 
 
 def check(program, folder):
-    plan = run([program, "plan", "--parts", str(PARTS), *(" ".join([study, *options]) for study, options in STUDIES.items())])
+    plan = run(program, "plan", "--parts", PARTS, *(" ".join([study, *options]) for study, options in STUDIES.items()))
     (folder / "Snakefile").write_text(plan.stdout)
     running = start(program, folder)
     killed = kill_a_part(running, folder)
-    if running.wait(PATIENCE) == 0 or (killed / "run.json").exists() or (folder / "soak").exists():
-        raise Failure("the plan goes on although a part was killed")
+    expect(running.wait(PATIENCE) != 0 and not (killed / "run.json").exists() and not (folder / "soak").exists(),
+           "the plan goes on although a part was killed")
     ended = {path: path.read_bytes() for path in folder.glob("parts/*/*/run.json")}
-    if start(program, folder).wait(PATIENCE) != 0:
-        raise Failure("the plan fails when it is run again")
-    if any(path.read_bytes() != record for path, record in ended.items()):
-        raise Failure("a part that had ended was run again")
+    expect(start(program, folder).wait(PATIENCE) == 0, "the plan fails when it is run again")
+    expect(all(path.read_bytes() == record for path, record in ended.items()), "a part that had ended was run again")
     for study, options in STUDIES.items():
-        run([program, study, *options, "--output", f"{folder}/whole/{study}"])
+        run(program, study, *options, "--output", f"{folder}/whole/{study}")
         compare(f"{study} by parts", data(folder / "whole" / study), folder / study)
     print(f"{killed.relative_to(folder)} was killed and resumed, {len(ended)} parts had ended: the same bytes")
 

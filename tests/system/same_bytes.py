@@ -16,6 +16,8 @@ import sys
 import tempfile
 import time
 
+from running import expect, run
+
 STUDIES = {
     "near-edge": ["near-edge", "--methods", "fast,thesis", "--families", "u", "--seed", "5", "--search", "4",
                   "--oracle", "filtered", "--no-pictures", "--threads", "1", "--samples", "201"],
@@ -33,17 +35,6 @@ TIMES = {"timings.csv", "front.csv", "cost.csv"}
 PATIENCE = 60  # seconds, for what takes one or two
 
 
-class Failure(Exception):
-    pass
-
-
-def run(command, expected=0):
-    done = subprocess.run(command, capture_output=True, text=True, timeout=4 * PATIENCE)
-    if done.returncode != expected:
-        raise Failure(f"{' '.join(command)}: exit status {done.returncode}\n{done.stdout[-300:]}{done.stderr[-900:]}")
-    return done
-
-
 def data(folder):
     """The contents of the data files."""
     return {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()
@@ -52,11 +43,9 @@ def data(folder):
 
 def compare(what, wanted, folder):
     found = data(folder)
-    if wanted.keys() != found.keys():
-        raise Failure(f"{what}: other files: {sorted(wanted.keys() ^ found.keys())}")
+    expect(wanted.keys() == found.keys(), f"{what}: other files: {sorted(wanted.keys() ^ found.keys())}")
     for name, content in wanted.items():
-        if found[name] != content:
-            raise Failure(f"{what}: {name} differs")
+        expect(found[name] == content, f"{what}: {name} differs")
 
 
 def end_behind_a_checkpoint(command, folder, end):
@@ -67,11 +56,10 @@ def end_behind_a_checkpoint(command, folder, end):
     running = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     deadline = time.monotonic() + PATIENCE
     while not (checkpoint.exists() and json.loads(checkpoint.read_text())["done"] > 0):
-        if running.poll() is not None:
-            raise Failure(f"{' '.join(command)}: ended by itself")
+        expect(running.poll() is None, f"{' '.join(command)}: ended by itself")
         if time.monotonic() > deadline:
             running.kill()
-            raise Failure(f"{' '.join(command)}: no checkpoint after {PATIENCE} s")
+            expect(False, f"{' '.join(command)}: no checkpoint after {PATIENCE} s")
         os.sched_yield()
     os.kill(running.pid, end)
     running.wait(PATIENCE)
@@ -80,21 +68,18 @@ def end_behind_a_checkpoint(command, folder, end):
 
 def require_interrupted(what, folder, wanted):
     told = json.loads(pathlib.Path(f"{folder}/run.json").read_text()).get("interrupted")
-    if told != wanted:
-        raise Failure(f"{what}: run.json says interrupted: {told}")
+    expect(told == wanted, f"{what}: run.json says interrupted: {told}")
 
 
 def end_and_resume(what, command, folder, end, share):
     """Ends the run, which has so many items, by a signal, and resumes it."""
     status, done = end_behind_a_checkpoint(command + ["--output", folder], folder, end)
     what = f"{what}, ended by {end.name}"
-    if status != (130 if end == signal.SIGINT else -end):
-        raise Failure(f"{what}: exit status {status}")
-    if not 0 < done < share:
-        raise Failure(f"{what}: when {done} of {share} were done")
+    expect(status == (130 if end == signal.SIGINT else -end), f"{what}: exit status {status}")
+    expect(0 < done < share, f"{what}: when {done} of {share} were done")
     if end == signal.SIGINT:
         require_interrupted(what, folder, True)
-    run(command + ["--output", folder, "--resume"])
+    run(*command, "--output", folder, "--resume")
     require_interrupted(f"{what} and resumed", folder, False)
     print(f"{what} at {done} of {share}: resumed")
 
@@ -102,9 +87,8 @@ def end_and_resume(what, command, folder, end, share):
 def check(study, program, folder):
     command = [program] + STUDIES[study]
     items = int(command[-1]) * (3 if study == "stability" else 1)  # blocks of three axes
-    alone = run(command + ["--output", f"{folder}/alone"])
-    if alone.stderr:
-        raise Failure(f"{study} says: {alone.stderr}")
+    alone = run(*command, "--output", f"{folder}/alone")
+    expect(not alone.stderr, f"{study} says: {alone.stderr}")
     wanted = data(f"{folder}/alone")
     for end in (signal.SIGINT, signal.SIGKILL):
         end_and_resume(study, command, f"{folder}/{end.name}", end, items)
@@ -115,28 +99,24 @@ def check(study, program, folder):
         if end:
             end_and_resume(f"part {number} of {study}", of_part, part, end, items // 3)
         else:
-            run(of_part + ["--output", part])
+            run(*of_part, "--output", part)
     pathlib.Path(f"{folder}/elsewhere").mkdir()
     os.rename(parts[0], f"{folder}/elsewhere/one")
-    run([program, "merge", parts[2], f"{folder}/elsewhere/one", parts[1], "--output", f"{folder}/merged", "--threads", "2"])
+    run(program, "merge", parts[2], f"{folder}/elsewhere/one", parts[1], "--output", f"{folder}/merged", "--threads", "2")
     compare(f"{study}, merged", wanted, f"{folder}/merged")
     record = json.loads(pathlib.Path(f"{folder}/merged/run.json").read_text())
-    if record["parts"] != 3 or record["samples_done"] != record["samples_asked"]:
-        raise Failure(f"{study}, merged: run.json says {record}")
+    expect(record["parts"] == 3 and record["samples_done"] == record["samples_asked"], f"{study}, merged: run.json says {record}")
 
 
 def check_refusals(program, folder):
     """Parts that are missing, doubled, unfinished or foreign."""
     def part(name, *options, study="soak", samples="900"):
-        run([program, study, "--samples", samples, "--seed", "5", "--output", f"{folder}/{name}", *options])
+        run(program, study, "--samples", samples, "--seed", "5", "--output", f"{folder}/{name}", *options)
 
     def refused(reason, *names, output="merged"):
-        said = run([program, "merge", *(f"{folder}/{name}" for name in names), "--output", f"{folder}/{output}", "--force"],
-                   expected=2).stderr
-        if said != f"touchstone: {reason.replace('FOLDER', folder)}\n":
-            raise Failure(f"merge of {names} says: {said}")
-        if pathlib.Path(f"{folder}/merged").exists():
-            raise Failure(f"merge of {names} has written something")
+        said = run(program, "merge", *(f"{folder}/{name}" for name in names), "--output", f"{folder}/{output}", "--force", expected=2).stderr
+        expect(said == f"touchstone: {reason.replace('FOLDER', folder)}\n", f"merge of {names} says: {said}")
+        expect(not pathlib.Path(f"{folder}/merged").exists(), f"merge of {names} has written something")
 
     part("one", "--part", "1/2")
     part("two", "--part", "2/2")
@@ -159,26 +139,20 @@ def check_refusals(program, folder):
     for text, reason in ((whole.replace('"version":', '"version":1'), "is of another version of this program"),
                          (whole[:-9], "is not a checkpoint of this program: ")):
         state.write_text(text)
-        said = run([program, "merge", f"{folder}/one", f"{folder}/two", "--output", f"{folder}/merged"], expected=2).stderr
-        if f"{folder}/two/checkpoint.json: {reason}" not in said:
-            raise Failure(f"merge of another checkpoint says: {said}")
+        said = run(program, "merge", f"{folder}/one", f"{folder}/two", "--output", f"{folder}/merged", expected=2).stderr
+        expect(f"{folder}/two/checkpoint.json: {reason}" in said, f"merge of another checkpoint says: {said}")
     state.write_text(whole)
-    run([program, "merge", f"{folder}/one", f"{folder}/two", "--output", f"{folder}/merged"])
+    run(program, "merge", f"{folder}/one", f"{folder}/two", "--output", f"{folder}/merged")
     compare("soak, merged", data(f"{folder}/whole"), f"{folder}/merged")
 
 
 def main(program):
     signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background of a shell it is ignored, also by children
     with tempfile.TemporaryDirectory() as folder:
-        try:
-            check_refusals(program, f"{folder}/refusals")
-            for study in STUDIES:
-                check(study, program, f"{folder}/{study}")
-        except Failure as failure:
-            print(failure)
-            return 1
-    return 0
+        check_refusals(program, f"{folder}/refusals")
+        for study in STUDIES:
+            check(study, program, f"{folder}/{study}")
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    main(*sys.argv[1:])

@@ -3,9 +3,9 @@
 from looks import LIBRARIES
 from noise import TOO_NOISY, is_steady
 from page import count, escaped, multiple, percent, rounded, smaller
-from results import finite, maybe, natural
+from results import distinct, finite, maybe, natural
 from studies import OUTPUT, Run
-from style import distinct, plt, rows_of, save
+from style import plt, rows_of, save
 
 RUN = Run(13, "whole scenes beside five libraries", full=[["bench-scenes", "--meshes", "cache/meshes", "--output", OUTPUT]],
           paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "7", "--output", OUTPUT]])
@@ -31,8 +31,8 @@ class Data:
         self.motions = study.rows("motions.csv", scene=str, triangles=natural, motions=str, library=str, nanoseconds=finite, lower_quartile=finite,
                                   upper_quartile=finite, wrong=maybe(natural),
                                   checked=maybe(natural))
-        self.libraries = list(dict.fromkeys(row["library"] for row in self.queries))
-        self.scenes = list(dict.fromkeys(row["scene"] for row in self.queries))
+        self.libraries = distinct(self.queries, "library")
+        self.scenes = distinct(self.queries, "scene")
 
     def largest(self, scene):
         return max(row["triangles"] for row in self.queries if row["scene"] == scene)

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone cell area`: where the cell's storage may stand."""
-import math
-
 from looks import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED
 from page import count, smaller
 from results import finite
 from studies import CELL, OUTPUT, Run
 from style import GREY, plt, rows_of, save
+from thesis.cell import turned
 
 RUN = Run(16, "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]])
 TITLE = "Where the storage of the cell may stand"
@@ -55,8 +54,7 @@ def plan(folder, stations):
 
     def place(row):
         home = float(row["home_deg"] if "home_deg" in row else stations["storage"]["home_deg"])
-        azimuth = math.radians(home + float(row["angle_deg"]))
-        return float(row["radius"]) * math.cos(azimuth), float(row["radius"]) * math.sin(azimuth)
+        return turned(home + float(row["angle_deg"]), float(row["radius"]), 0)
 
     figure, axes = plt.subplots(figsize=(8.5, 8), layout="constrained")
     scatter(axes, rows, place)

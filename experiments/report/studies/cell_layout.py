@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from looks import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED
-from style import plt, rows_of, save
+from style import on_white, plt, rows_of, save
+from thesis.cell import turned
 
 CASES = {"1": (BLUE, "case 1: storage at +1°"), "2": (ORANGE, "case 2: storage at −33°")}
 STORAGE_ANGLES = {"1": 1, "2": -33}
@@ -91,18 +92,14 @@ def family(folder, choice):
     save(figure, folder, "cell-layout-family")
 
 
-def square(axes, corners, **style):
-    axes.fill(*zip(*corners), **style)
-
-
 def side_view(axes, poses, choice):
     """The arm in its plane when the sphere touches, and the material that it touches."""
     side, height = choice["material side"], choice["storage height"]
     stands = [(choice["storage radius in case 1"], height, BLUE), (choice["storage radius in case 2"], height, ORANGE),
               (choice["machine radius"], choice["machine height"], GREEN)]
     for radius, low, color in stands:
-        square(axes, [(radius - side / 2, low), (radius + side / 2, low), (radius + side / 2, low + side),
-                      (radius - side / 2, low + side)], facecolor=color, alpha=0.35, edgecolor=color)
+        left, right = radius - side / 2, radius + side / 2
+        axes.fill((left, right, right, left), (low, low, low + side, low + side), facecolor=color, alpha=0.35, edgecolor=color)
     drawn = [("1", "home", "#999999", ":", "home"), ("1", "storage", BLUE, "-", "case 1 touches in storage"),
              ("2", "storage", ORANGE, "--", "case 2 touches in storage"),
              ("2", "machine", GREEN, "-.", "both touch at the machine")]
@@ -120,33 +117,25 @@ def plan_view(axes, choice):
     """From above: home, storage, machine and the base's turns."""
     side, gap = choice["material side"], choice["gap between station axis and material"]
 
-    def at(azimuth, along, across):
-        a = math.radians(azimuth)
-        return along * math.cos(a) - across * math.sin(a), along * math.sin(a) + across * math.cos(a)
-
     axes.plot(0, 0, marker="o", color=BLACK)
-    axes.annotate("", at(0, 420, 0), (0, 0), arrowprops={"arrowstyle": "->", "color": "#999999"})
-    axes.annotate("home", at(0, 430, 0), va="center")
+    axes.annotate("", turned(0, 420, 0), (0, 0), arrowprops={"arrowstyle": "->", "color": "#999999"})
+    axes.annotate("home", turned(0, 430, 0), va="center")
     stands = [(-150 + STORAGE_ANGLES[c], choice[f"storage radius in case {c}"], -gap - side / 2, CASES[c][0],
                f"storage, case {c}") for c in CASES]
     stands.append((-83, choice["machine radius"], -gap - side / 2, GREEN, "machine"))
     for azimuth, radius, across, color, label in stands:
-        corners = [at(azimuth, radius + dx * side / 2, across + dy * side / 2) for dx, dy in
+        corners = [turned(azimuth, radius + dx * side / 2, across + dy * side / 2) for dx, dy in
                    ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-        square(axes, corners, facecolor=color, alpha=0.5, edgecolor=color)
-        axes.plot(*zip((0, 0), at(azimuth, radius, 0)), color=color, linewidth=0.8, linestyle=":")
-        axes.annotate(label, at(azimuth, radius, across - side / 2 - 65), ha="center", va="center", color=color)
+        axes.fill(*zip(*corners), facecolor=color, alpha=0.5, edgecolor=color)
+        axes.plot(*zip((0, 0), turned(azimuth, radius, 0)), color=color, linewidth=0.8, linestyle=":")
+        axes.annotate(label, turned(azimuth, radius, across - side / 2 - 65), ha="center", va="center", color=color)
     for radius, begin, end, text, color in ((170, 0, -149, "149°", BLUE), (230, -149, -83, "66°", BLUE),
                                             (290, 0, -183, "183°", ORANGE), (350, -183, -83, "100°", ORANGE)):
-        angles = np.radians(np.linspace(begin, end, 100))
-        axes.plot(radius * np.cos(angles), radius * np.sin(angles), color=color, linewidth=1)
-        tip, before = angles[-1], angles[-5]
-        axes.annotate("", (radius * math.cos(tip), radius * math.sin(tip)),
-                      (radius * math.cos(before), radius * math.sin(before)), arrowprops={"arrowstyle": "->", "color": color})
-        share = 0.3 if begin == 0 else 0.75
-        middle = math.radians(begin + share * (end - begin))
-        axes.annotate(text, (radius * math.cos(middle), radius * math.sin(middle)), ha="center", va="center", color=color,
-                      bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none"})
+        degrees = np.linspace(begin, end, 100)
+        axes.plot(radius * np.cos(np.radians(degrees)), radius * np.sin(np.radians(degrees)), color=color, linewidth=1)
+        axes.annotate("", turned(degrees[-1], radius, 0), turned(degrees[-5], radius, 0), arrowprops={"arrowstyle": "->", "color": color})
+        middle = turned(begin + (0.3 if begin == 0 else 0.75) * (end - begin), radius, 0)
+        axes.annotate(text, middle, ha="center", va="center", color=color, bbox=on_white(0.1))
     axes.set(aspect="equal", xlim=(-760, 540), ylim=(-720, 220), xlabel="mm", ylabel="mm",
              title="from above: turns of the base")
     axes.grid(alpha=0.3)

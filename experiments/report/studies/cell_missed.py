@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Picture of `touchstone cell missed`, of missed.csv."""
-from style import STYLES, distinct, plt, rows_of, save, whiskers
+from results import distinct
+from style import STYLES, plt, rows_of, save, whiskers
 
 
 def draw_missed(axes, rows):

@@ -3,7 +3,7 @@
 from names import NAMED, of_method
 from page import bar, code, count, escaped, percent
 from asked import by_method
-from results import natural
+from results import distinct, natural
 from studies import MESHES, OUTPUT, Run, same
 
 RUN = Run(1, "every face of real meshes", resumes=True, **same([
@@ -19,7 +19,7 @@ class Data:
         self.rows = study.rows("meshes.csv", mesh=str, faces=natural, rejected=natural, method=str, place=str, test=str,
                                trials=natural, wrong=natural)
         self.faces = {row["mesh"]: row["faces"] - row["rejected"] for row in self.rows}
-        self.methods = list(dict.fromkeys(row["method"] for row in self.rows))
+        self.methods = distinct(self.rows, "method")
 
     def counts(self, method, test="contact", mesh="", place=""):
         """Wrong answers and all, in the meshes whose name begins so; at a place of the ball, or at all where the answer is hard:

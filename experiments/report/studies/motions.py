@@ -11,12 +11,12 @@ from matplotlib.patches import Polygon as Outline
 from asked import by_method
 from looks import BLUE, RED, in_order
 from page import bar, code, count, number, percent, share_of_size, smaller, upper_limit
-from results import finite, maybe, natural, share
+from results import distinct, finite, maybe, natural, share
 from results import number as any_number
-from shares import unless_whole
+from shares import percents
 from studies import OUTPUT, Run
 from studies.regress import ENGINES
-from style import curve, distinct, plt, rows_of, save
+from style import curve, plt, rows_of, save
 
 RUN = Run(10, "moving balls near their thresholds", resumes=True,
           full=[["motions", "--output", OUTPUT]], quick=[["motions", "--samples", "8", "--output", OUTPUT]])
@@ -36,8 +36,8 @@ class Data:
         rows = study.rows("ways.csv", way=str, method=str, samples=natural, failed=natural, answers=natural, missed=natural,
                           invented=natural, unsure=natural, furthest=maybe(finite), timed=natural, correctly_rounded=natural,
                           median_ulps=maybe(any_number), worst_ulps=maybe(any_number), median_size=maybe(any_number), worst_size=maybe(any_number))
-        self.methods = list(dict.fromkeys(row["method"] for row in rows))
-        self.ways = [way for way in dict.fromkeys(row["way"] for row in rows) if way != "all"]
+        self.methods = distinct(rows, "method")
+        self.ways = [way for way in distinct(rows, "way") if way != "all"]
         self.at = {(row["way"], row["method"]): row for row in rows}
         self.thresholds = study.rows("thresholds.csv", event=str, feature=str, method=str, offset=finite, trials=natural,
                                      missed=natural, invented=natural, rate=share)
@@ -65,14 +65,13 @@ ENGINE_HEADS = ["engine", "", "wrong motions", "missed contacts", "invented cont
 def engine_lines(data):
     """The cells of a line for each engine, under the heads ENGINE_HEADS, for a page of Markdown."""
     def share_of(part, whole):
-        value = 100 * part / whole
-        return unless_whole(part / whole, f"{value:.0f}" if value >= 9.5 else f"{value:.2g}") + " %"
+        return percents(part, whole, ".0f" if 100 * part / whole >= 9.5 else ".2g")
 
     lines = []
     for engine in data.methods:
         row = data.all(engine)
         samples, timed = row["samples"], row["timed"]
-        wrong = share_of(row["failed"], samples) if row["failed"] else f"0 of {samples:,} (< {100 * (1 - 0.05 ** (1 / samples)):.2g} %)"
+        wrong = share_of(row["failed"], samples) if row["failed"] else f"0 of {samples:,} (< {100 * upper_limit(samples):.2g} %)"
         offset = "none" if row["furthest"] is None else f"2^-{round(-math.log2(row['furthest']))}" if row["furthest"] else "at offset 0 alone"
         lines.append([engine, ENGINES[engine], wrong, f"{row['missed']:,}", f"{row['invented']:,}", offset,
                       share_of(row["correctly_rounded"], timed) if timed else "no time", f"{row['worst_size']:.2g}" if timed else ""])

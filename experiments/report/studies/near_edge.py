@@ -12,9 +12,9 @@ from asked import by_method
 from looks import in_order, look_of
 from names import DISTANCES, NAMED, OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES, of_method
 from page import bar, code, count, escaped, percent, percent_number, power, smaller, upper_limit
-from results import finite, maybe, natural, share
+from results import distinct, finite, maybe, natural, share
 from studies import NEAR_EDGE, OUTPUT, Run
-from style import curve, distinct, draw, plt, rows_of, save
+from style import curve, draw, plt, rows_of, save
 
 RUN = Run(2, "random polygons, double by double", resumes=True, first=True,
           full=[[*NEAR_EDGE, "--output", OUTPUT]], quick=[[*NEAR_EDGE, "--samples", "60", "--search", "8", "--output", OUTPUT]])
@@ -41,9 +41,9 @@ class Data:
         self.worst = [] if not (study.folder / "worst.csv").exists() else study.rows(
             "worst.csv", threshold=str, origin_distance=natural, method=str, samples=natural, sampled_share=maybe(finite),
             climbed_share=maybe(finite))
-        self.methods = list(dict.fromkeys(row["method"] for row in self.bands))
-        self.thresholds = [t for t in THRESHOLDS if any(row["threshold"] == t for row in self.bands)]
-        self.placements = [p for p in PLACEMENTS if any(row["placement"] == p for row in self.bands)]
+        self.methods = distinct(self.bands, "method")
+        self.thresholds = distinct(self.bands, "threshold", THRESHOLDS)
+        self.placements = distinct(self.bands, "placement", PLACEMENTS)
 
     def within_one_double(self, method, threshold):
         """Failures and answers of the test that is decided there."""
@@ -62,7 +62,7 @@ class Data:
 
     @property
     def distances(self):
-        return [d for d in DISTANCES if any(row["origin_distance"] == d for row in self.worst)]
+        return distinct(self.worst, "origin_distance", DISTANCES)
 
 
 def asked(study):
@@ -253,6 +253,14 @@ def colours(truth, verdicts):
     return picture
 
 
+def show_map(axes, letters, name):
+    """Where a method is wrong, or the truth alone."""
+    axes.imshow(colours(letters["truth"], None if name == "truth" else letters[name]), interpolation="nearest")
+    axes.set(xticks=[], yticks=[])
+    for spine in axes.spines.values():
+        spine.set(visible=True, color="#888888", linewidth=0.5)
+
+
 SPOTS = {"face": ("a point inside an L", "the centre straight above it"),
          "edge": ("the middle of an edge of an L", "the centre straight above it (foot); beyond the edge, which is nearest (final answer)"),
          "vertex": ("a vertex of an L", "the centre straight above it (foot); beyond the vertex, which is nearest (final answer)"),
@@ -285,12 +293,7 @@ def draw_maps(folder, spot):
         for column, name in enumerate(names):
             axes = figure.add_axes([(left + column * (side + gap)) / width,
                                     1 - (top + (row + 1) * side + row * gap) / height, side / width, side / height])
-            verdicts = None if name == "truth" else letters[name]
-            axes.imshow(colours(letters["truth"], verdicts), interpolation="nearest")
-            axes.set_xticks([])
-            axes.set_yticks([])
-            for spine in axes.spines.values():
-                spine.set(visible=True, color="#888888", linewidth=0.5)
+            show_map(axes, letters, name)
             if row == 0:
                 axes.set_title(name)
             if column == 0:
@@ -321,7 +324,7 @@ def draw_onset(folder):
     if not rates:
         return
     methods = distinct(rates, "method")
-    thresholds = [t for t in THRESHOLDS if any(row["threshold"] == t for row in rates)]
+    thresholds = distinct(rates, "threshold", THRESHOLDS)
     figure, grid = plt.subplots(len(thresholds), len(DISTANCES), figsize=(10.5, 1.75 * len(thresholds) + 1.3), sharex=True,
                                 sharey=True, squeeze=False, layout="constrained")
     for row, threshold in enumerate(thresholds):

@@ -2,7 +2,7 @@
 """What was asked of a pile of balls on a mesh that Bullet steps: its own answers, and those of methods."""
 from asked import Asked
 from page import code, count, percent, power, share_of_size
-from results import finite, natural, share
+from results import distinct, finite, natural, share
 from studies import OUTPUT, Run
 
 RUN = Run(8, "questions of a third-party simulation", resumes=True,
@@ -16,7 +16,7 @@ class Data:
         rows = study.rows("recorded.csv", simulation=str, radius=str, method=str, questions=natural, touching=natural, wrong=natural,
                           upper=share, failed_piles=natural, piles=natural, furthest=finite)
         self.rows = rows
-        self.simulations = list(dict.fromkeys(row["simulation"] for row in rows))
+        self.simulations = distinct(rows, "simulation")
         self.methods = list(dict.fromkeys(row["method"] for row in rows if row["method"] not in self.simulations))
         self.at = {(row["simulation"], row["radius"], row["method"]): row for row in rows}
         self.near = {(row["simulation"], row["radius"], row["exponent"]): row["near"] / row["questions"]

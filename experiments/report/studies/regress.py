@@ -5,8 +5,8 @@ import re
 
 from asked import Asked
 from page import code, escaped, percent, power, words
-from results import maybe, natural
-from shares import unless_whole
+from results import distinct, maybe, natural
+from shares import percents, upper_limit
 from studies import OUTPUT, Run, same
 
 RUN = Run(7, "third-party engines", **same(["regress", "--output", OUTPUT]))
@@ -58,7 +58,7 @@ OWN = ("filtered", "fast", "fast-float", "thesis")
 
 
 def families_of(rows):
-    return list(dict.fromkeys(row["family"] for row in rows))
+    return distinct(rows, "family")
 
 
 def rows_by_engine(rows, numbers="doubles"):
@@ -85,7 +85,7 @@ def asked(study):
     differs: so it was tested only if the method exact was asked too."""
     rows = [row for row in rows_of(study) if row["numbers"] == "doubles"]
     polygons = polygons_of(study, rows)
-    methods = dict.fromkeys(row["method"] for row in rows)
+    methods = distinct(rows, "method")
 
     def asked_of(method):
         own = [row for row in rows if row["method"] == method]
@@ -105,15 +105,12 @@ OVERALL = ["engine", "", "wrong answers", "largest relative offset of one", "fam
 def overall(rows, polygons):
     """The cells of a line for each engine, under the heads OVERALL. `polygons`: of all families; balls share them, so where
     no answer is wrong the limit is of polygons about which one is."""
-    def share(outcomes):
-        return unless_whole(outcomes.wrong / outcomes.cases, f"{100 * outcomes.wrong / outcomes.cases:.2g}") + " %"
-
     families, in_floats, lines = families_of(rows), rows_by_engine(rows, "floats"), []
     for engine, own in rows_by_engine(rows).items():
         s, floats = Outcomes.of(own), Outcomes.of(in_floats[engine])
-        wrong = share(s) if s.wrong else f"0 of {s.cases:,} (< {100 * (1 - 0.05 ** (1 / polygons)):.2g} % of polygons)"
+        wrong = percents(s.wrong, s.cases) if s.wrong else f"0 of {s.cases:,} (< {100 * upper_limit(polygons):.2g} % of polygons)"
         lines.append([engine, ENGINES[engine], wrong, s.first_offset(offset), f"{s.failed_families} of {len(families)}",
-                      share(floats) if floats.wrong else "none", floats.first_offset(offset)])
+                      percents(floats.wrong, floats.cases) if floats.wrong else "none", floats.first_offset(offset)])
     return lines
 
 

@@ -2,7 +2,7 @@
 """filtered against exact on adversarial cases."""
 from asked import Asked
 from page import count, escaped, stacked
-from results import natural
+from results import distinct, natural
 from studies import OUTPUT, Run
 
 RUN = Run(9, "the certified path under attack", resumes=True,
@@ -35,4 +35,4 @@ def told(study, opened="By family, and by the stage that decided"):
     rows = rows_of(study)
     return {"certified": asked(study)["filtered"], "whole": sum(row["cases"] for row in rows if row["family"] != "all" and row["way"] == "answer"),
             "opened": opened, "key": [(COLOURS[stage], IN_WORDS[stage]) for stage in STAGES],
-            "families": [family_row(family, [row for row in rows if row["family"] == family]) for family in dict.fromkeys(row["family"] for row in rows)]}
+            "families": [family_row(family, [row for row in rows if row["family"] == family]) for family in distinct(rows, "family")]}

@@ -7,10 +7,10 @@ import numpy as np
 from asked import Asked
 from looks import BLUE, ORANGE, RED, in_order
 from page import bar, code, count, escaped, level, percent, power, smaller, words
-from results import finite, maybe, natural, number, share
+from results import distinct, finite, maybe, natural, number, share
 from shares import unless_whole
 from studies import OUTPUT, Run
-from style import GREY, curve, distinct, draw, plt, rows_of, save
+from style import GREY, curve, draw, plt, rows_of, save
 
 RUN = Run(4, "polygons under stress", resumes=True,
           full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]])
@@ -62,8 +62,8 @@ class Data:
                                 triangles=natural, wrong_answers=natural, answers=natural, rate=share)
         self.contraction = study.rows("contraction.csv", sign=str, family=str, trials=natural, plain_wrong=natural, plain_lower=share,
                                       plain_upper=share, fused_wrong=natural, fused_lower=share, fused_upper=share)
-        self.methods = list(dict.fromkeys(row["method"] for row in self.rows))
-        self.axes = [axis for axis in AXES if any(row["axis"] == axis for row in self.rows)]
+        self.methods = distinct(self.rows, "method")
+        self.axes = distinct(self.rows, "axis", AXES)
 
     def failed(self, method, nearness):
         """Polygons that the method was wrong about, and all; without axes whose truth is another one."""
@@ -93,7 +93,7 @@ SAID = {"aspect": ("slivers {} times as long as wide", level), "origin": ("polyg
 
 def onsets(data):
     """In words, at each distance from the origin."""
-    for distance in dict.fromkeys(row["origin_distance"] for row in data.onset):
+    for distance in distinct(data.onset, "origin_distance"):
         seen = []
         for method in ("fast", "thesis", "filtered"):
             own = [row for row in data.onset if row["origin_distance"] == distance and row["method"] == method]
@@ -173,7 +173,7 @@ def draw_failures(folder, rows):
     """A map a method and nearness: a row an axis, its levels from mild to bad."""
     rows = [row for row in rows if row["test"] == "contact" and row["axis"] not in MODES and row["nearness"] in MAPPED]
     failing = [row for row in rows if float(row["rate"]) > 0]
-    names, methods = ([one for one in distinct(rows, key) if any(row[key] == one for row in failing)] for key in ("axis", "method"))
+    names, methods = (distinct(failing, key, distinct(rows, key)) for key in ("axis", "method"))
     methods, never = in_order(methods), [method for method in distinct(rows, "method") if method not in methods]
     unseen = [AXES[name][0].replace("\n", " ") for name in distinct(rows, "axis") if name not in names]
     levels = {name: distinct([row for row in rows if row["axis"] == name], "level") for name in names}
@@ -248,7 +248,7 @@ def draw_errors(folder, rows, quantity):
 
 def draw_conditions(folder, rows, stage, words):
     rows = [row for row in rows if row["stage"] == stage and row["axis"] not in UNDERFLOWING]
-    names = [name for name in ["height", *CONDITIONED, "across"] if any(row["quantity"] == name for row in rows)]
+    names = distinct(rows, "quantity", ["height", *CONDITIONED, "across"])
     if not names:
         return
     columns = min(4, len(names))
@@ -337,7 +337,7 @@ def draw_tightness(folder, rows):
 
 def draw_onset(folder, rows):
     distances = distinct(rows, "origin_distance")
-    methods = [method for method in distinct(rows, "method") if any(int(row["failed_triangles"]) for row in rows if row["method"] == method)]
+    methods = distinct([row for row in rows if int(row["failed_triangles"])], "method", distinct(rows, "method"))
     never = [method for method in distinct(rows, "method") if method not in methods]
     figure, grid = plt.subplots(1, len(distances) + 1, figsize=(11, 3.8), layout="constrained", squeeze=False,
                                 width_ratios=[1] * len(distances) + [0.35])

@@ -9,11 +9,11 @@ from matplotlib.path import Path as MarkerPath
 from matplotlib.textpath import TextPath
 
 from asked import by_method
-from looks import asks_the_question, in_order, look_of
+from looks import asks_the_question, by_group, in_order, look_of
 from names import OWN_TEST, PLACEMENTS, TITLES
 from noise import TOO_NOISY, is_steady
 from page import bar, code, multiple, percent, smaller, words
-from results import finite, natural
+from results import distinct, finite, natural
 from results import number as any_number
 from shares import unless_whole
 from studies import OUTPUT, Run
@@ -37,8 +37,8 @@ class Data:
                       if row["family"] == "all" and row["test"] == "contact"]
         self.timings = study.rows("timings.csv", family=str, placement=str, balls=str, question=str, method=str, lower_quartile_ns=finite, median_ns=finite,
                                   upper_quartile_ns=finite)
-        self.placements = [p for p in PLACEMENTS if any(row["placement"] == p for row in self.front)]
-        self.methods = list(dict.fromkeys(row["method"] for row in self.front))
+        self.placements = distinct(self.front, "placement", PLACEMENTS)
+        self.methods = distinct(self.front, "method")
 
     def rate(self, method, placement):
         """The row of not-right answers; None where the method gives no final answer."""
@@ -318,10 +318,6 @@ def set_limits(axes, rows):
     axes.set_yticks([strip, *ticks], ["none\nwrong", *(f"$10^{{{round(math.log10(t))}}}$" if t < 1 else "1" for t in ticks)])
 
 
-def placements_of(rows):
-    return [placement for placement in PLACEMENTS if any(row["placement"] == placement for row in rows)]
-
-
 def legend(figure, measure, rows, **where):
     lines = [*((handle, handle.get_label()) for handle in handles(row["method"] for row in rows)), *symbols(measure, rows)]
     figure.legend(*zip(*lines), frameon=False, handler_map={tuple: HandlerTuple(1, 0)}, **where)
@@ -329,10 +325,8 @@ def legend(figure, measure, rows, **where):
 
 def legend_by_group(figure, measure, rows):
     """A column a group of methods, below the panels."""
-    groups = {}
-    for method in in_order(row["method"] for row in rows):
-        groups.setdefault(look_of(method).group, []).append(method)
-    columns = [(title, [(handle, handle.get_label()) for handle in handles(methods)]) for title, methods in groups.items()]
+    columns = [(title, [(handle, handle.get_label()) for handle in handles(methods)])
+               for title, methods in by_group(row["method"] for row in rows).items()]
     columns.append(("signs", symbols(measure, rows)))
     for number, (title, lines) in enumerate(columns):
         figure.legend(*zip(*lines), title=title, loc="upper left", bbox_to_anchor=(0.01 + 0.98 * number / len(columns), 0.235), frameon=False, fontsize=8.5,
@@ -340,7 +334,7 @@ def legend_by_group(figure, measure, rows):
 
 
 def draw_pooled(rows, folder, measure):
-    placements = placements_of(rows)
+    placements = distinct(rows, "placement", PLACEMENTS)
     figure, grid = plt.subplots(1, len(placements), figsize=(6.2 * len(placements), 7.6), sharex=True, sharey=True, squeeze=False)
     figure.subplots_adjust(left=0.08, right=0.99, top=0.92, bottom=0.3, wspace=0.05)
     drawn = []
@@ -360,7 +354,7 @@ def draw_pooled(rows, folder, measure):
 
 
 def draw_families(rows, folder, measure):
-    families, placements = list(dict.fromkeys(row["family"] for row in rows)), placements_of(rows)
+    families, placements = distinct(rows, "family"), distinct(rows, "placement", PLACEMENTS)
     columns = min(5, len(families))
     bands = math.ceil(len(families) / columns)
     lines = bands * len(placements)
@@ -388,11 +382,8 @@ def draw_families(rows, folder, measure):
 def draw_offsets(rows, folder, placement):
     """Wrong answers by offset: a row a kind of method, a column a threshold."""
     rows = [row for row in rows if row["family"] == "all" and row["placement"] == placement]
-    thresholds = [t for t in TITLES if any(row["threshold"] == t for row in rows)]
-    groups = {}
-    for method in in_order(row["method"] for row in rows):
-        groups.setdefault(look_of(method).group, []).append(method)
-    curves = {}
+    thresholds = distinct(rows, "threshold", TITLES)
+    groups, curves = by_group(row["method"] for row in rows), {}
     for row in rows:
         curves.setdefault((row["threshold"], row["method"]), []).append(
             (place(int(row["offset"])), 100 * float(row["rate"]), 100 * float(row["lower"]), 100 * float(row["upper"])))
@@ -423,5 +414,5 @@ def main(folder):
     errors = rows_of(folder / "errors.csv")
     by_measure = {measure: rows for measure in MEASURES if (rows := [row for row in front if row["measure"] == measure])}
     draw([*((draw_families, [row for row in rows if row["family"] != "all"], folder, measure) for measure, rows in by_measure.items()),
-          *((draw_offsets, errors, folder, placement) for placement in PLACEMENTS if any(row["placement"] == placement for row in errors)),
+          *((draw_offsets, errors, folder, placement) for placement in distinct(errors, "placement", PLACEMENTS)),
           *((draw_pooled, [row for row in rows if row["family"] == "all"], folder, measure) for measure, rows in by_measure.items())])

@@ -5,9 +5,9 @@ import math
 from looks import look_of
 from noise import TOO_NOISY, is_steady
 from page import bar, count, multiple, percent, rounded, share_of_size, smaller, upper_limit
-from results import finite, maybe, natural, share
+from results import distinct, finite, maybe, natural, share
 from studies import OUTPUT, Run
-from style import STYLES, distinct, plt, rows_of, save, whiskers
+from style import STYLES, plt, rows_of, save, whiskers
 
 RUN = Run(11, "what steps miss", resumes=True,
           full=[["tunnelling", "--output", OUTPUT]], quick=[["tunnelling", "--samples", "2000", "--output", OUTPUT]])
@@ -18,8 +18,8 @@ class Data:
     def __init__(self, study):
         self.misses = study.rows("misses.csv", radius=finite, steps=natural, contacts=natural, missed=natural, rate=share, lower=share,
                                  upper=share)
-        self.radii = list(dict.fromkeys(row["radius"] for row in self.misses))
-        self.steps = list(dict.fromkeys(row["steps"] for row in self.misses))
+        self.radii = distinct(self.misses, "radius")
+        self.steps = distinct(self.misses, "steps")
         self.at = {(row["radius"], row["steps"]): row for row in self.misses}
         self.cost = {} if not (study.folder / "cost.csv").exists() else {
             row["asked"]: row for row in study.rows("cost.csv", asked=str, median_ns=finite, lower_quartile_ns=finite, upper_quartile_ns=finite, lower_quartile_ratio=maybe(finite),

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from looks import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, SKY
-from style import GREY, plt
+from style import GREY, on_white, picture, plt
 from thesis.shaded import Camera, Solid, draw
 
 COLORS = {"link": "#f0c878", "gripper": RED, "storage": SKY, "machine": "#b9c4b9", "material": PURPLE}
@@ -55,47 +55,39 @@ def ball(center, radius, color=BLUE, sides=16):
     return Solid(vertices, triangles, color)
 
 
-def floor(size=FLOOR):
-    return Solid([(-size, -size, 0), (size, -size, 0), (size, size, 0), (-size, size, 0)], [(0, 1, 2), (0, 2, 3)],
-                 "#f3f1ea")
+def floor():
+    return Solid([(x * FLOOR, y * FLOOR, 0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))], [(0, 1, 2), (0, 2, 3)], "#f3f1ea")
 
 
 def label(axes, at, text, offset=(0, 0)):
-    axes.annotate(text, at, xytext=offset, textcoords="offset points", ha="center", va="center", fontsize=8,
-                  bbox={"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
+    axes.annotate(text, at, xytext=offset, textcoords="offset points", ha="center", va="center", fontsize=8, bbox=on_white(0.2, 0.8))
 
 
-def perspective(cell, moment, virtual=False):
+@picture(6.4, 4.6, frame=False)
+def perspective(axes, cell, moment):
     """The whole cell from beyond the storage."""
-    figure, axes = plt.subplots(figsize=(6.4, 4.6))
-    figure.subplots_adjust(0, 0, 1, 1)
     camera = Camera((-60, -330, 430), 128, 24, 2300)
-    at = draw(axes, [floor()] + cell.placed(moment, virtual), camera, aspect=0.72)
+    at = draw(axes, [floor()] + cell.placed(moment), camera, aspect=0.72)
     now = cell.moments[moment]
     label(axes, at((0, 0, 0)), "robot", (0, -26))
     label(axes, at((*now["storage"][9:11], 0)), "storage", (0, -16))
     label(axes, at(np.asarray(now["machine"][9:]) + (0, 0, 300)), "machine", (86, 0))
-    return figure
 
 
-def close_up(cell, moment, width=330, virtual=False):
+@picture(5.2, 4.4, frame=False)
+def close_up(axes, cell, moment, virtual=False):
     """The gripper and what it has come to."""
-    figure, axes = plt.subplots(figsize=(5.2, 4.4))
-    figure.subplots_adjust(0, 0, 1, 1)
     now = cell.moments[moment]
     center = np.asarray(now["sphere"])
     outward = math.degrees(math.atan2(center[1], center[0]))
     azimuth = outward + (62 if not virtual else 118)
-    at = draw(axes, [floor()] + cell.placed(moment, virtual), Camera(center + (0, 0, 20), azimuth, 16, width), aspect=0.85)
+    at = draw(axes, [floor()] + cell.placed(moment, virtual), Camera(center + (0, 0, 20), azimuth, 16, 330), aspect=0.85)
     axes.annotate("virtual sphere", at(now["sphere"]), xytext=(-105, -58), textcoords="offset points", fontsize=8,
-                  arrowprops={"arrowstyle": "->", "color": BLUE}, color=BLUE,
-                  bbox={"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
+                  arrowprops={"arrowstyle": "->", "color": BLUE}, color=BLUE, bbox=on_white(0.2, 0.85))
     if virtual:
         top = np.asarray(now["virtual_material"][9:]) + (0, 0, 40)
         axes.annotate("virtual material\n(dashed)", at(top), xytext=(70, 40), textcoords="offset points", fontsize=8,
-                      arrowprops={"arrowstyle": "->"}, ha="center",
-                      bbox={"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
-    return figure
+                      arrowprops={"arrowstyle": "->"}, ha="center", bbox=on_white(0.2, 0.85))
 
 
 def turned(azimuth, x, y):
@@ -116,7 +108,7 @@ def material_box(cell):
     return {"from": (-side / 2, low), "to": (side / 2, low + side)}
 
 
-def plan(axes, cell, storages=("storage 1",), moments=(), radius=None, ticks=True):
+def plan(axes, cell, storages=("storage 1",), moments=(), radius=None):
     """From above. `moments`: (name, colour, line style) of arms to be drawn; `radius` of the storage in place of its own."""
     drawing = cell.drawing
     machine = drawing["stations"]["machine"]
@@ -140,8 +132,7 @@ def plan(axes, cell, storages=("storage 1",), moments=(), radius=None, ticks=Tru
     if taken:
         carried(axes, cell, moments[-1][0])
     axes.plot(0, 0, marker="o", color=BLACK, markersize=3)
-    axes.set(aspect="equal", xlim=(-860, 620), ylim=(-1010, 420),
-             xlabel="x (mm), where the arm points at home" if ticks else "", ylabel="y (mm)")
+    axes.set(aspect="equal", xlim=(-860, 620), ylim=(-1010, 420), xlabel="x (mm), where the arm points at home", ylabel="y (mm)")
     axes.grid(alpha=0.25)
 
 
@@ -171,9 +162,8 @@ def arc(axes, begin, end, radius, text, color, share=0.5):
     x, y = radius * np.cos(angles), radius * np.sin(angles)
     axes.plot(x[:-3], y[:-3], color=color, linewidth=1.2)
     axes.annotate("", (x[-1], y[-1]), (x[-6], y[-6]), arrowprops={"arrowstyle": "-|>", "color": color})
-    middle = math.radians(begin + share * (end - begin))
-    axes.annotate(text, (radius * math.cos(middle), radius * math.sin(middle)), ha="center", va="center", color=color,
-                  fontsize=9, bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none"})
+    middle = turned(begin + share * (end - begin), radius, 0)
+    axes.annotate(text, middle, ha="center", va="center", color=color, fontsize=9, bbox=on_white(0.15))
 
 
 def square(axes, radius, low, side, color, text, style="-"):
@@ -206,11 +196,12 @@ def side(axes, cell, case, before, now):
     axes.legend(loc="lower left", fontsize=8)
 
 
-def views(cell, case, move):
+@picture(9, 4.9, columns=2, width_ratios=(0.9, 1))
+def views(both, cell, case, move):
     """From the side and from above, before and after a move (counted from 1)."""
     before = f"case {case}, move {move - 1}" if move > 1 else f"case {case}, home"
     now = f"case {case}, move {move}"
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4.9), width_ratios=(0.9, 1))
+    left, right = both
     side(left, cell, case, before, now)
     plan(right, cell, (f"storage {case}",), [(before, GREY, "--"), (now, BLACK, "-")])
     right.set_title("from above")
@@ -218,42 +209,34 @@ def views(cell, case, move):
     if row["joint"] == "base":
         begin = cell.moments[before]["commanded"][0]
         arc(right, begin, begin + row["degrees"], 250, f"{abs(row['degrees'])}°", RED)
-    figure.tight_layout()
-    return figure
 
 
-def base_turn(cell, case, move):
+@picture(6, 5.6)
+def base_turn(axes, cell, case, move):
     """The turn of the base to the storage, from above."""
-    figure, axes = plt.subplots(figsize=(6, 5.6))
     before = f"case {case}, move {move - 1}"
     plan(axes, cell, (f"storage {case}",), [(before, GREY, "--"), (f"case {case}, move {move}", BLACK, "-")])
     degrees = cell.moves[case, move]["degrees"]
     arc(axes, 0, degrees, 250, f"{abs(degrees)}° clockwise", RED)
-    figure.tight_layout()
-    return figure
 
 
-def configuration(cell, case):
-    figure, axes = plt.subplots(figsize=(6, 5.6))
+@picture(6, 5.6)
+def configuration(axes, cell, case):
     plan(axes, cell, (f"storage {case}",), [(f"case {case}, home", BLACK, "-")])
     station = cell.drawing["stations"][f"storage {case}"]
     axes.plot(*zip((0, 0), turned(-150, 700, 0)), color=GREY, linewidth=0.8, linestyle=":")
     axes.annotate("storage's angle 0", turned(-150, 800, -20), fontsize=7, color="#555555", ha="center")
     axes.plot(*zip((0, 0), turned(station["azimuth"], station["radius"], 0)), color=BLUE, linewidth=0.8)
-    figure.tight_layout()
-    return figure
 
 
-def angles_from_above(cell, arcs, moments):
+@picture(6.6, 6)
+def angles_from_above(axes, cell, arcs, moments):
     """`arcs`: (begin, end, radius, text, colour)."""
-    figure, axes = plt.subplots(figsize=(6.6, 6))
     plan(axes, cell, ("storage 1", "storage 2"), moments)
     axes.annotate("", (500, 0), (0, 0), arrowprops={"arrowstyle": "->", "color": GREY})
     axes.annotate("home", (520, 0), va="center", fontsize=8)
     for begin, end, radius, text, color in arcs:
         arc(axes, begin, end, radius, text, color, 0.35)
-    figure.tight_layout()
-    return figure
 
 
 STOPS = (("before", GREY, ":", "a step before"), ("first", BLUE, "--", "at first contact"), ("stop", RED, "-", "at the stop"))
@@ -271,10 +254,10 @@ def draw_stops(axes, cell, case, stop, place):
     axes.grid(alpha=0.25)
 
 
-def contact_from_above(cell, case, stop):
+@picture(5.6, 4.2)
+def contact_from_above(axes, cell, case, stop):
     """The material and the sphere in the frame of the storage: x away from the base, y counter-clockwise round it."""
     station = cell.drawing["stations"][f"storage {case}"]
-    figure, axes = plt.subplots(figsize=(5.6, 4.2))
     box = material_box(cell)
     (x0, y0), (x1, y1) = box["from"], box["to"]
     axes.fill([x0, x1, x1, x0], [y0, y0, y1, y1], color=PURPLE, alpha=0.45)
@@ -289,15 +272,13 @@ def contact_from_above(cell, case, stop):
     draw_stops(axes, cell, case, stop, place)
     axes.set(xlim=(-24, 58), ylim=(-24, 20), xlabel="away from the base's axis, from the storage's axis (mm)",
              ylabel="round the base (mm)")
-    figure.tight_layout()
-    return figure
 
 
-def contact_from_side(cell, case, stop):
+@picture(5.6, 4.2)
+def contact_from_side(axes, cell, case, stop):
     """The virtual material at the machine and the sphere, across the arm's plane."""
     station = cell.drawing["stations"]["machine"]
     length = cell.drawing["material"]["side"]
-    figure, axes = plt.subplots(figsize=(5.6, 4.2))
     low = station["height"] + cell.drawing["material"]["drop"]
     top = low + length
     axes.add_patch(plt.Rectangle((-length / 2, low), length, length, facecolor="#eeeeee", edgecolor=BLACK, linestyle="--"))
@@ -307,13 +288,12 @@ def contact_from_side(cell, case, stop):
     draw_stops(axes, cell, case, stop, lambda x, y, z: (turned(-station["azimuth"], x, y)[0] - station["radius"], z))
     axes.set(xlim=(-34, 62), ylim=(top - 34, top + 26), xlabel="away from the base's axis, from the machine's axis (mm)",
              ylabel="above the floor (mm)")
-    figure.tight_layout()
-    return figure
 
 
-def heights(cell, places, which):
+@picture(9, 4.9, columns=2, width_ratios=(1.25, 1))
+def heights(both, cell, places, which):
     """The arm touching at the chosen height and at the highest or lowest, and the ranges of both cases."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4.9), width_ratios=(1.25, 1))
+    left, right = both
     length = cell.drawing["material"]["side"]
     for case, color, move in ((1, BLUE, 2), (2, ORANGE, 3)):
         station = cell.drawing["stations"][f"storage {case}"]
@@ -346,13 +326,10 @@ def heights(cell, places, which):
         for end, offset, side in (("highest", 8, "bottom"), ("lowest", -8, "top")):
             if f"case {case}, {end}" in cell.sides:
                 at = cell.sides[f"case {case}, {end}"][0]["height"]
-                right.annotate(f"{at:g} mm", (case + 0.05, at + offset), ha="left", va=side, fontsize=8,
-                               bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
+                right.annotate(f"{at:g} mm", (case + 0.05, at + offset), ha="left", va=side, fontsize=8, bbox=on_white(0.1, 0.8))
     chosen = cell.drawing["stations"]["storage 1"]["deck"]
     right.axhline(chosen, color=BLACK, linewidth=0.8, linestyle=":")
     right.annotate("case studies", (2.55, chosen + 8), ha="right", fontsize=7)
     right.set_xticks([1, 2], ["case 1's place", "case 2's place"])
     right.set(xlim=(0.4, 2.6), ylim=(-50, 920), ylabel="height of the storage's deck (mm)")
     right.set_title("heights that complete (dots) and do not (crosses)\n(dark: touched from the side; light: from above)", fontsize=10)
-    figure.tight_layout()
-    return figure

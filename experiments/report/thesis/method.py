@@ -10,11 +10,7 @@ from matplotlib.patches import FancyBboxPatch, Patch, Polygon
 from looks import BLACK, BLUE, GREEN, ORANGE, RED, SKY, look_of
 from shares import unless_whole
 from studies.cell_missed import draw_missed
-from style import GREY, STYLES, plt, whiskers
-
-
-def outline_patch(corners, **style):
-    return Polygon(corners, closed=True, **style)
+from style import GREY, STYLES, on_white, picture, plt, whiskers
 
 
 # ---- Chapter 4 ----
@@ -29,11 +25,10 @@ def ends(rows):
     return method, exact
 
 
-def flowchart(branches):
+@picture(8.4, 6.4, frame=False)
+def flowchart(axes, branches):
     method, exact = ends(branches)
     total = sum(method.values())
-    figure, axes = plt.subplots(figsize=(8.4, 6.4))
-    figure.subplots_adjust(0, 0, 1, 1)
 
     def box(x, y, text, color="white", width=2.5, height=0.8):
         axes.add_patch(FancyBboxPatch((x - width / 2, y - height / 2), width, height, boxstyle="round,pad=0.08",
@@ -67,13 +62,11 @@ def flowchart(branches):
     arrow((1.33, 2.3), (2.27, 2.3), "yes", -0.1)
     arrow((0, 1.8), (0, 1.0), "no")
     axes.set(xlim=(-5.2, 5.2), ylim=(-0.4, 8.7))
-    axes.axis("off")
-    return figure
 
 
-def plane_side(s, title):
+@picture(5, 3.6)
+def plane_side(axes, s, title):
     """A sphere of radius 1 at the height s over a plane seen from its edge."""
-    figure, axes = plt.subplots(figsize=(5, 3.6))
     axes.plot([-3, 3], [0, 0], color=GREY, linewidth=1, linestyle="--")
     axes.plot([-1.8, 1.8], [0, 0], color=BLACK, linewidth=3, solid_capstyle="butt")
     axes.annotate("polygon", (1.3, -0.3), fontsize=8, ha="center")
@@ -89,8 +82,6 @@ def plane_side(s, title):
     axes.annotate("r", (-0.5, s + math.copysign(0.25, s)), color=BLUE)
     axes.set(title=title, aspect="equal", xlim=(-3, 3), ylim=(min(-1.2, s - 1.3), max(1.7, s + 1.3)))
     axes.axis("off")
-    figure.tight_layout()
-    return figure
 
 
 def intersection_point():
@@ -101,14 +92,14 @@ def intersection_point():
     return figure
 
 
-def angle_views(corners, rows):
+@picture(9, 4.6, columns=2)
+def angle_views(both, corners, rows):
     """The angles at which the edges are seen from the palm and from the gap."""
     corners = np.array(corners)
-    figure, both = plt.subplots(1, 2, figsize=(9, 4.6))
     for axes, point in zip(both, ("palm", "gap")):
         own = [row for row in rows if row["point"] == point]
         at = np.array([own[0]["x_mm"], own[0]["y_mm"]])
-        axes.add_patch(outline_patch(corners, facecolor="#eeeeee", edgecolor=BLACK, linewidth=1.5))
+        axes.add_patch(Polygon(corners, facecolor="#eeeeee", edgecolor=BLACK, linewidth=1.5))
         for row in own:
             i = int(row["edge"])
             a, b = corners[i], corners[(i + 1) % len(corners)]
@@ -117,19 +108,16 @@ def angle_views(corners, rows):
             middle = (a + b) / 2
             away = middle + (middle - at) / max(np.hypot(*(middle - at)), 1) * 7
             axes.annotate(f"{row['angle_deg']:+.1f}°".replace("-", "−"), away, ha="center", va="center", fontsize=8,
-                          color=RED if negative else BLUE,
-                          bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
+                          color=RED if negative else BLUE, bbox=on_white(0.1, 0.85))
         axes.plot(*at, marker="o", color=BLACK)
         unsigned = sum(abs(row["angle_deg"]) for row in own)
         signed = abs(sum(row["angle_deg"] for row in own))
         axes.set(title=f"from the {point}: {unsigned:.1f}° without signs, {signed:.0f}° with", aspect="equal",
                  xlim=(-64, 64), ylim=(-92, 16), xlabel="mm", ylabel="mm")
-    figure.tight_layout()
-    return figure
 
 
-def edge_places(numbers):
-    figure, axes = plt.subplots(figsize=(6.4, 3.8))
+@picture(6.4, 3.8)
+def edge_places(axes, numbers):
     axes.axvspan(-3, 0, color=SKY, alpha=0.2)
     axes.axvspan(6, 9, color=ORANGE, alpha=0.2)
     axes.plot([0, 6], [0, 0], color=BLACK, linewidth=3)
@@ -145,14 +133,12 @@ def edge_places(numbers):
                       fontsize=8, color=color)
     axes.set(aspect="equal", xlim=(-3, 9), ylim=(-0.9, 4.1))
     axes.axis("off")
-    figure.tight_layout()
-    return figure
 
 
-def edge_hit(corners):
+@picture(5.4, 4)
+def edge_hit(axes, corners):
     corners = np.array(corners)
-    figure, axes = plt.subplots(figsize=(5.4, 4))
-    axes.add_patch(outline_patch(corners, facecolor="#eeeeee", edgecolor=BLACK, linewidth=1.5))
+    axes.add_patch(Polygon(corners, facecolor="#eeeeee", edgecolor=BLACK, linewidth=1.5))
     low, high = corners.min(axis=0), corners.max(axis=0)
     edge, y, r = high[0], (low[1] + high[1]) / 2 + 8, 16
     center = edge + 0.6 * r
@@ -163,13 +149,12 @@ def edge_hit(corners):
     axes.annotate("Q, outside", (center, y - 6), color=BLUE, ha="center", fontsize=8)
     axes.annotate("the gripper's front", (0, high[1] - 15), ha="center", fontsize=8)
     axes.set(aspect="equal", xlim=(low[0] - 8, edge + 32), ylim=(low[1] - 8, high[1] + 8), xlabel="mm", ylabel="mm")
-    figure.tight_layout()
-    return figure
 
 
 # ---- Known errors ----
 
-def angle_map(corners, rows):
+@picture(6.8, 5.2)
+def angle_map(axes, corners, rows):
     corners = np.array(corners)
     x, y = sorted({row["x_mm"] for row in rows}), sorted({row["y_mm"] for row in rows})
 
@@ -178,20 +163,17 @@ def angle_map(corners, rows):
 
     total = grid([row["sum_deg"] for row in rows])
     wrong = grid([row["called"] == "yes" and row["inside"] == "no" for row in rows]).astype(float)
-    figure, axes = plt.subplots(figsize=(6.8, 5.2))
     image = axes.pcolormesh(x, y, total, cmap="viridis", shading="nearest", rasterized=True, vmin=0, vmax=540)
     axes.contourf(x, y, wrong, levels=[0.5, 1.5], colors="none", hatches=["///"])
     axes.contour(x, y, wrong, levels=[0.5], colors=[RED], linewidths=1.2)
-    axes.add_patch(outline_patch(corners, facecolor="none", edgecolor="white", linewidth=2.5))
+    axes.add_patch(Polygon(corners, facecolor="none", edgecolor="white", linewidth=2.5))
     axes.annotate("hatched: wrongly called inside", (0, min(y) + 8), ha="center", color="white", fontsize=9)
-    figure.colorbar(image, ax=axes, label="sum of the angles (degrees); from 356.4 on: inside")
+    axes.figure.colorbar(image, ax=axes, label="sum of the angles (degrees); from 356.4 on: inside")
     axes.set(aspect="equal", xlabel="mm", ylabel="mm", title="the gripper's front (white)")
-    figure.tight_layout()
-    return figure
 
 
-def false_areas(outlines, rows):
-    figure, axes = plt.subplots(figsize=(8.4, 4.4))
+@picture(8.4, 4.4, margins=(0.11, 0.27, 0.99, 0.93))
+def false_areas(axes, outlines, rows):
     for i, row in enumerate(rows):
         share = 100 * row["share"]
         hull = 100 * row["hull"]
@@ -204,7 +186,7 @@ def false_areas(outlines, rows):
         corners = (corners - corners.min(axis=0)) / (corners.max(axis=0) - corners.min(axis=0)).max()
         corners -= (corners.max(axis=0)) / 2
         small = axes.inset_axes([i - 0.32, -48, 0.64, 30], transform=axes.transData)
-        small.add_patch(outline_patch(corners, facecolor="#dddddd", edgecolor=BLACK, linewidth=0.8))
+        small.add_patch(Polygon(corners, facecolor="#dddddd", edgecolor=BLACK, linewidth=0.8))
         small.set(xlim=(-0.55, 0.55), ylim=(-0.55, 0.55), aspect="equal")
         small.axis("off")
         axes.annotate(row["outline"], (i, -62), ha="center", annotation_clip=False, fontsize=9)
@@ -214,13 +196,11 @@ def false_areas(outlines, rows):
     axes.set(ylabel="area outside taken for inside,\n% of the outline's own", ylim=(0, 195),
              title="factor 0.99, angles without signs")
     axes.grid(axis="y", alpha=0.3)
-    figure.subplots_adjust(0.11, 0.27, 0.99, 0.93)
-    return figure
 
 
-def false_hits(rows):
+@picture(7, 4.6)
+def false_hits(axes, rows):
     """`rows`: the numbers of the entry."""
-    figure, axes = plt.subplots(figsize=(7, 4.6))
     lines = {}
     for row in rows:
         if ", radius " in row["what"]:
@@ -241,13 +221,11 @@ def false_hits(rows):
              ylim=(-2, 70))
     axes.grid(alpha=0.3)
     axes.legend(ncols=2, fontsize=8)
-    figure.tight_layout()
-    return figure
 
 
-def factor_reach(rows):
+@picture(6.6, 4)
+def factor_reach(axes, rows):
     """Against what the factor lacks to 1, whose own place is beyond a gap of the axis."""
-    figure, axes = plt.subplots(figsize=(6.6, 4))
     lowest, exact = 1e-6, 1e-6  # of the reach, and where the factor 1 stands
     for outline, color, marker in (("square", BLUE, "o"), ("gripper", ORANGE, "s")):
         own = [row for row in rows if row["outline"] == outline]
@@ -269,18 +247,16 @@ def factor_reach(rows):
     axes.set_ylabel("how far outside the middle of the longest edge\nis called inside, as a share of its length")
     axes.grid(axis="y", alpha=0.3)
     axes.legend(fontsize=8)
-    figure.tight_layout()
-    return figure
 
 
-def not_numbers(rows):
+@picture(7, 2.9)
+def not_numbers(axes, rows):
     """Shares of one whole: each bar of floats is a part of the one above it."""
     floats, doubles, outside, missed_ = (float(row["ours"]) for row in rows)
     steps = [("floats: the arc cosine is not a number", floats, look_of("thesis-float").colour),
              ("of these, also: the point is called outside", floats * outside / 100, look_of("thesis-float").colour),
              ("of these, also: a contact is missed", floats * outside * missed_ / 1e4, look_of("thesis-float").colour),
              ("doubles: the arc cosine is not a number", doubles, look_of("thesis").colour)]
-    figure, axes = plt.subplots(figsize=(7, 2.9))
     for place, (words, value, color) in enumerate(steps):
         axes.barh(-place, value, color=color, height=0.62, alpha=(1, 0.7, 0.45, 1)[place])
         axes.annotate(f"{unless_whole(value / 100, f'{value:.3g}')} %", (value, -place), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
@@ -288,12 +264,10 @@ def not_numbers(rows):
     axes.set(xlim=(0, 1.2 * max(value for _, value, _ in steps)), xlabel="% of all points on edges",
              title="Feet on an edge, where the cosine of the angle rounds to below −1")
     axes.grid(axis="x", alpha=0.3)
-    figure.tight_layout()
-    return figure
 
 
-def touching(rows):
-    figure, axes = plt.subplots(figsize=(6.8, 4))
+@picture(6.8, 4)
+def touching(axes, rows):
     kinds = (("missed", "thesis", "as it is"), ("missed_signed", "thesis-signed", "with signed angles"),
              ("missed_closed", "thesis-closed", "where touching counts"))
     hatches = ("", "", "///")  # two have the same colour
@@ -309,14 +283,12 @@ def touching(rows):
     axes.set_title("balls that touch in exactly one point")
     axes.grid(axis="y", alpha=0.3)
     axes.legend(fontsize=8, ncols=3, loc="upper center")
-    figure.tight_layout()
-    return figure
 
 
-def collinear(corners, rows):
+@picture(5.6, 4.2)
+def collinear(axes, corners, rows):
     corners = np.array(corners)
-    figure, axes = plt.subplots(figsize=(5.6, 4.2))
-    axes.add_patch(outline_patch(corners, facecolor="#eeeeee", edgecolor=BLACK, linewidth=1.5))
+    axes.add_patch(Polygon(corners, facecolor="#eeeeee", edgecolor=BLACK, linewidth=1.5))
     for i, point in enumerate((corners[0], (corners[0] + corners[1]) / 2, corners[1])):
         axes.plot(*point, marker="o", color=RED, markersize=7)
         axes.annotate(f"P{i}", point, xytext=(0, -17), textcoords="offset points", ha="center", color=RED)
@@ -324,12 +296,10 @@ def collinear(corners, rows):
              xlim=(corners[:, 0].min() - 10, corners[:, 0].max() + 10), xlabel="mm", ylabel="mm")
     first, every = (f"{unless_whole(float(row['ours']) / 100, row['ours'])} %" for row in rows)
     axes.set_title(f"contacts missed: {first} with N of P0, P1, P2; {every} with N of all vertices")
-    figure.tight_layout()
-    return figure
 
 
-def far_away(rows):
-    figure, axes = plt.subplots(figsize=(6.8, 4))
+@picture(6.8, 4)
+def far_away(axes, rows):
     for name, method, text in (("wrong_signed_float", "thesis-signed-float", "thesis, signed angles, floats"),
                                ("wrong_signed", "thesis-signed", "the same in doubles"), ("wrong_fast", "fast", "ours in plain doubles")):
         look = look_of(method)
@@ -346,15 +316,11 @@ def far_away(rows):
              title="the gripper, 90 mm wide, and balls of 4.5 mm")
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
-    figure.tight_layout()
-    return figure
 
 
-def missed(rows):
-    figure, axes = plt.subplots(figsize=(6.8, 4.2))
+@picture(6.8, 4.2)
+def missed(axes, rows):
     draw_missed(axes, rows)
     axes.set(xlabel="step of the joint (degrees); the thesis's is 1", ylabel="missed first contacts (%; bars: 95 %)",
              ylim=(-2, 102))
     axes.legend(title="radius of the sphere", fontsize=8, loc="lower right")
-    figure.tight_layout()
-    return figure

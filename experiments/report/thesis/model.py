@@ -9,7 +9,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import FancyBboxPatch
 
 from looks import BLACK, BLUE, ORANGE, PURPLE, RED, SKY
-from style import GREY, STYLES, plt
+from style import GREY, STYLES, on_white, picture, plt
 from thesis.cell import COLORS, plan, turned
 from thesis.shaded import Camera, Solid, draw
 
@@ -80,14 +80,13 @@ numbered from 0 within their part.
 What follows # means nothing."""
 
 
-def structure(text):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 4.2))
-    figure.subplots_adjust(0.03, 0.02, 0.99, 0.9, wspace=0.05)
+@picture(7.6, 4.2, columns=2, margins=(0.03, 0.02, 0.99, 0.9, 0.05))
+def structure(both, text):
+    left, right = both
     text_panel(left, GRAMMAR, 8.5)
     left.set_title("the grammar (ours: the thesis's is not public)", loc="left")
     text_panel(right, shortened(text, 9, 10), 8.5)
     right.set_title("Gripper1.txt", loc="left")
-    return figure
 
 
 def three_parts(cell, text):
@@ -110,10 +109,9 @@ def gripper_file(cell, text):
     return file_and_part(text.rstrip(), [Solid(part["vertices"], part["triangles"], COLORS["gripper"])], azimuth=-60)
 
 
-def wireframe(cell):
+@picture(6, 5, frame=False)
+def wireframe(axes, cell):
     """Every polygon of Axis1 by its edges, those behind too."""
-    figure, axes = plt.subplots(figsize=(6, 5))
-    figure.subplots_adjust(0, 0, 1, 1)
     parts = [part for part in cell.drawing["parts"] if part["name"].startswith("Axis1/")]
     vertices = np.concatenate([np.array(part["vertices"]) for part in parts])
     low, high = vertices.min(axis=0), vertices.max(axis=0)
@@ -125,19 +123,15 @@ def wireframe(cell):
         axes.plot([], [], color=color, label=f"{part['name'].split('/')[1]}: {len(part['loops'])} loops")
     axes.autoscale_view()
     axes.set_aspect("equal")
-    axes.axis("off")
     axes.legend(loc="lower right", fontsize=9)
-    return figure
 
 
-def links(cell):
+@picture(9, 5, 2, 4, margins=(0.01, 0.01, 0.99, 0.93, 0.02, 0.14))
+def links(grid, cell):
     names = cell.drawing["links"] + ["gripper"]
-    figure, grid = plt.subplots(2, 4, figsize=(9, 5))
-    figure.subplots_adjust(0.01, 0.01, 0.99, 0.93, wspace=0.02, hspace=0.14)
     for axes, name in zip(grid.flat, names):
         shaded(axes, solids_of(cell, name), 50, 20, pixels=400)
         axes.set_title("Gripper1" if name == "gripper" else name)
-    return figure
 
 
 def box_text(axes, at, text, color="white", width=1.7, height=0.5, size=8):
@@ -146,12 +140,11 @@ def box_text(axes, at, text, color="white", width=1.7, height=0.5, size=8):
     axes.annotate(text, at, ha="center", va="center", fontsize=size)
 
 
-def hierarchy(cell):
+@picture(9, 5.2, frame=False)
+def hierarchy(axes, cell):
     """The cell's elements and the parts of each."""
     groups = [("robot", "link", COLORS["link"]), ("gripper", "gripper", COLORS["gripper"]), ("storage", "storage", SKY),
               ("machine", "machine", COLORS["machine"]), ("material", "material", COLORS["material"])]
-    figure, axes = plt.subplots(figsize=(9, 5.2))
-    figure.subplots_adjust(0, 0, 1, 1)
     box_text(axes, (4, 10.4), "virtual manufacturing cell", "#eeeeee", 3.4)
     for i, (name, carrier, color) in enumerate(groups):
         x = i * 2
@@ -163,14 +156,11 @@ def hierarchy(cell):
             box_text(axes, (x + 0.1, y), part.split("/", 1)[-1] if carrier != "link" else part, width=1.6, height=0.42, size=7.5)
             axes.plot([x - 0.82, x - 0.82, x - 0.72], [8.82, y, y], color=BLACK, linewidth=0.6)
     axes.set(xlim=(-1.1, 9.1), ylim=(1.3, 10.9))
-    axes.axis("off")
-    return figure
 
 
-def chain(cell):
+@picture(8.4, 5.6, frame=False)
+def chain(axes, cell):
     names, joints = cell.drawing["links"], cell.drawing["joints"]
-    figure, axes = plt.subplots(figsize=(8.4, 5.6))
-    figure.subplots_adjust(0, 0, 1, 1)
     for i, name in enumerate(names + ["Gripper1"]):
         box_text(axes, (0, -i), name, COLORS["gripper"] if name == "Gripper1" else COLORS["link"], 2, 0.46, 9)
         if i == 0:
@@ -186,15 +176,13 @@ def chain(cell):
                   va="center", fontsize=9)
     axes.annotate("", (-1.1, -2), (-1.1, -3), arrowprops={"arrowstyle": "<->"})
     axes.set(xlim=(-4.2, 5.4), ylim=(-7.5, 0.5))
-    axes.axis("off")
-    return figure
 
 
-def union(cell, link, name):
+@picture(8.6, 3.8, columns=2, width_ratios=(1.5, 1), margins=(0, 0, 1, 0.92, 0))
+def union(both, cell, link, name):
     """Primitives apart, and united."""
     primitives = cell.drawing["primitives"][link][name]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.8), width_ratios=(1.5, 1))
-    figure.subplots_adjust(0, 0, 1, 0.92, wspace=0)
+    left, right = both
     solids = [Solid(p["vertices"], p["triangles"], color) for p, color in zip(primitives, PART_COLORS)]
     apart = []
     # Primitives along the picture's horizon.
@@ -209,17 +197,14 @@ def union(cell, link, name):
     left.set_title(f"{len(primitives)} primitives")
     shaded(right, solids_of(cell, link, ("#f0c878",))[:1], azimuth)
     right.set_title("united")
-    return figure
 
 
-def robot(cell):
-    figure, axes = plt.subplots(figsize=(6, 5.6))
-    figure.subplots_adjust(0, 0, 1, 1)
+@picture(6, 5.6, frame=False)
+def robot(axes, cell):
     now = cell.moments["case 1, home"]
     solids = [solid.moved(now["links"][part["link"] if part["moves_with"] == "link" else -1])
               for part, solid in cell.solids if part["moves_with"] in ("link", "gripper")]
     shaded(axes, solids, -58, 20, aspect=0.93, pixels=900)
-    return figure
 
 
 # ---- Reconfiguration ----
@@ -230,11 +215,11 @@ OUTCOMES = {"from the side": (BLUE, "completes, touched from the side"), "from a
             "misplaced": ("#b9c4b9", "let go too far from its place"), "in-the-way": (RED, "something in the way")}
 
 
-def area(cell, places):
+@picture(7.6, 7)
+def area(axes, cell, places):
     rows = [row for row in places if row["scan"] == "area"]
     angles, radii = sorted({row["angle_deg"] for row in rows}), sorted({row["radius_mm"] for row in rows})
     step, thick = angles[1] - angles[0], radii[1] - radii[0]
-    figure, axes = plt.subplots(figsize=(7.6, 7))
     patches = {}
     for row in rows:
         a = np.radians(np.linspace(-150 + row["angle_deg"] - step / 2, -150 + row["angle_deg"] + step / 2, 6))
@@ -257,15 +242,12 @@ def area(cell, places):
         station = cell.drawing["stations"][name]
         at = turned(station["azimuth"], station["radius"], 0)
         axes.plot(*at, marker="*", color="white", markeredgecolor=BLACK, markersize=14)
-        axes.annotate(text, at, xytext=(-26, -14), textcoords="offset points", fontsize=8,
-                      bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
+        axes.annotate(text, at, xytext=(-26, -14), textcoords="offset points", fontsize=8, bbox=on_white(0.15, 0.85))
     for angle in range(-180, 180, 30):
         axes.annotate(f"{angle}°".replace("-", "−"), turned(-150 + angle, 775, 0), ha="center", va="center", fontsize=8)
     axes.set(aspect="equal", xlim=(-900, 900), ylim=(-1000, 830), xlabel="x (mm); round the edge: the storage's angle",
              ylabel="y (mm)")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=2, fontsize=8, frameon=False)
-    figure.tight_layout()
-    return figure
 
 
 def radii_that_fail(places):
@@ -276,31 +258,28 @@ def radii_that_fail(places):
             min(row["radius_mm"] for row in rows if row["radius_mm"] > max(completes)))
 
 
-def too_close(cell, places):
+@picture(6, 5.6)
+def too_close(axes, cell, places):
     radius, _ = radii_that_fail(places)
-    figure, axes = plt.subplots(figsize=(6, 5.6))
     plan(axes, cell, ("storage 1",), radius=radius)
     axes.set_title(f"radius {radius:g} mm: too close")
-    figure.tight_layout()
-    return figure
 
 
-def too_far(cell, places):
+@picture(6, 5.6)
+def too_far(axes, cell, places):
     _, radius = radii_that_fail(places)
-    figure, axes = plt.subplots(figsize=(6, 5.6))
     plan(axes, cell, ("storage 1",), radius=radius)
     reach = cell.drawing["reach"]
     length = reach["first"] + reach["second"]
     up = cell.drawing["stations"]["storage 1"]["height"] + cell.drawing["material"]["side"] + reach["down"] - reach["shoulder"]
     axes.add_patch(plt.Circle((0, 0), math.sqrt(length ** 2 - up ** 2), facecolor="none", edgecolor=BLUE, linestyle="--"))
     axes.annotate("as far as the sphere reaches\nat the material's height", turned(25, 560, 0), fontsize=8, color=BLUE, ha="center",
-                  bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
+                  bbox=on_white(0.15, 0.85))
     axes.set(xlim=(-1000, 760), ylim=(-1010, 740), title=f"radius {radius:g} mm: too far")
-    figure.tight_layout()
-    return figure
 
 
-def process(cell):
+@picture(8.4, 6.4, frame=False)
+def process(axes, cell):
     words = {("elbow", -1): "elbow down", ("elbow", 1): "elbow up", ("base", -1): "base clockwise", ("base", 1): "base counter-clockwise",
              ("shoulder", 1): "shoulder down", ("shoulder", -1): "shoulder up"}
     boxes = [("home", "#eeeeee")]
@@ -313,8 +292,6 @@ def process(cell):
         boxes.append((text + (", until the\nsphere touches" if move["until"] == "contact" else ""), "white"))
         if after is None or after["phase"] != move["phase"]:
             boxes += ends[move["phase"]]
-    figure, axes = plt.subplots(figsize=(8.4, 6.4))
-    figure.subplots_adjust(0, 0, 1, 1)
     columns, places = 4, []
     for i in range(len(boxes)):
         row, column = divmod(i, columns)
@@ -326,12 +303,10 @@ def process(cell):
         end = (x1 - math.copysign(1.05, x1 - x0), y1) if y0 == y1 else (x1, y1 + 0.41)
         axes.annotate("", end, begin, arrowprops={"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0})
     axes.set(xlim=(-1.3, 8.8), ylim=(min(y for _, y in places) - 0.6, 0.6))
-    axes.axis("off")
-    return figure
 
 
-def joint_angles(cell):
-    figure, both = plt.subplots(2, 1, figsize=(8, 6), sharex=True)
+@picture(8, 6, rows=2, sharex=True)
+def joint_angles(both, cell):
     for case, axes in zip((1, 2), both):
         now, step, numbers = {"base": 0, "shoulder": 0, "elbow": 0}, 0, sorted(n for c, n in cell.moves if c == case)
         lines = {joint: [(0, 0)] for joint in now}
@@ -352,5 +327,3 @@ def joint_angles(cell):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8, loc="lower right")
     both[-1].set_xlabel("steps of 1 degree")
-    figure.tight_layout()
-    return figure

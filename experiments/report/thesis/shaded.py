@@ -86,7 +86,7 @@ def fill(image, depth, corners, color):
     image[low[1]:high[1], low[0]:high[0]][nearer] = color
 
 
-def draw(axes, solids, camera, aspect=0.75, pixels=900, background=None):
+def draw(axes, solids, camera, aspect=0.75, pixels=900):
     """Fills the axes, which get no frame: `aspect` is height by width."""
     width, height = pixels, int(pixels * aspect)
     image, depth = np.ones((height, width, 4)), np.full((height, width), 1e-9)

@@ -19,7 +19,8 @@ from selenium.webdriver.common.keys import Keys
 
 TESTS = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(TESTS / "system"))
-from chromium import Chromium, Failure, expect  # noqa: E402
+from chromium import Chromium  # noqa: E402
+from running import expect  # noqa: E402
 
 CORPUS = TESTS / "corpus"
 # What the page's reader of cases does not know: JSON.parse keeps the last of two equal keys and does not count levels, and
@@ -91,6 +92,11 @@ class Page(Chromium):
 
     def put(self, name, value):
         self.script("const e = at(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'));", name, value)
+
+    def paste(self, text):
+        self.find("pasted").clear()
+        self.find("pasted").send_keys(text)
+        self.find("take").click()
 
     def fits(self):
         return self.script("return document.documentElement.scrollWidth <= innerWidth")
@@ -207,19 +213,13 @@ def polygons_are_drawn_and_pasted(page):
     loops = page.state()["loops"]
     expect(len(loops) == 1 and len(loops[0]) == 3 and all(abs(p[i] - c[i]) < 0.02 for p, c in zip(loops[0], corners) for i in (0, 1)),
            f"drawn was {loops}")
-    page.find("pasted").clear()
-    page.find("pasted").send_keys("0 0\n4 0\n4 4\n0 4\n\n1 1\n1 2\n2 2")
-    page.find("take").click()
+    page.paste("0 0\n4 0\n4 4\n0 4\n\n1 1\n1 2\n2 2")
     expect([len(loop) for loop in page.state()["loops"]] == [4, 3], "pasted points are not taken")
-    page.find("pasted").clear()
-    page.find("pasted").send_keys("0 0\n4 4\n4 0\n0 4")
-    page.find("take").click()
+    page.paste("0 0\n4 4\n4 0\n0 4")
     expect(page.find("refusal").text.startswith(("loop-meets-itself", "zero-normal")), "a bow tie is taken")
     expect([len(loop) for loop in page.state()["loops"]] == [4, 3], "the polygon is gone")
-    page.find("pasted").clear()
-    page.find("pasted").send_keys('{"ball": {"center": [2, 2, 5], "radius": 1}, "motion": {"to": [2, 2, -5]}, '
-                                  '"polygon": {"outer": [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]}}')
-    page.find("take").click()
+    page.paste('{"ball": {"center": [2, 2, 5], "radius": 1}, "motion": {"to": [2, 2, -5]}, '
+               '"polygon": {"outer": [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]}}')
     expect("way at time 0.4, face" in page.find("first").text, f"the motion is answered by {page.find('first').text!r}")
     link = page.script("return location.hash")
     page.open(link)
@@ -246,10 +246,7 @@ def whole_page(html, pictures, name, **arguments):
             expect(moved < 1.2, f"a finger dragged the ball to {moved}")
 
 
-def main():
-    html, pictures = sys.argv[1], pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    if pictures:
-        pictures.mkdir(parents=True, exist_ok=True)
+def main(html, pictures=None):
     with Page(html, pictures) as page:
         page.open()
         corpus(page)
@@ -266,7 +263,4 @@ def main():
     print("desk, dark, phone")
 
 
-try:
-    main()
-except Failure as failure:
-    sys.exit(f"playground: {failure}")
+main(*sys.argv[1:])

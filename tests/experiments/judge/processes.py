@@ -7,11 +7,15 @@ whose standard input is closed, or cannot be read, says so and ends. A signal th
 """
 
 import os
+import pathlib
 import select
 import signal
 import subprocess
 import sys
 import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).parents[2] / "system"))
+from running import expect, run  # noqa: E402
 
 CASE = b'{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]}}\n'
 SECONDS = 60  # until what does not end is taken for a fault
@@ -57,31 +61,28 @@ def check_signal(program, which, status, engine):
     verdict = judge.stdout.readline()  # and the judge waits for it
     judge.send_signal(which)
     what = f"{which.name}, engine {engine!r}"
-    if not verdict.startswith(b'{"id":"a","method":"fast"') or not verdict.endswith(b"}\n"):
-        sys.exit(f"{what}: {verdict}")
-    if judge.wait(SECONDS) != status:
-        sys.exit(f"{what}: exit status {judge.returncode}")
-    if not all_have_ended(reader):
-        sys.exit(f"{what}: the engine goes on")
+    expect(verdict.startswith(b'{"id":"a","method":"fast"') and verdict.endswith(b"}\n"), f"{what}: {verdict}")
+    expect(judge.wait(SECONDS) == status, f"{what}: exit status {judge.returncode}")
+    expect(all_have_ended(reader), f"{what}: the engine goes on")
+
+
+def expect_verdicts(judge, what):
+    """Of both methods."""
+    verdicts, _ = judge.communicate(timeout=SECONDS)
+    expect(judge.returncode == 0 and verdicts.count(b"\n") == 2, f"{what}: exit status {judge.returncode}: {verdicts}")
 
 
 def check_ignored_signal(program, which):
     judge, reader = start(program, "echo > {pipe}; " + VERDICT, ignored=[which])
     os.read(reader, 1)  # the engine runs
     judge.send_signal(which)
-    verdicts, _ = judge.communicate(timeout=SECONDS)
-    if judge.returncode != 0 or verdicts.count(b"\n") != 2:
-        sys.exit(f"{which.name}, which is ignored: exit status {judge.returncode}: {verdicts}")
+    expect_verdicts(judge, f"{which.name}, which is ignored")
 
 
 def check_engine_that_ends(program, before):
     judge, reader = start(program, before + VERDICT)
-    verdicts, _ = judge.communicate(timeout=SECONDS)
-    what = f"engine {before + VERDICT!r}"
-    if judge.returncode != 0 or verdicts.count(b"\n") != 2:
-        sys.exit(f"{what}: exit status {judge.returncode}: {verdicts}")
-    if not all_have_ended(reader):
-        sys.exit(f"{what}: what it started goes on")
+    expect_verdicts(judge, f"engine {before + VERDICT!r}")
+    expect(all_have_ended(reader), f"engine {before + VERDICT!r}: what it started goes on")
 
 
 def check_foreign_holder(program):
@@ -93,26 +94,21 @@ def check_foreign_holder(program):
         held = os.open(f"/proc/{int(os.read(reader, 20))}/fd/1", os.O_WRONLY)
         with open(go, "w") as file:
             file.write("go\n")
-        verdicts, _ = judge.communicate(timeout=SECONDS)
+        expect_verdicts(judge, "output held open")
         os.close(held)
-    if judge.returncode != 0 or verdicts.count(b"\n") != 2:
-        sys.exit(f"output held open: exit status {judge.returncode}: {verdicts}")
 
 
 def check_stopped_supervisor(program):
     judge, reader = start(program, "kill -STOP $PPID; exec sleep 1000", "--time-limit", "0.2")
     judge.communicate(timeout=SECONDS)
-    if not all_have_ended(reader):
-        sys.exit("an engine that stops what watches it goes on")
+    expect(all_have_ended(reader), "an engine that stops what watches it goes on")
 
 
 def check_unreadable_input(program, redirection):
     for options in "", "--engine cat":
         command = f"judge {options} {redirection}"
-        done = subprocess.run(["sh", "-c", f"exec {program} {command}"], capture_output=True, text=True,
-                              timeout=SECONDS)
-        if (done.returncode, done.stderr) != (2, "touchstone: standard input: cannot be read to its end\n"):
-            sys.exit(f"{command}: exit status {done.returncode}: {done.stderr}")
+        done = run("sh", "-c", f"exec {program} {command}", expected=2, timeout=SECONDS)
+        expect(done.stderr == "touchstone: standard input: cannot be read to its end\n", f"{command}: {done.stderr}")
 
 
 def main(program):

@@ -3,12 +3,13 @@
 import concurrent.futures
 import json
 import pathlib
-import subprocess
 import sys
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "papers"))
+TESTS = pathlib.Path(__file__).resolve().parents[2]
+sys.path += [str(TESTS / "papers"), str(TESTS / "system")]
 
 from miniature import BENCH
+from running import run
 
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 PICTURES = {
@@ -45,13 +46,6 @@ def calls(source, mesh):
     }
 
 
-def run(program, *arguments):
-    done = subprocess.run([program, *arguments], capture_output=True, text=True)
-    if done.returncode:
-        sys.exit(f"{' '.join(arguments)}: exit status {done.returncode}\n{done.stderr[-900:]}")
-    return done.stdout
-
-
 def write(program, source, results):
     """A folder for each study, pictures of one line, and the thesis's page."""
     from studies.thesis import rows_of, write_page
@@ -64,14 +58,14 @@ def write(program, source, results):
     cell, folder = str(source / "experiments/thesis/cell/cells/aristo.json"), results / "cell"
     of_preset = lambda preset, *more: ["cell", "run", cell, "--preset", preset, "--methods", "filtered,thesis", *more]
     for n in (1, 2):
-        run(program, *of_preset(f"case {n}", "--every-face", "--output", str(folder / f"case-{n}")))
-    run(program, *of_preset("U-part", "--output", str(folder / "u-part")))
-    driven = of_preset("U-part", "--drive", "thesis", "--output", str(folder / "driven"))
-    assert subprocess.run([program, *driven], capture_output=True).returncode == 1  # into the vice
-    run(program, "cell", "export", cell, str(folder / "cell.html"), "--methods", "filtered")
+        run(program, *of_preset(f"case {n}", "--every-face", "--output", folder / f"case-{n}"))
+    run(program, *of_preset("U-part", "--output", folder / "u-part"))
+    driven = of_preset("U-part", "--drive", "thesis", "--output", folder / "driven")
+    run(program, *driven, expected=1)  # into the vice
+    run(program, "cell", "export", cell, folder / "cell.html", "--methods", "filtered")
     for path in (results / "near-edge").glob("map-*.csv"):
         path.write_text("".join(path.read_text().splitlines(keepends=True)[:200]))  # enough of one
-    (results / "methods.txt").write_text(run(program, "methods"))
+    (results / "methods.txt").write_text(run(program, "methods").stdout)
     thesis = results / "thesis"
     entries, numbers = rows_of(thesis / "entries.csv"), rows_of(thesis / "numbers.csv")
     stems = [(pathlib.Path(folder), stem) for folder, names in PICTURES.items() for stem in names]

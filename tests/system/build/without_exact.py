@@ -13,19 +13,14 @@ import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
+
+sys.path.append(str(pathlib.Path(__file__).parents[1]))
+from running import expect, run  # noqa: E402
 
 FORBIDDEN = ["CGAL", "GMP", "MPFR", "TBB"]
 HEADERS = re.compile(r"/CGAL/|/(gmp|gmpxx|mpfr)[^/]*\.h$|/tbb/|/oneapi/")
 SYMBOLS = re.compile(r"__gmp|mpfr_|CGAL|\btbb::")
-
-
-def run(*command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **options)
-    if done.returncode != 0:
-        sys.exit(f"without_exact: {' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
-    return done.stdout
 
 
 def configuration(source, folder, compiler, *options):
@@ -38,7 +33,7 @@ def answers(source, scratch, compiler, name, *libraries):
     program = scratch / f"answers_{name}"
     run(compiler, "-std=c++20", "-O1", "-ffp-contract=off", "-I", source, "-isystem", "/usr/include/eigen3",
         source / "tests/system/matrix/answers.cpp", *libraries, "-lpthread", "-o", program)
-    return run(program)
+    return run(program).stdout
 
 
 def main():
@@ -49,35 +44,28 @@ def main():
     run(*configuration(source, build, compiler))
     run("cmake", "--build", build, "-j", os.cpu_count())
 
-    headers = {line.strip() for line in run("ninja", "-C", build, "-t", "deps").splitlines()}
+    headers = {line.strip() for line in run("ninja", "-C", build, "-t", "deps").stdout.splitlines()}
     included = sorted(header for header in headers if HEADERS.search(header))
-    if included:
-        sys.exit(f"without_exact: the library includes {included[0]}")
-    if not any("/boost/multiprecision/" in header for header in headers):
-        sys.exit("without_exact: no file includes Boost.Multiprecision, so the headers were not read")
+    expect(not included, f"the library includes {included[:1]}")
+    expect(any("/boost/multiprecision/" in header for header in headers), "no file includes Boost.Multiprecision, so the headers were not read")
     libraries = [build / "robust/libtouchstone_robust.a", build / "geometry/libtouchstone_geometry.a"]
-    needed = [line for line in run("nm", "-C", *libraries).splitlines() if SYMBOLS.search(line)]
-    if needed:
-        sys.exit(f"without_exact: the library has the symbol {needed[0]}")
+    needed = [line for line in run("nm", "-C", *libraries).stdout.splitlines() if SYMBOLS.search(line)]
+    expect(not needed, f"the library has the symbols {needed[:1]}")
 
     alone, both = (answers(source, scratch, compiler, "alone", *libraries),
                    answers(source, scratch, compiler, "full", *full, "-ltbb", "-lmpfr", "-lgmp"))
     print("without exact:", alone, "with it:      ", both, sep="\n")
-    if alone != both:
-        sys.exit("without_exact: the answers differ")
+    expect(alone == both, "the answers differ")
 
     run("cmake", f"-DBUILD={build}", f"-DSOURCE={source}", f"-DSCRATCH={scratch}/consumer", f"-DCOMPILER={compiler}",
         "-DFLAGS=", f"-DFORBIDDEN={';'.join(FORBIDDEN)}", "-P",
         source / "tests/system/consumer/run.cmake")
     flags = next((scratch / "consumer/prefix").rglob("touchstone.pc")).read_text()
-    if re.search(r"-l(gmp|mpfr|tbb)", flags):
-        sys.exit(f"without_exact: touchstone.pc says\n{flags}")
+    expect(not re.search(r"-l(gmp|mpfr|tbb)", flags), f"touchstone.pc says\n{flags}")
 
     for part in ("EXPERIMENTS", "TESTS", "PYTHON"):
-        refused = subprocess.run(configuration(source, scratch / part, compiler, f"-DTOUCHSTONE_{part}=ON"),
-                                 capture_output=True, text=True)
-        if refused.returncode == 0 or f"TOUCHSTONE_{part}=ON needs TOUCHSTONE_EXACT=ON" not in refused.stderr:
-            sys.exit(f"without_exact: TOUCHSTONE_{part}=ON is not refused: {refused.stderr}")
+        refused = run(*configuration(source, scratch / part, compiler, f"-DTOUCHSTONE_{part}=ON"), expected=1)
+        expect(f"TOUCHSTONE_{part}=ON needs TOUCHSTONE_EXACT=ON" in refused.stderr, f"TOUCHSTONE_{part}=ON is refused otherwise: {refused.stderr}")
 
 
 main()

@@ -18,6 +18,7 @@ from functools import cmp_to_key
 from itertools import combinations, zip_longest
 
 import surd
+from surd import nearest_double
 
 ANSWER_KEYS = ("plane", "plane_tangent", "foot", "edges_hit", "relation", "contact", "nearest", "point", "distance",
                "off_plane")
@@ -111,14 +112,6 @@ def cross(a, b):
 
 def times(k, a):
     return tuple(k * x for x in a)
-
-
-def nearest_double(value):
-    """The double nearest to a rational, ties to even, never -0; None beyond the finite doubles."""
-    try:
-        return value.numerator / value.denominator + 0.0  # int / int is correctly rounded in Python
-    except OverflowError:
-        return None
 
 
 def nearest_root(value):
@@ -409,8 +402,8 @@ def first_contact(scale, c, to, r, loops):
     assert d2 == r * r, "the ball touches at its first time"
     later = next((t for t, _ in times_of_events if surd.compare(t, first) > 0), first + 1)
     after = face.closest(center(surd.between(first, later)))[0]
-    return verdict("way", surd.nearest_double(first), after > r * r, feature,
-                   [surd.nearest_double(x / scale) for x in point])
+    return verdict("way", nearest_double(first), after > r * r, feature,
+                   [nearest_double(x / scale) for x in point])
 
 
 def judge_case(text_line):

@@ -11,24 +11,14 @@ import pathlib
 import platform
 import re
 import shutil
-import subprocess
 import sys
+
+sys.path.append(str(pathlib.Path(__file__).parents[1]))
+from running import expect, run  # noqa: E402
 
 SOURCE, BUILD, SCRATCH = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 TOOLS = "g++,cmake,ninja-build,pkg-config"
 HERE = pathlib.Path(__file__).parent
-
-
-def run(*command):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
-    return done.stdout
-
-
-def expect(holds, message):
-    if not holds:
-        sys.exit(message)
 
 
 def make_packages(folder):
@@ -37,9 +27,9 @@ def make_packages(folder):
     shutil.rmtree(folder / "_CPack_Packages", ignore_errors=True)
     names, files = set(), {}
     for package in sorted(folder.glob("*.deb")):
-        fields = dict(line.split(": ", 1) for line in run("dpkg-deb", "-f", package).splitlines() if ": " in line)
+        fields = dict(line.split(": ", 1) for line in run("dpkg-deb", "-f", package).stdout.splitlines() if ": " in line)
         print(f"{fields['Package']} {fields['Version']} needs {fields['Depends']}")
-        contents = [line.split()[5] for line in run("dpkg-deb", "-c", package).splitlines() if not line.endswith("/")]
+        contents = [line.split()[5] for line in run("dpkg-deb", "-c", package).stdout.splitlines() if not line.endswith("/")]
         for document in ("CONTRACT.md", "LICENSE-APACHE"):
             expect(any(path.endswith(document) for path in contents), f"{package.name} does not hold {document}")
         for path in contents:
@@ -54,7 +44,7 @@ def check_exports(package):
     shared = sorted((SCRATCH / "library/usr/lib").rglob("libtouchstone_*.so.?.?.?"))
     expect(len(shared) == 2, f"expected two shared libraries, found {shared}")
     for library in shared:
-        symbols = re.findall(r"[TDBRVWu] (\w+)", run("nm", "-D", "--defined-only", library))
+        symbols = re.findall(r"[TDBRVWu] (\w+)", run("nm", "-D", "--defined-only", library).stdout)
         expect(len(symbols) > 20, f"{library.name} exports {len(symbols)} symbols")
         foreign = [symbol for symbol in symbols if not re.match(r"_Z\w*?N?K?10touchstone", symbol)]
         expect(not foreign, f"{library.name} exports what is not touchstone's: {foreign[:5]}")

@@ -9,8 +9,10 @@ included, whatever the number of threads.
 import json
 import pathlib
 import shutil
-import subprocess
 import sys
+
+sys.path.append(str(pathlib.Path(__file__).parents[3] / "system"))
+from running import run  # noqa: E402
 
 
 def main(touchstone, corpus, scratch):
@@ -21,26 +23,18 @@ def main(touchstone, corpus, scratch):
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
     cases.write_text("".join(file.read_text() for file in files))
-    faults = []
 
-    if subprocess.run([touchstone, "corpus", "check", *files]).returncode != 0:
-        faults.append("corpus check finds faults")
-    with verdicts.open("w") as out:
-        if subprocess.run([touchstone, "judge", "--methods", "exact", cases], stdout=out).returncode != 0:
-            faults.append("exact does not meet the corpus")
-    checker = corpus.parent / "system" / "independent" / "checker.py"
-    if subprocess.run([sys.executable, "-B", checker, cases, verdicts]).returncode != 0:
-        faults.append("the independent checker disagrees")
-    for method in ("fast", "thesis"):
-        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        if subprocess.run([touchstone, "judge", "--methods", method, cases], **quiet).returncode != 1:
-            faults.append(f"{method} passes the corpus, which is there to fail it")
+    run(touchstone, "corpus", "check", *files)
+    verdicts.write_text(run(touchstone, "judge", "--methods", "exact", cases).stdout)
+    run(sys.executable, "-B", corpus.parent / "system/independent/checker.py", cases, verdicts)
+    for method in ("fast", "thesis"):  # the corpus is there to fail them
+        run(touchstone, "judge", "--methods", method, cases, expected=1)
 
     stored = {file.name: file.read_bytes() for file in [*files, corpus / "README.md", corpus / "corpus.json"]}
     again = scratch / "again"
-    subprocess.run([touchstone, "corpus", "make", "--threads", "3", again], check=True)  # stored: by two
+    run(touchstone, "corpus", "make", "--threads", "3", again)  # stored: by two
     made = {file.name: file.read_bytes() for file in again.iterdir()}
-    faults += [f"{name} is not what make writes" for name in sorted(stored.keys() | made.keys())
+    faults = [f"{name} is not what make writes" for name in sorted(stored.keys() | made.keys())
                if stored.get(name) != made.get(name)]
     faults += [f"{name} is larger than 300 kB" for name, content in stored.items() if len(content) > 300_000]
     counted = {entry["file"]: entry["cases"] for entry in json.loads(stored["corpus.json"])["files"]}

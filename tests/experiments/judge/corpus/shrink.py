@@ -10,14 +10,11 @@ import pathlib
 import subprocess
 import sys
 
+sys.path.append(str(pathlib.Path(__file__).parents[3] / "system"))
+from running import expect, run  # noqa: E402
+
 
 def main(touchstone, corpus):
-    faults = []
-
-    def expect(condition, what):
-        if not condition:
-            faults.append(what)
-
     def shrink(text, *options):
         return subprocess.run([touchstone, "corpus", "shrink", "-", *options], input=text, capture_output=True, text=True)
 
@@ -34,8 +31,7 @@ def main(touchstone, corpus):
     expect(shrink(some, "--method", "fast").stdout == small.stdout, "a second run prints something else")
     expect(shrink(small.stdout, "--method", "fast").stdout == small.stdout, "what was shrunk is shrunk again")
     for method, status in (("exact", 0), ("rational", 0), ("fast", 1)):
-        judged = subprocess.run([touchstone, "judge", "--methods", method], input=small.stdout, capture_output=True, text=True)
-        expect(judged.returncode == status, f"judged by {method}: status {judged.returncode}")
+        run(touchstone, "judge", "--methods", method, input=small.stdout, expected=status)
 
     square = {"id": "square", "ball": {"center": [1, 1, 1], "radius": 2},
               "polygon": {"outer": [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]]}}
@@ -54,12 +50,10 @@ def main(touchstone, corpus):
                f"{names}: status {result.returncode}, {result.stderr}")
     mixed = shrink(f"{fine}\n{touching}\n", "--method", "thesis", "--key", "contact")
     expect(mixed.returncode == 2 and mixed.stdout.count("\n") == 1, "a case that does not fail ends the others")
-    missing = subprocess.run([touchstone, "corpus", "shrink", "/nowhere/at-all", "--method", "fast"], capture_output=True,
-                             text=True)
-    expect(missing.returncode == 2 and "/nowhere/at-all: cannot be read" in missing.stderr, missing.stderr)
-    print("\n".join(faults) or f"{len(cases)} polygons shrunk from {size[0]} to {size[1]} characters: all is well")
-    return 1 if faults else 0
+    missing = run(touchstone, "corpus", "shrink", "/nowhere/at-all", "--method", "fast", expected=2)
+    expect("/nowhere/at-all: cannot be read" in missing.stderr, missing.stderr)
+    print(f"{len(cases)} polygons shrunk from {size[0]} to {size[1]} characters: all is well")
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    main(*sys.argv[1:])

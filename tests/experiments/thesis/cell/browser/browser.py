@@ -25,7 +25,8 @@ from selenium.webdriver.common.keys import Keys
 
 ROOT = pathlib.Path(__file__).resolve().parents[5]
 sys.path.append(str(ROOT / "tests/system"))
-from chromium import PATIENCE, Chromium, Failure, expect  # noqa: E402
+from chromium import PATIENCE, Chromium  # noqa: E402
+from running import expect  # noqa: E402
 
 CELL = ROOT / "experiments/thesis/cell/cells/aristo.json"
 
@@ -75,23 +76,35 @@ class Page(Chromium):
         found = re.match(r"Stop (\d+) of (\d+):", self.text("status"))
         return (int(found[1]), int(found[2])) if found else None
 
+    def value(self, name):
+        return self.find(f"#{name}").get_property("value")
+
+    def put(self, selector, value, *events):
+        self.script("const [e, value, ...kinds] = arguments; e.value = value;"
+                    "for (const kind of kinds) e.dispatchEvent(new Event(kind, {bubbles: true}))", self.find(selector), value, *events)
+
     def go(self, number):
-        self.script("const e = document.getElementById('stop'); e.value = arguments[0];"
-                    "e.dispatchEvent(new Event('input', {bubbles: true}))", number)
+        self.put("#stop", number, "input")
 
     def slide(self, name, value):
-        self.script("const e = document.getElementById(arguments[0]); e.value = arguments[1];"
-                    "e.dispatchEvent(new Event('input', {bubbles: true})); e.dispatchEvent(new Event('change', {bubbles: true}))",
-                    name, value)
+        self.put(f"#{name}", value, "input", "change")
         self.settled()
+
+    def reset(self):
+        self.find("#reset").click()
+        self.settled()
+
+    def runs(self, run):
+        """Whether the page shows a run of so many stops, at its first one."""
+        self.back()
+        return self.stop() == (0, len(run["stops"]) - 1)
 
     def back(self):
         """From where a process fails, or a jogged arm, to the run."""
         self.script("const b = document.getElementById('unjog'); if (!b.hidden) b.click()")
 
     def choose(self, name, value):
-        self.script("const e = document.getElementById(arguments[0]); e.value = arguments[1];"
-                    "e.dispatchEvent(new Event('change', {bubbles: true}))", name, value)
+        self.put(f"#{name}", value, "change")
         self.settled()
 
     def keys(self, *keys):
@@ -210,42 +223,37 @@ def check_keys(page):
 
 
 def check_configuration(page, address):
-    before = page.script("return document.getElementById('angle').value")
+    before = page.value("angle")
     page.script("document.getElementById('plan').scrollIntoView({block: 'center'})")
     handle = page.find("#plan .handle .grip")
     ActionChains(page.driver).click_and_hold(handle).move_by_offset(-12, -60).perform()
     expect("being moved" in page.text("status"), "while it is dragged an old run is shown")
-    expect(page.script("return document.getElementById('run').disabled"), "while it is dragged an old run can be run")
+    expect(page.find("#run").get_property("disabled"), "while it is dragged an old run can be run")
     ActionChains(page.driver).release().perform()
     page.settled()
-    setting = {"storage": {name: float(page.script("return document.getElementById(arguments[0]).value", name))
-                           for name in ("angle", "radius", "height")}}
+    setting = {"storage": {name: float(page.value(name)) for name in ("angle", "radius", "height")}}
     expect(str(setting["storage"]["angle"]) != before, "dragging does not turn the storage")
     run = ask(address, setting)
-    page.back()
-    expect(page.stop() == (0, len(run["stops"]) - 1), f"dragged: {page.text('status')!r}, not {len(run['stops'])} stops")
+    expect(page.runs(run), f"dragged: {page.text('status')!r}, not {len(run['stops'])} stops")
     expect(page.script("return document.querySelector('[data-label=\"storage.angle\"]').textContent") == "C",
            "a dragged angle is not labelled as chosen")
     page.picture("dragged")
 
     page.script("document.querySelector('#plan .handle').focus()")
-    angle = page.script("return +document.getElementById('angle').value")
+    angle = float(page.value("angle"))
     page.keys(Keys.ARROW_LEFT, Keys.ARROW_LEFT, Keys.ARROW_LEFT)
     page.settled()
-    expect(page.script("return +document.getElementById('angle').value") == angle + 3, "arrow keys do not turn the storage")
+    expect(float(page.value("angle")) == angle + 3, "arrow keys do not turn the storage")
     run = ask(address, {"storage": dict(setting["storage"], angle=angle + 3)})
-    page.back()
-    expect(page.stop() == (0, len(run["stops"]) - 1), "of several questions, the last is not the one answered")
+    expect(page.runs(run), "of several questions, the last is not the one answered")
 
-    page.find("#reset").click()
-    page.settled()
+    page.reset()
     page.slide("angle", -33)
     page.slide("radius", 609.2)
     expect("−183" in page.text("moves"), "at -33 degrees the base does not turn by 183")
     page.slide("height", 262)
     run = ask(address, {"storage": {"angle": -33, "radius": 609.2, "height": 262}})
-    page.back()
-    expect(page.stop() in ((0, len(run["stops"]) - 1), None), page.text("status"))
+    expect(page.runs(run) or page.stop() is None, page.text("status"))
     page.slide("angle", 67)
     expect(page.text("failure").startswith("The process does not begin: at home storage/") and "stands in machine/" in page.text("failure"),
            f"in the machine: {page.text('failure')!r}")
@@ -264,40 +272,35 @@ def check_configuration(page, address):
     page.slide("radius", 150)
     expect(page.text("failure").startswith("The process does not begin: at home "), f"in the robot: {page.text('failure')!r}")
     expect(page.text("status").startswith("Where it fails: at home "), f"without a stop it says {page.text('status')!r}")
-    expect(page.script("return document.getElementById('run').disabled"), "a run without stops can be run")
+    expect(page.find("#run").get_property("disabled"), "a run without stops can be run")
     page.picture("no-stop")
-    page.find("#reset").click()
-    page.settled()
+    page.reset()
     page.slide("radius", 800)
     expect("storage.radius: " in page.text("failure"), f"too far: {page.text('failure')!r}")
     expect(page.find("#failure").is_displayed(), "the reason is hidden")
-    expect(page.script("return document.getElementById('run').disabled"), "what cannot be can be run")
+    expect(page.find("#run").get_property("disabled"), "what cannot be can be run")
     page.picture("too-far")
     furthest = float(re.search(r"at radii from \S+ to ([\d.]+)", page.text("failure"))[1])
     page.slide("radius", furthest - 1)
     page.back()
     expect(page.stop() and "out of reach" not in page.text("failure"), f"the advised radius: {page.text('failure')!r}")
-    page.find("#reset").click()
-    page.settled()
+    page.reset()
     expect(page.stop() and not page.find("#failure").is_displayed(), "it does not recover from a cell that cannot be")
     page.slide("step", 2)
     page.back()
     expect(page.stop()[1] < 400, "a step of 2 degrees does not halve the stops")
     page.slide("slot", "C")
-    page.find("#reset").click()
-    page.settled()
+    page.reset()
 
 
 def check_typed(page, address):
     """Numbers can be typed that no slider reaches."""
     page.choose("radius-number", 487.35)
     run = ask(address, {"storage": {"radius": 487.35}})
-    page.back()
-    expect(page.stop() == (0, len(run["stops"]) - 1), "a typed radius is not run")
+    expect(page.runs(run), "a typed radius is not run")
     expect(run["setting"]["storage"]["radius"] == 487.35, "the program takes another radius")
-    page.find("#reset").click()
-    page.settled()
-    expect(page.script("return document.getElementById('radius-number').value") == "480.2", "reset leaves what was typed")
+    page.reset()
+    expect(page.value("radius-number") == "480.2", "reset leaves what was typed")
 
 
 def check_distances(page, run):
@@ -331,8 +334,7 @@ def check_views(page):
 
 def check_jog(page):
     page.go(0)
-    page.script("const e = document.querySelectorAll('#joints input[type=range]')[2]; e.value = -115;"
-                "e.dispatchEvent(new Event('input', {bubbles: true}))")
+    page.put("#joints tbody tr:nth-child(3) input[type=range]", -115, "input")
     page.wait("an answer about the pose", lambda: page.text("status").startswith("Jogged: "))
     expect("nothing is touched" not in page.text("status") and page.red() > 50, f"jogged down: {page.text('status')!r}")
     page.picture("jogged")
@@ -407,8 +409,7 @@ def check_touch(page):
     page.settled()
     expect(page.script(angle) != before, "a finger does not drag the storage")
     expect(places[-1] == places[1], f"dragging the storage scrolls the page: {places}")
-    page.find("#reset").click()
-    page.settled()
+    page.reset()
 
 
 def check_calm(page):
@@ -467,9 +468,12 @@ def add(page, kind):
 
 
 def change(page, label, value):
-    field = page.find(f"#elements [aria-label='{label}']")
-    reloaded(page, lambda: page.script("arguments[0].value = arguments[1];"
-                                       "arguments[0].dispatchEvent(new Event('change', {bubbles: true}))", field, value))
+    reloaded(page, lambda: page.put(f"#elements [aria-label='{label}']", value, "change"))
+
+
+def move(page, name, place):
+    for axis, value in zip("xyz", place):
+        change(page, f"{name}: move {axis}", value)
 
 
 def check_elements(page, address):
@@ -481,9 +485,7 @@ def check_elements(page, address):
     add(page, "zone-box")
     expect(elements(page) == own + ["zones[0]"], elements(page))
     expect("change=" in page.driver.current_url, "the address does not say what was changed")
-    change(page, "box-2: move x", 420)
-    change(page, "box-2: move y", -240)
-    change(page, "box-2: move z", 220)
+    move(page, "box-2", (420, -240, 220))
     expect(page.text("moves") == moves, "a virtual object is in the way")
     setting = {"changes": ['zones[0]={"name": "box-2", "box": ' + page.script(
         "return JSON.stringify(JSON.parse(new URLSearchParams(location.search).getAll('change')[0].slice('zones[0]='.length)).box)")
@@ -507,9 +509,7 @@ def check_elements(page, address):
     page.open(address)
     add(page, "box")
     expect(page.text("moves") == moves or page.find("#failure").is_displayed(), "an obstacle changes the run")
-    change(page, "box-2: move x", 300)
-    change(page, "box-2: move y", -300)
-    change(page, "box-2: move z", 200)
+    move(page, "box-2", (300, -300, 200))
     expect("box-2" in page.text("failure"), f"an obstacle on the way: {page.text('failure')!r}")
     expect(page.red() > 50, "the obstacle is not coloured")
     page.picture("obstacle")
@@ -557,15 +557,12 @@ def check_offline(page, file):
     page.open(file.as_uri())
     check_words(page, recorded(file)["run"])
     check_transport(page)
-    expect(page.script("return document.getElementById('angle').disabled"), "a recorded storage can be moved")
+    expect(page.find("#angle").get_property("disabled"), "a recorded storage can be moved")
     asked = page.script("return performance.getEntriesByType('resource').map(e => e.name).filter(n => !n.startsWith('data:'))")
     expect(not asked, f"the exported page asks for {asked}")
 
 
 def main(touchstone, pictures=None):
-    pictures = pictures and pathlib.Path(pictures)
-    if pictures:
-        pictures.mkdir(parents=True, exist_ok=True)
     done = []
     with server(touchstone) as address:
         run = ask(address, {})
@@ -619,7 +616,7 @@ def main(touchstone, pictures=None):
             done.append("without WebGL")
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "run.html"
-        subprocess.run([touchstone, "cell", "export", str(CELL), str(file)], check=True, capture_output=True, timeout=PATIENCE)
+        subprocess.run([touchstone, "cell", "export", CELL, file], check=True, capture_output=True, timeout=PATIENCE)
         with Page(pictures) as page:
             check_offline(page, file)
             page.picture("exported")
@@ -629,7 +626,4 @@ def main(touchstone, pictures=None):
 
 
 if __name__ == "__main__":
-    try:
-        main(*sys.argv[1:])
-    except Failure as failure:
-        sys.exit(f"browser.py: {failure}")
+    main(*sys.argv[1:])
