@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/hand_cases.h"
+#include "tests/robust/support/limits.h"
 #include "tests/robust/support/printing.h"
 #include "tests/robust/support/rearranged.h"
 
@@ -15,9 +15,6 @@ namespace touchstone::contact_tests {
 namespace {
 
 using Kind = Feature::Kind;
-constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void expect_exact(const HandCase& c) {
   EXPECT_EQ(exact::answer(c.given.ball, c.given.polygon), c.expected) << c.given.id;

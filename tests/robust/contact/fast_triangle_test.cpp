@@ -23,8 +23,6 @@ namespace {
 using workloads::BallPlace;
 using workloads::Placement;
 
-Triangle triangle_of(const Polygon& polygon) { return {polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}; }
-
 bool touches(const Case& c) { return fast::contact(c.ball, triangle_of(c.polygon)); }
 
 /// Triangles of the workloads, some far from the origin, with balls about their thresholds and anywhere.

@@ -66,7 +66,7 @@ TEST(FloatingEnvironment, ChangesNoSingleExactAnswer) {
 }
 
 /// `accepted`, or the message.
-std::string verdict(const Polygon& polygon) {
+std::string message_about(const Polygon& polygon) {
   const auto rejection = exact::validate(polygon);
   return rejection ? rejection->message : "accepted";
 }
@@ -85,10 +85,10 @@ TEST(FloatingEnvironment, ChangesNoValidation) {
     add({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, {{{1, 1, 0}, {4, 4, 0}, {1, 3, 0}}});  // loops touch
   }
   for (const Polygon& polygon : polygons) {
-    const std::string expected = verdict(polygon);
+    const std::string expected = message_about(polygon);
     for (const int mode : kModes) {
       const Environment changed(mode, Environment::kBoth);
-      EXPECT_EQ(verdict(polygon), expected) << "rounding mode " << mode;
+      EXPECT_EQ(message_about(polygon), expected) << "rounding mode " << mode;
     }
   }
 }

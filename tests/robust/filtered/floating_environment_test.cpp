@@ -21,10 +21,7 @@
 namespace touchstone::filtered_tests {
 namespace {
 
-using contact_tests::Environment;
-using contact_tests::kFlags;
-using contact_tests::kFlushes;
-using contact_tests::kModes;
+using namespace contact_tests;
 
 struct Asked {
   Case given;
@@ -35,8 +32,8 @@ struct Asked {
 const std::vector<Asked>& cases() {
   static const std::vector<Asked> all = [] {
     std::vector<Case> drawn;
-    for (const auto& c : contact_tests::hand_cases())
-      for (const int exponent : {0, -1074, 1019, -500, 480}) drawn.push_back(contact_tests::scaled(c.given, exponent));
+    for (const auto& c : hand_cases())
+      for (const int exponent : {0, -1074, 1019, -500, 480}) drawn.push_back(scaled(c.given, exponent));
     const double least = std::numeric_limits<double>::denorm_min();
     for (const double unit : {1e300, 1e-300, least}) {
       const Polygon triangle({{0, 0, 0}, {4 * unit, 0, 0}, {0, 4 * unit, unit}});

@@ -14,9 +14,11 @@
 namespace touchstone::filtered_tests {
 namespace {
 
+using namespace contact_tests;
+
 TEST(HardCases, HaveNegativeZeros) {
   // Coordinates of samples of workloads are hardly ever zero, nor are radii at a threshold.
-  const std::vector<std::pair<std::string, rc::Gen<Case>>> all{{"grid_cases", contact_tests::grid_cases()},
+  const std::vector<std::pair<std::string, rc::Gen<Case>>> all{{"grid_cases", grid_cases()},
                                                                {"soak_cases", soak_cases()},
                                                                {"threshold_cases", threshold_cases()},
                                                                {"degenerate_balls", degenerate_balls()},
@@ -25,7 +27,7 @@ TEST(HardCases, HaveNegativeZeros) {
                                                                {"islands", islands()},
                                                                {"hard_triangles", hard_triangles()}};
   for (const auto& [name, gen] : all) {
-    contact_tests::NegativeZeros seen;
+    NegativeZeros seen;
     rc::Random random(2026);
     for (int i = 0; i < 400; ++i) {
       const Case drawn = gen(random.split(), 100).value();

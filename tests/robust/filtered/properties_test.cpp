@@ -15,6 +15,8 @@
 namespace touchstone::filtered_tests {
 namespace {
 
+using namespace contact_tests;
+
 /// Every question of every overload, against the one whole exact answer.
 void expect_exact_answers(const Case& c) {
   const Answer truth = exact::answer(c.ball, c.polygon);
@@ -60,7 +62,7 @@ void expect_exact_answers_counted(const Case& c) {
 }
 
 // Guarantee (1), where the inputs come from elsewhere: samples of all families and placements, small grids.
-RC_GTEST_PROP(FilteredIsExact, OnSamplesAndGrids, ()) { expect_exact_answers(*contact_tests::any_case()); }
+RC_GTEST_PROP(FilteredIsExact, OnSamplesAndGrids, ()) { expect_exact_answers(*any_case()); }
 
 RC_GTEST_PROP(FilteredIsExact, OnTheCasesOfTheSoak, ()) { expect_exact_answers(*soak_cases()); }
 
@@ -75,7 +77,7 @@ RC_GTEST_PROP(FilteredIsExact, AtExtremeScales, ()) { expect_exact_answers(*scal
 RC_GTEST_PROP(FilteredIsExact, OnIslandsInHoles, ()) { expect_exact_answers(*islands()); }
 
 RC_GTEST_PROP(FilteredIsExact, OnTangentBallsOfTheLattice, ()) {
-  expect_exact_answers(*contact_tests::samples(
+  expect_exact_answers(*samples(
       {.balls = {workloads::BallPlace::LatticeTangent}, .most_holes = 3, .largest_warp = 0, .largest_exponent = 1000}));
 }
 
@@ -101,7 +103,7 @@ RC_GTEST_PROP(FilteredTriangle, IsExactUnderMirrorsAndExchangedAxes, ()) {
   const Case c = *hard_triangles();
   const bool touches = exact::contact(c.ball, c.polygon);
   for (int image = 0; image < 24; ++image) {
-    const Case turned = contact_tests::moved(c, [image](const Eigen::Vector3d& v) {
+    const Case turned = moved(c, [image](const Eigen::Vector3d& v) {
       const int first = image % 3;
       Eigen::Vector3d w(v[first], v[(first + 1) % 3], v[(first + 2) % 3]);
       for (int axis = 0; axis < 3; ++axis)

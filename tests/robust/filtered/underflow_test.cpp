@@ -9,11 +9,13 @@
 #include "experiments/cases/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
+#include "tests/robust/support/rearranged.h"
 
 namespace touchstone::filtered_tests {
 namespace {
+
+using namespace contact_tests;
 
 /// Of the size of 1, with a vertex at the origin and an edge along x; flat, tilted, off its plane, with a hole.
 const std::vector<Polygon>& polygons_at_origin() {

@@ -11,11 +11,9 @@
 
 #include "tests/robust/support/environment.h"
 
-namespace touchstone::filtered_tests {
+namespace touchstone::contact_tests {
 namespace {
 
-using contact_tests::Environment;
-using contact_tests::kModes;
 using filtered::detail::Bounded;
 using filtered::detail::BoundedVector;
 using filtered::detail::DoubleDouble;
@@ -146,4 +144,4 @@ TEST(Bounded, IsTight) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered_tests
+}  // namespace touchstone::contact_tests

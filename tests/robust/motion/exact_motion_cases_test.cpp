@@ -4,7 +4,7 @@
 
 #include "robust/exact/motion.h"
 #include "tests/robust/support/environment.h"
-#include "tests/robust/support/moving.h"
+#include "tests/robust/support/hand_cases.h"
 
 namespace touchstone::contact_tests {
 namespace {

@@ -11,26 +11,18 @@
 #include <vector>
 
 #include "robust/exact/motion.h"
-#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/motion.h"
+#include "tests/robust/support/all_kernels.h"
 #include "tests/robust/support/environment.h"
+#include "tests/robust/support/hand_cases.h"
 #include "tests/robust/support/hard_cases.h"
-#include "tests/robust/support/moving.h"
+#include "tests/robust/support/rearranged.h"
 
 namespace touchstone::contact_tests {
 namespace {
 
 using filtered::detail::Kernels;
-using filtered_tests::hard_cases;
-using filtered_tests::hard_triangles;
-using filtered_tests::triangle_of;
-
-std::vector<const Kernels*> all_kernels() {
-  std::vector<const Kernels*> list{&filtered::detail::baseline_kernels()};
-  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
-  return list;
-}
 
 RC_GTEST_PROP(FilteredMotion, IsExactForPreparedPolygons, ()) {
   const MovingCase c = *moving(hard_cases());

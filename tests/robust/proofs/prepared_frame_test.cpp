@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "experiments/cases/workloads/random.h"
-#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/frame.h"
 #include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/detail/signs/bounds.h"
+#include "tests/robust/support/all_kernels.h"
 
 namespace touchstone::proofs::prepared_frame {
 namespace {
@@ -173,9 +173,7 @@ void check(const Kernels& kernels, const Polygon& polygon, const std::string& wh
 }
 
 TEST(PreparedFrame, IsAsAccurateAsStatedWithEveryKernel) {
-  std::vector<const Kernels*> all{&baseline_kernels()};
-  if (&kernels() != all.front()) all.push_back(&kernels());
-  for (const Kernels* kernels : all) {
+  for (const Kernels* kernels : contact_tests::all_kernels()) {
     Shares shares;
     for (std::uint64_t index = 0; index < kPolygons; ++index)
       check(*kernels, draw_polygon(index), "polygon " + std::to_string(index), shares);

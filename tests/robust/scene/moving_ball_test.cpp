@@ -38,9 +38,9 @@ using scene::FirstFace;
 using scene::Scene;
 
 /// A scene, its faces without any hierarchy, and motions through them.
-struct Subject {
-  Subject(Kind kind, std::uint64_t index) : Subject(draw_objects(kind, 2026, index), name(kind)) {}
-  Subject(const std::vector<scene::Faces>& objects, std::string words)
+struct MotionSubject {
+  MotionSubject(Kind kind, std::uint64_t index) : MotionSubject(draw_objects(kind, 2026, index), name(kind)) {}
+  MotionSubject(const std::vector<scene::Faces>& objects, std::string words)
       : what(std::move(words)), polygons(all_polygons(objects)), faces(objects) {
     for (std::size_t i = 0; i < objects.size(); ++i) built.add("object " + std::to_string(i), objects[i]);
   }
@@ -54,10 +54,10 @@ struct Subject {
 
 /// Calls f(subject, motion, number, words) for scenes of each kind.
 template <class F>
-void for_each_query(std::uint64_t motions, const F& f) {
+void for_each_motion(std::uint64_t motions, const F& f) {
   for (const Kind kind : all_kinds())
     for (std::uint64_t index = 0; index < 2; ++index) {
-      const Subject subject(kind, index);
+      const MotionSubject subject(kind, index);
       for (std::uint64_t i = 0; i < motions; ++i) {
         const std::uint64_t number = 1000 * index + i;
         f(subject, subject.motion(number), number, subject.what + ", motion " + std::to_string(number));
@@ -67,71 +67,71 @@ void for_each_query(std::uint64_t motions, const F& f) {
 
 TEST(MovingBallInScene, TouchesExactlyTheFacesOnItsWay) {
   std::uint64_t touching = 0;
-  for_each_query(2 * TOUCHSTONE_SAMPLES,
-                 [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
-                   const auto expected = subject.faces.touched(motion);
-                   EXPECT_EQ(subject.built.touched(motion), expected) << what;
-                   EXPECT_EQ(subject.built.touches(motion), !expected.empty()) << what;
-                   if (number % 20 == 3) {
-                     EXPECT_EQ(subject.faces.touched_by_exact(motion), expected) << what;
-                   }
-                   touching += expected.empty() ? 0 : 1;
-                 });
+  for_each_motion(2 * TOUCHSTONE_SAMPLES, [&](const MotionSubject& subject, const Motion& motion, std::uint64_t number,
+                                              const std::string& what) {
+    const auto expected = subject.faces.touched(motion);
+    EXPECT_EQ(subject.built.touched(motion), expected) << what;
+    EXPECT_EQ(subject.built.touches(motion), !expected.empty()) << what;
+    if (number % 20 == 3) {
+      EXPECT_EQ(subject.faces.touched_by_exact(motion), expected) << what;
+    }
+    touching += expected.empty() ? 0 : 1;
+  });
   EXPECT_GT(touching, 5U * TOUCHSTONE_SAMPLES);
 }
 
 TEST(MovingBallInScene, TouchesTheFirstFaceFirstAndTheLowestOfEquals) {
   std::uint64_t on_way = 0;
-  for_each_query(2 * TOUCHSTONE_SAMPLES,
-                 [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
-                   const auto expected = subject.faces.first(motion);
-                   EXPECT_EQ(subject.built.first_contact(motion), expected) << what;
-                   if (number % 50 == 7) {
-                     EXPECT_EQ(subject.faces.first_by_exact(motion), expected) << what;
-                   }
-                   on_way += expected && expected->contact.kind == FirstContactKind::Way ? 1 : 0;
-                 });
+  for_each_motion(2 * TOUCHSTONE_SAMPLES, [&](const MotionSubject& subject, const Motion& motion, std::uint64_t number,
+                                              const std::string& what) {
+    const auto expected = subject.faces.first(motion);
+    EXPECT_EQ(subject.built.first_contact(motion), expected) << what;
+    if (number % 50 == 7) {
+      EXPECT_EQ(subject.faces.first_by_exact(motion), expected) << what;
+    }
+    on_way += expected && expected->contact.kind == FirstContactKind::Way ? 1 : 0;
+  });
   EXPECT_GT(on_way, 2U * TOUCHSTONE_SAMPLES);
 }
 
 TEST(MovingBallInScene, TouchesAtRestWhatTheBallTouches) {
-  for_each_query(TOUCHSTONE_SAMPLES / 2,
-                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
-                   const Motion at_rest(motion.ball, motion.ball.center);
-                   const auto touched = subject.built.touched(motion.ball);
-                   EXPECT_EQ(subject.built.touched(at_rest), touched) << what;
-                   EXPECT_EQ(subject.built.touches(at_rest), !touched.empty()) << what;
-                   const auto first = subject.built.first_contact(at_rest);
-                   ASSERT_EQ(first.has_value(), !touched.empty()) << what;
-                   if (!first) return;
-                   EXPECT_EQ(first->face, touched.front()) << what;
-                   EXPECT_EQ(first->contact.kind, FirstContactKind::Start) << what;
-                 });
+  for_each_motion(TOUCHSTONE_SAMPLES / 2,
+                  [](const MotionSubject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                    const Motion at_rest(motion.ball, motion.ball.center);
+                    const auto touched = subject.built.touched(motion.ball);
+                    EXPECT_EQ(subject.built.touched(at_rest), touched) << what;
+                    EXPECT_EQ(subject.built.touches(at_rest), !touched.empty()) << what;
+                    const auto first = subject.built.first_contact(at_rest);
+                    ASSERT_EQ(first.has_value(), !touched.empty()) << what;
+                    if (!first) return;
+                    EXPECT_EQ(first->face, touched.front()) << what;
+                    EXPECT_EQ(first->contact.kind, FirstContactKind::Start) << what;
+                  });
 }
 
 TEST(MovingBallInScene, TouchesTheSameFacesOnItsWayBack) {
-  for_each_query(TOUCHSTONE_SAMPLES / 2,
-                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
-                   const Motion back({motion.to, motion.ball.radius}, motion.ball.center);
-                   EXPECT_EQ(subject.built.touched(back), subject.built.touched(motion)) << what;
-                 });
+  for_each_motion(TOUCHSTONE_SAMPLES / 2,
+                  [](const MotionSubject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                    const Motion back({motion.to, motion.ball.radius}, motion.ball.center);
+                    EXPECT_EQ(subject.built.touched(back), subject.built.touched(motion)) << what;
+                  });
 }
 
 TEST(MovingBallInScene, AsksChosenObjectsOnly) {
-  for_each_query(TOUCHSTONE_SAMPLES / 5,
-                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
-                   const Scene::Objects chosen(std::vector<std::uint32_t>{2, 1, 2}), none(std::vector<std::uint32_t>{});
-                   std::vector<FaceId> expected;
-                   for (const FaceId& id : subject.faces.touched(motion))
-                     if (id.object != 0) expected.push_back(id);
-                   EXPECT_EQ(subject.built.touched(motion, chosen), expected) << what;
-                   EXPECT_EQ(subject.built.touches(motion, chosen), !expected.empty()) << what;
-                   const auto first = subject.built.first_contact(motion, chosen);
-                   EXPECT_EQ(first.has_value(), !expected.empty()) << what;
-                   EXPECT_TRUE(!first || first->face.object != 0) << what;
-                   EXPECT_FALSE(subject.built.touches(motion, none)) << what;
-                   EXPECT_FALSE(subject.built.first_contact(motion, none)) << what;
-                 });
+  for_each_motion(TOUCHSTONE_SAMPLES / 5, [](const MotionSubject& subject, const Motion& motion, std::uint64_t,
+                                             const std::string& what) {
+    const Scene::Objects chosen(std::vector<std::uint32_t>{2, 1, 2}), none(std::vector<std::uint32_t>{});
+    std::vector<FaceId> expected;
+    for (const FaceId& id : subject.faces.touched(motion))
+      if (id.object != 0) expected.push_back(id);
+    EXPECT_EQ(subject.built.touched(motion, chosen), expected) << what;
+    EXPECT_EQ(subject.built.touches(motion, chosen), !expected.empty()) << what;
+    const auto first = subject.built.first_contact(motion, chosen);
+    EXPECT_EQ(first.has_value(), !expected.empty()) << what;
+    EXPECT_TRUE(!first || first->face.object != 0) << what;
+    EXPECT_FALSE(subject.built.touches(motion, none)) << what;
+    EXPECT_FALSE(subject.built.first_contact(motion, none)) << what;
+  });
   const Scene empty;
   const Motion motion({{0, 0, 0}, 1}, {1, 0, 0});
   EXPECT_FALSE(empty.touches(motion) || empty.first_contact(motion) || !empty.touched(motion).empty());
@@ -140,7 +140,7 @@ TEST(MovingBallInScene, AsksChosenObjectsOnly) {
 
 TEST(MovingBallInScene, AnswersBatchesAsSingleQuestions) {
   for (const Kind kind : all_kinds()) {
-    const Subject subject(kind, 7);
+    const MotionSubject subject(kind, 7);
     std::vector<Motion> motions;
     for (std::uint64_t i = 0; i < 300; ++i) motions.push_back(subject.motion(i));
     const std::unique_ptr<bool[]> touches(new bool[motions.size()]);
@@ -158,8 +158,8 @@ TEST(MovingBallInScene, AnswersBatchesAsSingleQuestions) {
 
 TEST(MovingBallInScene, AnswersInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
   using contact_tests::Environment;
-  for_each_query(TOUCHSTONE_SAMPLES / 20, [](const Subject& subject, const Motion& motion, std::uint64_t,
-                                             const std::string& what) {
+  for_each_motion(TOUCHSTONE_SAMPLES / 20, [](const MotionSubject& subject, const Motion& motion, std::uint64_t,
+                                              const std::string& what) {
     const auto expected = subject.built.touched(motion);
     const auto expected_first = subject.built.first_contact(motion);
     for (const int mode : contact_tests::kModes)
@@ -199,7 +199,7 @@ TEST(MovingBallInScene, FindsPosedFacesAsIfTheyWereBuiltThere) {
         }
       }
       ++posed_scenes;
-      const Subject subject(there, name(kind) + ", scene " + std::to_string(index));
+      const MotionSubject subject(there, name(kind) + ", scene " + std::to_string(index));
       for (std::uint64_t i = 0; i < 20; ++i) {
         const Motion motion = subject.motion(100 * index + i);
         const std::string what = subject.what + ", motion " + std::to_string(i);

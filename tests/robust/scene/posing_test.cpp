@@ -11,18 +11,16 @@
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "tests/robust/support/environment.h"
+#include "tests/robust/support/limits.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
-using contact_tests::Environment;
+using namespace contact_tests;
 using filtered::Stage;
 using filtered::StageCounts;
 using scene::posed;
 using workloads::Random;
-
-constexpr double kLast = std::numeric_limits<double>::max();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 mpq_class exact_coordinate(const Pose& pose, const Eigen::Vector3d& p, int axis) {
   mpq_class sum(pose.translation[axis]);
@@ -34,7 +32,7 @@ mpq_class exact_coordinate(const Pose& pose, const Eigen::Vector3d& p, int axis)
 bool is_nearest(double x, const mpq_class& value) {
   if (x < 0 || (x == 0 && value < 0)) return is_nearest(x == 0 ? 0.0 : -x, -value);
   if (x == 0) return value >= 0 && value <= mpq_class(std::numeric_limits<double>::denorm_min()) / 2;
-  const mpq_class end = mpq_class(kLast) + (mpq_class(kLast) - mpq_class(workloads::move_by_doubles(kLast, -1)));
+  const mpq_class end = mpq_class(kMax) + (mpq_class(kMax) - mpq_class(workloads::move_by_doubles(kMax, -1)));
   const auto rational = [&end](double y) { return y == kInfinity ? end : mpq_class(y); };
   const mpq_class below = (rational(workloads::move_by_doubles(x, -1)) + rational(x)) / 2;
   const bool even = workloads::ordinal(x) % 2 == 0;
@@ -93,8 +91,8 @@ TEST(Posing, RoundsAlikeInEveryFloatingPointEnvironment) {
   for (std::uint64_t index = 0; index < 3 * TOUCHSTONE_SAMPLES; ++index) {
     const auto [pose, p] = draw_pose_and_point(index);
     const Eigen::Vector3d expected = posed(pose, p);
-    for (const int mode : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
+    for (const int mode : kModes)
+      for (const unsigned flush : kFlushes) {
         Eigen::Vector3d result;
         {
           const Environment changed(mode, flush);

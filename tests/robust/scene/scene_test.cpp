@@ -17,9 +17,9 @@ using scene::FaceId;
 using scene::Scene;
 
 /// A scene and its faces, prepared for the exact path.
-struct Subject {
-  Subject(Kind kind, std::uint64_t index) : Subject(draw_objects(kind, 2026, index)) {}
-  explicit Subject(std::vector<scene::Faces> given) : objects(std::move(given)) {
+struct BallSubject {
+  BallSubject(Kind kind, std::uint64_t index) : BallSubject(draw_objects(kind, 2026, index)) {}
+  explicit BallSubject(std::vector<scene::Faces> given) : objects(std::move(given)) {
     for (std::uint32_t object = 0; object < objects.size(); ++object) {
       built.add("object " + std::to_string(object), objects[object]);
       std::uint32_t face = 0;
@@ -50,10 +50,10 @@ struct Subject {
 
 /// Calls f(subject, ball, words) for scenes of each kind.
 template <class F>
-void for_each_query(std::uint64_t balls, const F& f) {
+void for_each_ball(std::uint64_t balls, const F& f) {
   for (const Kind kind : all_kinds())
     for (std::uint64_t index = 0; index < 2; ++index) {
-      const Subject subject(kind, index);
+      const BallSubject subject(kind, index);
       for (std::uint64_t i = 0; i < balls; ++i)
         f(subject, draw_ball(subject.objects, 2026, 1000 * index + i),
           name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i));
@@ -61,7 +61,7 @@ void for_each_query(std::uint64_t balls, const F& f) {
 }
 
 TEST(Scene, FindsExactlyTheFacesThatAreTouched) {
-  for_each_query(TOUCHSTONE_SAMPLES, [](const Subject& subject, const Ball& ball, const std::string& what) {
+  for_each_ball(TOUCHSTONE_SAMPLES, [](const BallSubject& subject, const Ball& ball, const std::string& what) {
     const auto expected = subject.touched(ball);
     EXPECT_EQ(subject.built.touched(ball), expected) << what;
     EXPECT_EQ(subject.built.touches(ball), !expected.empty()) << what;
@@ -76,7 +76,7 @@ TEST(Scene, AnswersAboutNeedlesInTheLeavesOfOtherTriangles) {
     const Eigen::Vector3d across = i % 2 == 0 ? Eigen::Vector3d(0.5, 0x1p-34, 0) : Eigen::Vector3d(0.25, 0.75, 0);
     faces.triangles.push_back({corner, corner + Eigen::Vector3d(1, 0, 0), corner + across});
   }
-  const Subject subject({faces});
+  const BallSubject subject({faces});
   for (int i = 0; i < 400; ++i) {
     const Ball ball{{i % 10 * 0.4375, i / 10 % 10 * 0.4375, i / 100 * 0.5}, 0.25 + 0.125 * (i % 3)};
     EXPECT_EQ(subject.built.touched(ball), subject.touched(ball)) << i;
@@ -85,7 +85,7 @@ TEST(Scene, AnswersAboutNeedlesInTheLeavesOfOtherTriangles) {
 }
 
 TEST(Scene, FindsTheNearestFaceAndTheLowestOfEquals) {
-  for_each_query(TOUCHSTONE_SAMPLES / 5, [](const Subject& subject, const Ball& ball, const std::string& what) {
+  for_each_ball(TOUCHSTONE_SAMPLES / 5, [](const BallSubject& subject, const Ball& ball, const std::string& what) {
     const auto found = subject.built.nearest(ball);
     ASSERT_TRUE(found) << what;
     const FaceId expected = subject.nearest(ball);
@@ -101,7 +101,7 @@ TEST(Scene, FindsTheNearestFaceAndTheLowestOfEquals) {
 }
 
 TEST(Scene, AnswersAboutChosenObjectsOnly) {
-  for_each_query(TOUCHSTONE_SAMPLES / 10, [](const Subject& subject, const Ball& ball, const std::string& what) {
+  for_each_ball(TOUCHSTONE_SAMPLES / 10, [](const BallSubject& subject, const Ball& ball, const std::string& what) {
     const Scene::Objects chosen(std::vector<std::uint32_t>{2, 0, 2});  // a set
     std::vector<FaceId> expected;
     for (const FaceId& id : subject.touched(ball))
@@ -115,7 +115,7 @@ TEST(Scene, AnswersAboutChosenObjectsOnly) {
 
 TEST(Scene, AnswersBatchesAsSingleQuestions) {
   for (const Kind kind : all_kinds()) {
-    const Subject subject(kind, 7);
+    const BallSubject subject(kind, 7);
     std::vector<Ball> balls;
     for (std::uint64_t i = 0; i < 300; ++i) balls.push_back(draw_ball(subject.objects, 2026, i));
     const std::unique_ptr<bool[]> touches(new bool[balls.size()]);
@@ -130,7 +130,7 @@ TEST(Scene, AnswersBatchesAsSingleQuestions) {
 
 TEST(Scene, AnswersInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
   using contact_tests::Environment;
-  for_each_query(TOUCHSTONE_SAMPLES / 20, [](const Subject& subject, const Ball& ball, const std::string& what) {
+  for_each_ball(TOUCHSTONE_SAMPLES / 20, [](const BallSubject& subject, const Ball& ball, const std::string& what) {
     const auto expected = subject.built.touched(ball);
     const auto nearest = subject.built.nearest(ball)->face;
     for (const int mode : contact_tests::kModes)

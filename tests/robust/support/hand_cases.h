@@ -6,6 +6,7 @@
 
 #include "geometry/contact/answer.h"
 #include "tests/robust/support/generators.h"
+#include "tests/robust/support/moving.h"
 
 namespace touchstone::contact_tests {
 
@@ -21,5 +22,12 @@ struct HandCase {
 
 /// The same with the coordinates turned: x to y, y to z, z to x, `times` times. Front and back stay.
 [[nodiscard]] HandCase turned(HandCase original, int times);
+
+/// A first contact in small integers, derived by hand.
+struct MovingHandCase {
+  MovingCase given;  ///< its id says what is special
+  FirstContact expected;
+};
+[[nodiscard]] const std::vector<MovingHandCase>& moving_hand_cases();
 
 }  // namespace touchstone::contact_tests
