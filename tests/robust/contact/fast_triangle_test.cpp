@@ -111,11 +111,7 @@ RC_GTEST_PROP(FastTriangle, GrowingTheRadiusLosesNoContact, ()) {
 // Identity (3).
 RC_GTEST_PROP(FastTriangle, MirroringChangesNothing, ()) {
   const Case c = *rc::gen::oneOf(triangles(), small_triangles());
-  const int axis = *rc::gen::inRange(0, 3);
-  const Case image = moved(c, [axis](Eigen::Vector3d v) {
-    v[axis] = -v[axis];
-    return v;
-  });
+  const Case image = moved(c, mirror_along(*rc::gen::inRange(0, 3)));
   RC_ASSERT(touches(image) == touches(c));
 }
 

@@ -44,6 +44,13 @@ double extent(const Polygon& polygon) {
   return largest;
 }
 
+PointMap mirror_along(int axis) {
+  return [axis](Eigen::Vector3d v) {
+    v[axis] = -v[axis];
+    return v;
+  };
+}
+
 Polygon moved(const Polygon& polygon, const PointMap& map) {
   std::vector<Loop> loops = loops_of(polygon);
   for (Loop& loop : loops) std::transform(loop.begin(), loop.end(), loop.begin(), map);

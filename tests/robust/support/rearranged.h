@@ -20,6 +20,8 @@ namespace touchstone::contact_tests {
 [[nodiscard]] double extent(const Polygon& polygon);
 
 using PointMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
+/// The mirror image in a coordinate plane.
+[[nodiscard]] PointMap mirror_along(int axis);
 [[nodiscard]] Polygon moved(const Polygon& polygon, const PointMap& map);
 /// The ball's centre moves too; its radius stays.
 [[nodiscard]] Case moved(const Case& original, const PointMap& map);
