@@ -132,10 +132,6 @@ std::vector<Polygon> all_polygons(const std::vector<scene::Faces>& objects) {
   return all;
 }
 
-Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index) {
-  return draw_ball(all_polygons(objects), seed, index);
-}
-
 Motion draw_motion(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index) {
   Random random(seed, index, 67);
   const Ball ball = draw_ball(all, seed, index);

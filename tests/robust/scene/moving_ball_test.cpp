@@ -4,31 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/motion.h"
 #include "robust/scene/detail/first_contact_search.h"
-#include "tests/robust/scene/adversarial_scenes.h"
-#include "tests/robust/scene/faces_on_way.h"
+#include "tests/robust/scene/brute_force.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/moving.h"
-
-namespace touchstone::scene {
-
-/// How GoogleTest shows a first face.
-void PrintTo(const FirstFace& first, std::ostream* out) {
-  *out << "object " << first.face.object << ", face " << first.face.face << ": ";
-  touchstone::PrintTo(first.contact, out);
-}
-bool operator==(const FirstFace& a, const FirstFace& b) { return a.face == b.face && a.contact == b.contact; }
-
-}  // namespace touchstone::scene
 
 namespace touchstone::scene_tests {
 namespace {
@@ -37,101 +23,73 @@ using scene::FaceId;
 using scene::FirstFace;
 using scene::Scene;
 
-/// A scene, its faces without any hierarchy, and motions through them.
-struct MotionSubject {
-  MotionSubject(Kind kind, std::uint64_t index) : MotionSubject(draw_objects(kind, 2026, index), name(kind)) {}
-  MotionSubject(const std::vector<scene::Faces>& objects, std::string words)
-      : what(std::move(words)), polygons(all_polygons(objects)), faces(objects) {
-    for (std::size_t i = 0; i < objects.size(); ++i) built.add("object " + std::to_string(i), objects[i]);
-  }
-  [[nodiscard]] Motion motion(std::uint64_t index) const { return draw_motion(polygons, 2026, index); }
-
-  std::string what;
-  std::vector<Polygon> polygons;
-  FacesOnWay faces;
-  Scene built;
-};
-
-/// Calls f(subject, motion, number, words) for scenes of each kind.
-template <class F>
-void for_each_motion(std::uint64_t motions, const F& f) {
-  for (const Kind kind : all_kinds())
-    for (std::uint64_t index = 0; index < 2; ++index) {
-      const MotionSubject subject(kind, index);
-      for (std::uint64_t i = 0; i < motions; ++i) {
-        const std::uint64_t number = 1000 * index + i;
-        f(subject, subject.motion(number), number, subject.what + ", motion " + std::to_string(number));
-      }
-    }
-}
-
 TEST(MovingBallInScene, TouchesExactlyTheFacesOnItsWay) {
   std::uint64_t touching = 0;
-  for_each_motion(2 * TOUCHSTONE_SAMPLES, [&](const MotionSubject& subject, const Motion& motion, std::uint64_t number,
-                                              const std::string& what) {
-    const auto expected = subject.faces.touched(motion);
-    EXPECT_EQ(subject.built.touched(motion), expected) << what;
-    EXPECT_EQ(subject.built.touches(motion), !expected.empty()) << what;
-    if (number % 20 == 3) {
-      EXPECT_EQ(subject.faces.touched_by_exact(motion), expected) << what;
-    }
-    touching += expected.empty() ? 0 : 1;
-  });
+  for_each_query(draw_motion, 2 * TOUCHSTONE_SAMPLES,
+                 [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
+                   const auto expected = subject.faces.touched(motion);
+                   EXPECT_EQ(subject.built.touched(motion), expected) << what;
+                   EXPECT_EQ(subject.built.touches(motion), !expected.empty()) << what;
+                   if (number % 20 == 3) {
+                     EXPECT_EQ(subject.faces.touched_by_exact(motion), expected) << what;
+                   }
+                   touching += expected.empty() ? 0 : 1;
+                 });
   EXPECT_GT(touching, 5U * TOUCHSTONE_SAMPLES);
 }
 
 TEST(MovingBallInScene, TouchesTheFirstFaceFirstAndTheLowestOfEquals) {
   std::uint64_t on_way = 0;
-  for_each_motion(2 * TOUCHSTONE_SAMPLES, [&](const MotionSubject& subject, const Motion& motion, std::uint64_t number,
-                                              const std::string& what) {
-    const auto expected = subject.faces.first(motion);
-    EXPECT_EQ(subject.built.first_contact(motion), expected) << what;
-    if (number % 50 == 7) {
-      EXPECT_EQ(subject.faces.first_by_exact(motion), expected) << what;
-    }
-    on_way += expected && expected->contact.kind == FirstContactKind::Way ? 1 : 0;
-  });
+  for_each_query(draw_motion, 2 * TOUCHSTONE_SAMPLES,
+                 [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
+                   const auto expected = subject.faces.first(motion);
+                   EXPECT_EQ(subject.built.first_contact(motion), expected) << what;
+                   if (number % 50 == 7) {
+                     EXPECT_EQ(subject.faces.first_by_exact(motion), expected) << what;
+                   }
+                   on_way += expected && expected->contact.kind == FirstContactKind::Way ? 1 : 0;
+                 });
   EXPECT_GT(on_way, 2U * TOUCHSTONE_SAMPLES);
 }
 
 TEST(MovingBallInScene, TouchesAtRestWhatTheBallTouches) {
-  for_each_motion(TOUCHSTONE_SAMPLES / 2,
-                  [](const MotionSubject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
-                    const Motion at_rest(motion.ball, motion.ball.center);
-                    const auto touched = subject.built.touched(motion.ball);
-                    EXPECT_EQ(subject.built.touched(at_rest), touched) << what;
-                    EXPECT_EQ(subject.built.touches(at_rest), !touched.empty()) << what;
-                    const auto first = subject.built.first_contact(at_rest);
-                    ASSERT_EQ(first.has_value(), !touched.empty()) << what;
-                    if (!first) return;
-                    EXPECT_EQ(first->face, touched.front()) << what;
-                    EXPECT_EQ(first->contact.kind, FirstContactKind::Start) << what;
-                  });
+  for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 2,
+                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                   const Motion at_rest(motion.ball, motion.ball.center);
+                   const auto touched = subject.built.touched(motion.ball);
+                   EXPECT_EQ(subject.built.touched(at_rest), touched) << what;
+                   EXPECT_EQ(subject.built.touches(at_rest), !touched.empty()) << what;
+                   const auto first = subject.built.first_contact(at_rest);
+                   ASSERT_EQ(first.has_value(), !touched.empty()) << what;
+                   if (!first) return;
+                   EXPECT_EQ(first->face, touched.front()) << what;
+                   EXPECT_EQ(first->contact.kind, FirstContactKind::Start) << what;
+                 });
 }
 
 TEST(MovingBallInScene, TouchesTheSameFacesOnItsWayBack) {
-  for_each_motion(TOUCHSTONE_SAMPLES / 2,
-                  [](const MotionSubject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
-                    const Motion back({motion.to, motion.ball.radius}, motion.ball.center);
-                    EXPECT_EQ(subject.built.touched(back), subject.built.touched(motion)) << what;
-                  });
+  for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 2,
+                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                   const Motion back({motion.to, motion.ball.radius}, motion.ball.center);
+                   EXPECT_EQ(subject.built.touched(back), subject.built.touched(motion)) << what;
+                 });
 }
 
 TEST(MovingBallInScene, AsksChosenObjectsOnly) {
-  for_each_motion(TOUCHSTONE_SAMPLES / 5, [](const MotionSubject& subject, const Motion& motion, std::uint64_t,
-                                             const std::string& what) {
-    const Scene::Objects chosen(std::vector<std::uint32_t>{2, 1, 2}), none(std::vector<std::uint32_t>{});
-    std::vector<FaceId> expected;
-    for (const FaceId& id : subject.faces.touched(motion))
-      if (id.object != 0) expected.push_back(id);
-    EXPECT_EQ(subject.built.touched(motion, chosen), expected) << what;
-    EXPECT_EQ(subject.built.touches(motion, chosen), !expected.empty()) << what;
-    const auto first = subject.built.first_contact(motion, chosen);
-    EXPECT_EQ(first.has_value(), !expected.empty()) << what;
-    EXPECT_TRUE(!first || first->face.object != 0) << what;
-    EXPECT_FALSE(subject.built.touches(motion, none)) << what;
-    EXPECT_FALSE(subject.built.first_contact(motion, none)) << what;
-  });
+  for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 5,
+                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                   const Scene::Objects chosen(std::vector<std::uint32_t>{2, 1, 2}), none(std::vector<std::uint32_t>{});
+                   std::vector<FaceId> expected;
+                   for (const FaceId& id : subject.faces.touched(motion))
+                     if (id.object != 0) expected.push_back(id);
+                   EXPECT_EQ(subject.built.touched(motion, chosen), expected) << what;
+                   EXPECT_EQ(subject.built.touches(motion, chosen), !expected.empty()) << what;
+                   const auto first = subject.built.first_contact(motion, chosen);
+                   EXPECT_EQ(first.has_value(), !expected.empty()) << what;
+                   EXPECT_TRUE(!first || first->face.object != 0) << what;
+                   EXPECT_FALSE(subject.built.touches(motion, none)) << what;
+                   EXPECT_FALSE(subject.built.first_contact(motion, none)) << what;
+                 });
   const Scene empty;
   const Motion motion({{0, 0, 0}, 1}, {1, 0, 0});
   EXPECT_FALSE(empty.touches(motion) || empty.first_contact(motion) || !empty.touched(motion).empty());
@@ -140,9 +98,9 @@ TEST(MovingBallInScene, AsksChosenObjectsOnly) {
 
 TEST(MovingBallInScene, AnswersBatchesAsSingleQuestions) {
   for (const Kind kind : all_kinds()) {
-    const MotionSubject subject(kind, 7);
+    const Subject subject(draw_objects(kind, 2026, 7), name(kind));
     std::vector<Motion> motions;
-    for (std::uint64_t i = 0; i < 300; ++i) motions.push_back(subject.motion(i));
+    for (std::uint64_t i = 0; i < 300; ++i) motions.push_back(draw_motion(subject.faces.polygons(), 2026, i));
     const std::unique_ptr<bool[]> touches(new bool[motions.size()]);
     subject.built.touches(std::span<const Motion>(motions), {touches.get(), motions.size()});
     const auto touched = subject.built.touched(motions);
@@ -157,27 +115,22 @@ TEST(MovingBallInScene, AnswersBatchesAsSingleQuestions) {
 }
 
 TEST(MovingBallInScene, AnswersInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
-  using contact_tests::Environment;
-  for_each_motion(TOUCHSTONE_SAMPLES / 20, [](const MotionSubject& subject, const Motion& motion, std::uint64_t,
-                                              const std::string& what) {
-    const auto expected = subject.built.touched(motion);
-    const auto expected_first = subject.built.first_contact(motion);
-    for (const int mode : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
-        const Environment changed(mode, flush);
-        const unsigned before = Environment::modes();
-        std::feclearexcept(FE_ALL_EXCEPT);
-        const auto touched = subject.built.touched(motion);
-        const auto first = subject.built.first_contact(motion);
-        const bool touches = subject.built.touches(motion);
-        const bool raised = std::fetestexcept(contact_tests::kFlags) != 0;
-        const bool left = Environment::modes() == before;
-        EXPECT_EQ(touched, expected) << what << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_EQ(touches, !expected.empty()) << what << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_EQ(first, expected_first) << what << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_TRUE(left && !raised) << what << ", rounding mode " << mode << ", flush bits " << flush;
-      }
-  });
+  for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 20,
+                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                   const auto expected = subject.built.touched(motion);
+                   const auto expected_first = subject.built.first_contact(motion);
+                   for (const contact_tests::State& state : contact_tests::kStates) {
+                     const contact_tests::Environment changed(state);
+                     const auto touched = subject.built.touched(motion);
+                     const auto first = subject.built.first_contact(motion);
+                     const bool touches = subject.built.touches(motion);
+                     const bool left = changed.left_as_found();
+                     EXPECT_EQ(touched, expected) << what << ", " << state;
+                     EXPECT_EQ(touches, !expected.empty()) << what << ", " << state;
+                     EXPECT_EQ(first, expected_first) << what << ", " << state;
+                     EXPECT_TRUE(left) << what << ", " << state;
+                   }
+                 });
 }
 
 // Triangles stay in their own frame where it can hold them; motions are about the posed faces.
@@ -199,9 +152,9 @@ TEST(MovingBallInScene, FindsPosedFacesAsIfTheyWereBuiltThere) {
         }
       }
       ++posed_scenes;
-      const MotionSubject subject(there, name(kind) + ", scene " + std::to_string(index));
+      const Subject subject(there, name(kind) + ", scene " + std::to_string(index));
       for (std::uint64_t i = 0; i < 20; ++i) {
-        const Motion motion = subject.motion(100 * index + i);
+        const Motion motion = draw_motion(subject.faces.polygons(), 2026, 100 * index + i);
         const std::string what = subject.what + ", motion " + std::to_string(i);
         const auto expected = subject.faces.first(motion);
         EXPECT_EQ(moved.first_contact(motion), expected) << what;
