@@ -12,22 +12,20 @@
 #include "robust/exact/validate.h"
 #include "robust/scene/posing.h"
 #include "tests/robust/support/draw_point.h"
+#include "tests/robust/support/rational_plane.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
-using contact_tests::draw_point;
+using namespace contact_tests;
 using scene::detail::OwnFrame;
 using workloads::Random;
 
 mpq_class difference(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int axis) {
   return mpq_class(a[axis]) - mpq_class(b[axis]);
 }
-mpq_class squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  mpq_class sum = 0;
-  for (int k = 0; k < 3; ++k) sum += difference(a, b, k) * difference(a, b, k);
-  return sum;
-}
+Rationals way(const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return minus(rationals(to), rationals(from)); }
+mpq_class squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return dot(way(a, b), way(a, b)); }
 bool within(const mpq_class& squared, double radius) {
   return radius >= 0 && squared <= mpq_class(radius) * mpq_class(radius);
 }
@@ -254,15 +252,9 @@ TEST(LeastAltitude, IsAtMostTheLeastAltitude) {
     const mpq_class altitude = scene::detail::least_altitude(t);
     ASSERT_GE(altitude, 0);
     // (twice the area)^2 >= altitude^2 edge^2 for each edge
-    mpq_class normal_sq = 0;
-    for (int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const mpq_class component =
-          difference(t.b, t.a, i) * difference(t.c, t.a, j) - difference(t.b, t.a, j) * difference(t.c, t.a, i);
-      normal_sq += component * component;
-    }
+    const Rationals normal = cross(way(t.a, t.b), way(t.a, t.c));
     for (const auto& edge_sq : {squared_distance(t.a, t.b), squared_distance(t.b, t.c), squared_distance(t.c, t.a)})
-      EXPECT_GE(normal_sq, altitude * altitude * edge_sq) << "sample " << index;
+      EXPECT_GE(dot(normal, normal), altitude * altitude * edge_sq) << "sample " << index;
   }
 }
 
