@@ -71,7 +71,7 @@ PublicFunction hands_on(std::string name, Ask ask) {
   return gives(std::move(name), std::move(ask), false);
 }
 
-/// What `ask` says with counts of stages, which may depend on the state.
+/// Calls `ask` with counts of stages, which may depend on the state.
 template <class Ask>
 auto with_counts(const Ask& ask) {
   return [ask](const Input& in) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Welding, and the guarantees of robust/mesh/merge.h by hand: what is merged, what is kept apart, and where regions are cut.
+// Welding, and the guarantees of robust/mesh/merge.h by hand: what is merged, what is kept apart, and where regions are
+// cut.
 #include "robust/mesh/merge.h"
 
 #include <gtest/gtest.h>

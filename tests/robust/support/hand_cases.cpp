@@ -162,6 +162,19 @@ const std::vector<HandCase>& hand_cases() {
   return all;
 }
 
+const std::vector<HandCase>& lifted_cases() {
+  // N = (32, 0, 32), plane x + z = 0: along x vertex 0 comes to (0, 0, 0), along z it would come to (1, 0, -1).
+  static const Polygon tie({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
+  static const Polygon with_hole(square(0, 8), {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
+  static const std::vector<HandCase> cases{
+      {{"a hole is lifted onto the plane of the outer loop, whose mean alone counts", {{3, 2, 1}, 1}, with_hole},
+       {Intersects, kTangent, Boundary, {4}, Touching, edge(4), {3, 2, 0}, 1, 5}},
+      {{"the lowest axis is dropped on a tie", {{0, -3, 0}, 3}, tie},
+       {Intersects, kNotTangent, Outside, {0, 3}, Touching, vertex(0), {0, 0, 0}, 3, 1}},
+  };
+  return cases;
+}
+
 HandCase turned(HandCase original, int times) {
   const PointMap turn = [times](const Eigen::Vector3d& v) {
     Eigen::Vector3d image;

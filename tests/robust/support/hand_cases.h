@@ -20,6 +20,9 @@ struct HandCase {
 /// an island in it, a hole with a vertex that points inwards.
 [[nodiscard]] const std::vector<HandCase>& hand_cases();
 
+/// Off their planes, onto which they are lifted by doubles.
+[[nodiscard]] const std::vector<HandCase>& lifted_cases();
+
 /// The same with the coordinates turned: x to y, y to z, z to x, `times` times. Front and back stay.
 [[nodiscard]] HandCase turned(HandCase original, int times);
 
