@@ -20,7 +20,6 @@ namespace touchstone::scene_tests {
 namespace {
 
 using scene::FaceId;
-using scene::FirstFace;
 using scene::Scene;
 
 TEST(MovingBallInScene, TouchesExactlyTheFacesOnItsWay) {
