@@ -11,12 +11,13 @@
 #include <string>
 #include <thread>
 
-#include "experiments/cases/workloads/random.h"
+#include "tests/robust/support/draw_point.h"
 #include "tests/robust/support/environment.h"
 
-namespace touchstone::scene_tests {
+namespace touchstone::geometry_tests {
 namespace {
 
+using contact_tests::draw_point;
 using workloads::Random;
 
 /// Boxes of sizes and places that lie many powers of two apart, about any magnitude.
@@ -27,11 +28,7 @@ std::vector<Box> draw_boxes(std::uint64_t index, std::size_t count) {
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < count; ++i) {
     const double size = std::ldexp(1.0, std::min(1015, magnitude + static_cast<int>(random.integer(-spread, spread))));
-    const auto point = [&] {
-      return Eigen::Vector3d{size * (2 * random.unit() - 1), size * (2 * random.unit() - 1),
-                             size * (2 * random.unit() - 1)};
-    };
-    const Eigen::Vector3d a = point(), b = a + point() / 8;
+    const Eigen::Vector3d a = draw_point(random, size), b = a + draw_point(random, size) / 8;
     boxes.push_back({a.cwiseMin(b), a.cwiseMax(b)});
   }
   return boxes;
@@ -213,24 +210,22 @@ void expect_same_everywhere(const std::vector<Box>& boxes, const std::vector<Box
   const BoxTree expected(boxes);
   BoxTree expected_moved = expected;
   expected_moved.refit(moved);
-  for (const int mode : contact_tests::kModes)
-    for (const unsigned flush : contact_tests::kFlushes) {
-      const std::string where =
-          std::to_string(boxes.size()) + " boxes, mode " + std::to_string(mode) + ", flush " + std::to_string(flush);
-      std::optional<BoxTree> tree;
-      std::thread([&] {
-        const contact_tests::Environment changed(mode, flush);
-        // The settings at a thread's first call of this kind are those of all cores in its later ones.
-        tbb::parallel_for(0, 2, [](int) {});
-        tree.emplace(boxes);
-      }).join();
-      expect_same(*tree, expected, where);
-      {
-        const contact_tests::Environment changed(mode, flush);
-        tree->refit(moved);
-      }
-      expect_same(*tree, expected_moved, where);
+  for (const contact_tests::State& state : contact_tests::kStates) {
+    const auto where = testing::Message() << boxes.size() << " boxes, " << state;
+    std::optional<BoxTree> tree;
+    std::thread([&] {
+      const contact_tests::Environment changed(state);
+      // The settings at a thread's first call of this kind are those of all cores in its later ones.
+      tbb::parallel_for(0, 2, [](int) {});
+      tree.emplace(boxes);
+    }).join();
+    expect_same(*tree, expected, where.GetString());
+    {
+      const contact_tests::Environment changed(state);
+      tree->refit(moved);
     }
+    expect_same(*tree, expected_moved, where.GetString());
+  }
 }
 
 // Beside boxes of size 1, which stand about 2^40 in the tree, those of 2^-170 are subnormal floats, which a machine
@@ -272,4 +267,4 @@ TEST(BoxTree, IsTheSameForManyBoxesHoweverOftenItIsBuilt) {
 }
 
 }  // namespace
-}  // namespace touchstone::scene_tests
+}  // namespace touchstone::geometry_tests

@@ -5,8 +5,11 @@
 
 #include <utility>
 
-namespace touchstone::io {
+namespace touchstone::geometry_tests {
 namespace {
+
+using io::all_legible;
+using io::legible;
 
 TEST(Legible, KeepsWhatCanBePrinted) {
   for (const char* text : {"", R"({"id":"a\\b"})", "caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80 \xc2\xa0"})
@@ -50,4 +53,4 @@ TEST(Legible, KeepsWhatItReturns) {
 }
 
 }  // namespace
-}  // namespace touchstone::io
+}  // namespace touchstone::geometry_tests

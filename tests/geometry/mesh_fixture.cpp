@@ -64,4 +64,20 @@ Points points(const Mesh& mesh) {
   return result;
 }
 
+void expect_triangle(const Mesh& mesh) {
+  EXPECT_EQ(points(mesh), kTrianglePoints);
+  EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}}));
+}
+
+std::string binary_facet(const std::array<float, 9>& coordinates) {
+  std::string result = row({0.0f, 0.0f, 1.0f});
+  for (const float coordinate : coordinates) result += bytes(coordinate);
+  return result + bytes(std::uint16_t{0x0a0d});
+}
+
+std::string binary_stl(std::string title, std::uint32_t count, const std::string& facets) {
+  title.resize(80, '\0');
+  return title + bytes(count) + facets;
+}
+
 }  // namespace touchstone::geometry_tests

@@ -49,6 +49,9 @@ class TemporaryFile {
 
 [[nodiscard]] Points points(const Mesh& mesh);
 
+/// Expects one face, of the vertices kTrianglePoints in their order.
+void expect_triangle(const Mesh& mesh);
+
 template <class Number>
 [[nodiscard]] std::string bytes(Number number, std::endian order = std::endian::little) {
   auto result = std::bit_cast<std::array<char, sizeof(Number)>>(number);
@@ -62,5 +65,9 @@ template <class Number>
   for (const Number number : numbers) result += bytes(number, order);
   return result;
 }
+
+[[nodiscard]] std::string binary_facet(const std::array<float, 9>& coordinates);
+/// Promises `count` facets.
+[[nodiscard]] std::string binary_stl(std::string title, std::uint32_t count, const std::string& facets);
 
 }  // namespace touchstone::geometry_tests

@@ -97,8 +97,8 @@ TEST(ReadMesh, NamesTheLineWithTooFewNumbers) {
 TEST(ReadMesh, ReadsAnyEndOfLine) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     const std::string text = "v 0 0 0" + end + end + "v 1 0 0" + end + "v 0 1 0" + end + "f 1 2 3";
-    EXPECT_EQ(points(read(".obj", text)), kTrianglePoints);
-    EXPECT_EQ(read(".obj", text + end).faces, (Faces{{0, 1, 2}}));
+    expect_triangle(read(".obj", text));
+    expect_triangle(read(".obj", text + end));
     EXPECT_EQ(fault(".obj", text + end + "f 1 2 4"),
               "line 6: vertex 4 is out of range: 3 vertices were read, numbered from 1");
   }
@@ -147,8 +147,7 @@ TEST(ReadMesh, RefusesTextThatIsNotUtf8ByItsByteOrderMark) {
 // The title of a binary STL may be anything.
 TEST(ReadMesh, ReadsABinaryStlThatBeginsWithThatMark) {
   const std::string title = "\xFF\xFE" + std::string(78, ' ');
-  const std::string facet = row({0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f});
-  EXPECT_EQ(points(read(".stl", title + bytes(std::uint32_t{1}) + facet + bytes(std::uint16_t{0}))), kTrianglePoints);
+  expect_triangle(read(".stl", binary_stl(title, 1, binary_facet({0, 0, 0, 1, 0, 0, 0, 1, 0}))));
 }
 
 TEST(ReadMesh, SkipOfABadHeaderKeepsNothingAndSaysSo) {

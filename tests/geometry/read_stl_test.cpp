@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -12,22 +11,8 @@
 namespace touchstone::geometry_tests {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 const std::string kFacet =
     "facet normal nan nan nan\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
-
-std::string binary_facet(std::array<float, 9> coordinates) {
-  std::string result = row({0.0f, 0.0f, 1.0f});
-  for (const float coordinate : coordinates) result += bytes(coordinate);
-  return result + bytes(std::uint16_t{0x0a0d});
-}
-
-std::string binary_stl(const std::string& title, std::uint32_t count, const std::string& facets) {
-  std::string header = title;
-  header.resize(80, '\0');
-  return header + bytes(count) + facets;
-}
 
 const std::string kBinaryFacet = binary_facet({0, 0, 0, 1, 0, 0, 0, 1, 0});
 
@@ -85,7 +70,7 @@ TEST(ReadStl, AbsurdCountsCostNothing) {
 }
 
 TEST(ReadStl, NamesTheByteOfABinaryVertexThatIsNotFinite) {
-  const auto infinity = static_cast<float>(kInfinity);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
   const std::string file =
       binary_stl("", 3, kBinaryFacet + binary_facet({0, 0, 0, 0, infinity, 0, 0, 0, 0}) + kBinaryFacet);
   EXPECT_EQ(fault(".stl", file), "byte 158: a coordinate is not a finite number");

@@ -13,13 +13,10 @@
 
 #include "experiments/cases/workloads/random.h"
 
-#ifndef TOUCHSTONE_SAMPLES
-#define TOUCHSTONE_SAMPLES 100
-#endif
-
-namespace touchstone::thesis {
+namespace touchstone::geometry_tests {
 namespace {
 
+using namespace thesis;
 using Edges = std::vector<std::size_t>;
 
 const Polygon kSquare({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
@@ -241,4 +238,4 @@ TEST(ThesisFloat, LosesThePlaneFarFromTheOrigin) {
 }
 
 }  // namespace
-}  // namespace touchstone::thesis
+}  // namespace touchstone::geometry_tests

@@ -78,11 +78,7 @@ RC_GTEST_PROP(ExactOrientation, ReversingHolesOnlyRenumbers, ()) {
 // Identity (3): mirroring in a coordinate plane.
 RC_GTEST_PROP(ExactMirror, MirroringMirrorsThePointAndSwapsFrontAndBehind, ()) {
   const Case c = *any_case();
-  const int axis = *rc::gen::inRange(0, 3);
-  const PointMap mirror = [axis](Eigen::Vector3d v) {
-    v[axis] = -v[axis];
-    return v;
-  };
+  const PointMap mirror = mirror_along(*rc::gen::inRange(0, 3));
   Answer expected = from_behind(exact::answer(c.ball, c.polygon));
   expected.point = mirror(expected.point);
   const Case image = moved(c, mirror);

@@ -76,32 +76,8 @@ TEST(FastLift, MovesVerticesAsExactDoes) {
   }
 }
 
-// The mean is that of the outer loop; a hole is lifted like any vertex.
-TEST(FastLift, MovesHolesOntoThePlaneOfTheOuterLoop) {
-  const Polygon polygon({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
-  EXPECT_EQ(fast::answer({{3, 2, 1}, 1}, polygon), (Answer{PlaneSide::Intersects,
-                                                           true,
-                                                           PointLocation::Boundary,
-                                                           {4},
-                                                           Relation::Touching,
-                                                           {Kind::Edge, 4},
-                                                           {3, 2, 0},
-                                                           1,
-                                                           5}));
-}
-
-// As in ExactLift: along x, not along z.
-TEST(FastLift, DropsTheLowestAxisOnATie) {
-  const Polygon polygon({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
-  EXPECT_EQ(fast::answer({{0, -3, 0}, 3}, polygon), (Answer{PlaneSide::Intersects,
-                                                            false,
-                                                            PointLocation::Outside,
-                                                            {0, 3},
-                                                            Relation::Touching,
-                                                            {Kind::Vertex, 0},
-                                                            {0, 0, 0},
-                                                            3,
-                                                            1}));
+TEST(FastLift, IsThatDerivedByHand) {
+  for (const HandCase& c : lifted_cases()) expect_fast(c);
 }
 
 }  // namespace

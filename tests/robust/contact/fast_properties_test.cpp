@@ -62,11 +62,7 @@ bool foot_on_boundary_but_for_rounding(const Case& c) {
 // the side of a boundary that rounding hides.
 RC_GTEST_PROP(FastMirror, MirroringMirrorsThePointAndSwapsFrontAndBehind, ()) {
   const Case c = *rc::gen::oneOf(samples(kSafe), grid_cases(2));
-  const int axis = *rc::gen::inRange(0, 3);
-  const PointMap mirror = [axis](Eigen::Vector3d v) {
-    v[axis] = -v[axis];
-    return v;
-  };
+  const PointMap mirror = mirror_along(*rc::gen::inRange(0, 3));
   const Case image = moved(c, mirror);
   Answer expected = fast::answer(c.ball, c.polygon);
   const Answer answer = fast::answer(image.ball, image.polygon);

@@ -23,8 +23,6 @@ namespace {
 using workloads::BallPlace;
 using workloads::Placement;
 
-Triangle triangle_of(const Polygon& polygon) { return {polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}; }
-
 bool touches(const Case& c) { return fast::contact(c.ball, triangle_of(c.polygon)); }
 
 /// Triangles of the workloads, some far from the origin, with balls about their thresholds and anywhere.
@@ -113,11 +111,7 @@ RC_GTEST_PROP(FastTriangle, GrowingTheRadiusLosesNoContact, ()) {
 // Identity (3).
 RC_GTEST_PROP(FastTriangle, MirroringChangesNothing, ()) {
   const Case c = *rc::gen::oneOf(triangles(), small_triangles());
-  const int axis = *rc::gen::inRange(0, 3);
-  const Case image = moved(c, [axis](Eigen::Vector3d v) {
-    v[axis] = -v[axis];
-    return v;
-  });
+  const Case image = moved(c, mirror_along(*rc::gen::inRange(0, 3)));
   RC_ASSERT(touches(image) == touches(c));
 }
 

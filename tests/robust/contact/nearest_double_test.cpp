@@ -9,18 +9,14 @@
 #include <array>
 #include <cfenv>
 #include <cmath>
-#include <limits>
 
 #include "experiments/cases/workloads/ulp.h"
+#include "tests/robust/support/limits.h"
 
 namespace touchstone::contact_tests {
 namespace {
 
 using namespace exact::detail;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 mpz_class power_of_two(unsigned exponent) { return mpz_class(1) << exponent; }
 

@@ -17,7 +17,7 @@ auto prepared(const Ask& ask) {
     static thread_local std::uint64_t of = ~std::uint64_t{0};
     static thread_local std::unique_ptr<const Prepared> polygon;
     if (of != in.index) {
-      const contact_tests::Environment usual(FE_TONEAREST, contact_tests::Environment::kKeep);
+      const Environment usual(FE_TONEAREST, Environment::kKeep);
       polygon = std::make_unique<const Prepared>(in.polygon);
       of = in.index;
     }
@@ -33,12 +33,12 @@ auto preparation() {
   };
 }
 
-/// The same with counts of stages, which may depend on the state.
+/// The same with counts of stages.
 template <class Ask>
 auto counted(const Ask& ask) {
-  return prepared<filtered::PreparedPolygon>([ask](const Ball& ball, const filtered::PreparedPolygon& polygon) {
-    filtered::StageCounts counts;
-    return ask(ball, polygon, counts);
+  return with_counts([ask](const Input& in, filtered::StageCounts& counts) {
+    return prepared<filtered::PreparedPolygon>(
+        [&](const Ball& ball, const filtered::PreparedPolygon& polygon) { return ask(ball, polygon, counts); })(in);
   });
 }
 
@@ -62,15 +62,17 @@ auto prepared_moving(const Ask& ask) {
   };
 }
 
-/// The same with counts of stages, which may depend on the state.
+/// The same with counts of stages.
 template <class Ask>
 auto counted_moving(const Ask& ask) {
-  return prepared_moving<filtered::PreparedPolygon>(
-      [ask](const Motion& motion, const filtered::PreparedPolygon& polygon) {
-        filtered::StageCounts counts;
-        return ask(motion, polygon, counts);
-      });
+  return with_counts([ask](const Input& in, filtered::StageCounts& counts) {
+    return prepared_moving<filtered::PreparedPolygon>(
+        [&](const Motion& motion, const filtered::PreparedPolygon& polygon) { return ask(motion, polygon, counts); })(
+        in);
+  });
 }
+
+std::array<Triangle, 3> three_orders(const Triangle& t) { return {{t, {t.b, t.c, t.a}, {t.c, t.b, t.a}}}; }
 
 using Exact = exact::PreparedPolygon;
 using Filtered = filtered::PreparedPolygon;
@@ -103,10 +105,7 @@ std::vector<PublicFunction> exact_functions() {
   };
 }
 
-/// A ball and a set of the input's triangle in three orders.
-filtered::TriangleSet set_of(const Triangle& t) {
-  return filtered::TriangleSet(std::array<Triangle, 3>{{t, {t.b, t.c, t.a}, {t.c, t.b, t.a}}});
-}
+filtered::TriangleSet set_of(const Triangle& t) { return filtered::TriangleSet(three_orders(t)); }
 template <class... Counts>
 std::array<bool, 3> touched(const Ball& ball, const filtered::TriangleSet& set, Counts&... counts) {
   std::array<bool, 3> touches{};
@@ -115,7 +114,6 @@ std::array<bool, 3> touched(const Ball& ball, const filtered::TriangleSet& set, 
 }
 
 std::vector<PublicFunction> set_functions() {
-  using Counts = filtered::StageCounts;
   return {
       gives("filtered::TriangleSet::TriangleSet",
             [](const Input& in) {
@@ -131,25 +129,19 @@ std::vector<PublicFunction> set_functions() {
           },
           false),
       gives("filtered::contact", [](const Input& in) { return touched(in.ball, set_of(in.triangle)); }),
-      gives("filtered::contact",
-            [](const Input& in) {
-              Counts counts;
-              return touched(in.ball, set_of(in.triangle), counts);
-            }),
+      gives("filtered::contact", with_counts([](const Input& in, filtered::StageCounts& n) {
+              return touched(in.ball, set_of(in.triangle), n);
+            })),
       gives("filtered::any_contact",
             [](const Input& in) { return filtered::any_contact(in.ball, set_of(in.triangle)); }),
-      gives("filtered::any_contact",
-            [](const Input& in) {
-              Counts counts;
-              return filtered::any_contact(in.ball, set_of(in.triangle), counts);
-            }),
+      gives("filtered::any_contact", with_counts([](const Input& in, filtered::StageCounts& n) {
+              return filtered::any_contact(in.ball, set_of(in.triangle), n);
+            })),
       gives("filtered::triangles_hit",
             [](const Input& in) { return filtered::triangles_hit(in.ball, set_of(in.triangle)); }),
-      gives("filtered::triangles_hit",
-            [](const Input& in) {
-              Counts counts;
-              return filtered::triangles_hit(in.ball, set_of(in.triangle), counts);
-            }),
+      gives("filtered::triangles_hit", with_counts([](const Input& in, filtered::StageCounts& n) {
+              return filtered::triangles_hit(in.ball, set_of(in.triangle), n);
+            })),
   };
 }
 
@@ -175,20 +167,16 @@ std::vector<PublicFunction> filtered_functions() {
       gives("filtered::edges_hit", unprepared([](auto& b, auto& p) { return filtered::edges_hit(b, p); })),
       gives("filtered::answer", unprepared([](auto& b, auto& p) { return filtered::answer(b, p); })),
       gives("filtered::contact", [](const Input& in) { return filtered::contact(in.ball, in.triangle); }),
-      gives("filtered::contact",
-            [](const Input& in) {
-              filtered::StageCounts counts;
-              return filtered::contact(in.ball, in.triangle, counts);
-            }),
+      gives("filtered::contact", with_counts([](const Input& in, filtered::StageCounts& n) {
+              return filtered::contact(in.ball, in.triangle, n);
+            })),
       gives("filtered::contact", prepared_moving<Filtered>([](auto& m, auto& p) { return filtered::contact(m, p); })),
       gives("filtered::contact", counted_moving([](auto& m, auto& p, auto& n) { return filtered::contact(m, p, n); })),
       gives("filtered::contact", [](const Input& in) { return filtered::contact(motion_in(in), in.polygon); }),
       gives("filtered::contact", [](const Input& in) { return filtered::contact(motion_in(in), in.triangle); }),
-      gives("filtered::contact",
-            [](const Input& in) {
-              filtered::StageCounts counts;
-              return filtered::contact(motion_in(in), in.triangle, counts);
-            }),
+      gives("filtered::contact", with_counts([](const Input& in, filtered::StageCounts& n) {
+              return filtered::contact(motion_in(in), in.triangle, n);
+            })),
       gives("filtered::contact",  // many motions
             prepared_moving<Filtered>([](const Motion& motion, const Filtered& polygon) {
               const Motion motions[] = {motion, {motion.ball, motion.ball.center}, {{motion.to, 0}, motion.to}};
@@ -198,10 +186,8 @@ std::vector<PublicFunction> filtered_functions() {
             })),
       gives("filtered::contact",  // a motion and many triangles
             [](const Input& in) {
-              const Triangle& t = in.triangle;
-              const Triangle triangles[] = {t, {t.b, t.c, t.a}, {t.c, t.b, t.a}};
               std::array<bool, 3> touches{};
-              filtered::contact(motion_in(in), triangles, touches);
+              filtered::contact(motion_in(in), three_orders(in.triangle), touches);
               return touches;
             }),
       gives("filtered::first_contact",
@@ -212,11 +198,9 @@ std::vector<PublicFunction> filtered_functions() {
             [](const Input& in) { return filtered::first_contact(motion_in(in), in.polygon); }),
       gives("filtered::first_contact",
             [](const Input& in) { return filtered::first_contact(motion_in(in), in.triangle); }),
-      gives("filtered::first_contact",
-            [](const Input& in) {
-              filtered::StageCounts counts;
-              return filtered::first_contact(motion_in(in), in.triangle, counts);
-            }),
+      gives("filtered::first_contact", with_counts([](const Input& in, filtered::StageCounts& n) {
+              return filtered::first_contact(motion_in(in), in.triangle, n);
+            })),
       gives("filtered::compare_times",
             prepared_moving<Filtered>([](auto& m, auto& p) { return filtered::compare_times(m, p, p); })),
       gives("filtered::compare_times",
@@ -225,11 +209,9 @@ std::vector<PublicFunction> filtered_functions() {
               return filtered::compare_times(motion_in(in), in.triangle, other);
             }),
       gives("filtered::closest", [](const Input& in) { return filtered::closest(in.point, in.triangle); }),
-      gives("filtered::closest",
-            [](const Input& in) {
-              filtered::StageCounts counts;
-              return filtered::closest(in.point, in.triangle, counts);
-            }),
+      gives("filtered::closest", with_counts([](const Input& in, filtered::StageCounts& n) {
+              return filtered::closest(in.point, in.triangle, n);
+            })),
       gives("filtered::contact",  // many balls
             prepared<Filtered>([](const Ball& ball, const Filtered& polygon) {
               const Ball balls[] = {ball, {ball.center, 0}, {ball.center, -0.0}};
@@ -239,10 +221,8 @@ std::vector<PublicFunction> filtered_functions() {
             })),
       gives("filtered::contact",  // many triangles
             [](const Input& in) {
-              const Triangle& t = in.triangle;
-              const Triangle triangles[] = {t, {t.b, t.c, t.a}, {t.c, t.b, t.a}};
               std::array<bool, 3> touches{};
-              filtered::contact(in.ball, triangles, touches);
+              filtered::contact(in.ball, three_orders(in.triangle), touches);
               return touches;
             }),
   };

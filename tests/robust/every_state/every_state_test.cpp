@@ -10,7 +10,7 @@
 namespace touchstone::every_state_tests {
 namespace {
 
-constexpr State kDefault{FE_TONEAREST, contact_tests::Environment::kKeep};
+constexpr State kDefault{FE_TONEAREST, Environment::kKeep};
 constexpr std::uint64_t kInputs = 3 * TOUCHSTONE_SAMPLES;
 
 const std::vector<PublicFunction>& all_functions() {
@@ -33,17 +33,13 @@ TEST_P(EveryState, GivesTheSameBitsAndIsLeftAsFound) {
   for (std::uint64_t index = 0; index < kInputs; ++index) {
     const Input in = draw_input(index);
     const std::string expected = function().call(in, kDefault).text;
-    for (const int rounding : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
-        const Outcome outcome = function().call(in, {rounding, flush});
-        const auto where = [&] {
-          return function().name + ", input " + std::to_string(index) + ", rounding mode " + std::to_string(rounding) +
-                 ", flush bits " + std::to_string(flush);
-        };
-        if (outcome.text != expected && ++different == 1)
-          ADD_FAILURE() << where() << "\n" << outcome.text << "\n" << expected;
-        if (!outcome.left_as_found && ++disturbed == 1) ADD_FAILURE() << where() << ": the state is not left as found";
-      }
+    for (const State& state : contact_tests::kStates) {
+      const Outcome outcome = function().call(in, state);
+      const auto where = [&] { return testing::Message() << function().name << ", input " << index << ", " << state; };
+      if (outcome.text != expected && ++different == 1)
+        ADD_FAILURE() << where() << "\n" << outcome.text << "\n" << expected;
+      if (!outcome.left_as_found && ++disturbed == 1) ADD_FAILURE() << where() << ": the state is not left as found";
+    }
   }
   EXPECT_EQ(different, 0U) << "of " << 16 * kInputs;
   EXPECT_EQ(disturbed, 0U) << "of " << 16 * kInputs;

@@ -10,15 +10,15 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
+#include "tests/robust/support/limits.h"
+#include "tests/robust/support/signed_zeros.h"
 
 namespace touchstone::every_state_tests {
 namespace {
 
+using namespace contact_tests;
 using workloads::Random;
 
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kSeed = 2026, kStream = 71;
 
 /// Units of length: small integers times them are subnormal, straddle the least normal number, or are near the largest.
@@ -27,11 +27,9 @@ double draw_unit(Random& random) {
   return kUnits[random.integer(0, std::ssize(kUnits) - 1)];
 }
 
-/// A zero of either sign in place of a zero.
-double either_zero(double x, Random& random) { return x == 0 && random.coin() ? -0.0 : x; }
-
+/// The same with zeros of either sign.
 Eigen::Vector3d with_either_zero(Eigen::Vector3d p, Random& random) {
-  for (double& x : p) x = either_zero(x, random);
+  sign_zeros(p, random);
   return p;
 }
 
@@ -58,7 +56,10 @@ std::vector<Loop> draw_lattice_loops(Random& random) {
 
 Eigen::Vector3d draw_point(double unit, Random& random) {
   Eigen::Vector3d p;
-  for (double& x : p) x = either_zero(static_cast<double>(random.integer(-2, 6)) * unit, random);
+  for (double& x : p) {
+    x = static_cast<double>(random.integer(-2, 6)) * unit;
+    sign_zeros(x, random);
+  }
   return p;
 }
 
@@ -72,16 +73,14 @@ Pose draw_pose(double unit, Random& random) {
   Pose pose;
   if (random.integer(0, 2) == 0) pose.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   if (random.integer(0, 3) == 0) pose.rotation(2, 0) = static_cast<double>(random.integer(1, 3)) * kLeast;
-  for (double& r : pose.rotation.reshaped()) r = either_zero(r, random);
-  for (double& t : pose.translation)
-    t = either_zero(random.coin() ? 0 : static_cast<double>(random.integer(-3, 3)) * unit, random);
+  for (double& t : pose.translation) t = random.coin() ? 0 : static_cast<double>(random.integer(-3, 3)) * unit;
+  sign_zeros(pose, random);
   return pose;
 }
 
 /// One number of some is not legal everywhere.
 void spoil(double& x, Random& random) {
-  constexpr double kSpoilt[] = {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN(),
-                                kLargest,  -kLargest,  -kLeast};
+  constexpr double kSpoilt[] = {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN(), kMax, -kMax, -kLeast};
   x = kSpoilt[random.integer(0, std::ssize(kSpoilt) - 1)];
 }
 
@@ -102,9 +101,9 @@ Mesh draw_mesh(double unit, Random& random) {
   const double lift = random.coin() ? unit : 0;
   std::vector<Loop> loops{{{0, 0, 0}, {4 * unit, 0, 0}, {0, 4 * unit, 0}},
                           {{4 * unit, 0, 0}, {4 * unit, 4 * unit, lift}, {0, 4 * unit, 0}}};
-  for (Loop& loop : loops)
-    for (Eigen::Vector3d& p : loop) p = with_either_zero(p, random);
-  return mesh_of(loops);
+  Mesh mesh = mesh_of(loops);
+  sign_zeros(mesh, random);
+  return mesh;
 }
 
 // Decimals that are halfway between doubles, subnormal, zero, or simply no double.

@@ -14,11 +14,8 @@
 
 namespace touchstone::every_state_tests {
 
-/// A state of the floating-point unit.
-struct State {
-  int rounding;
-  unsigned flush;
-};
+using contact_tests::Environment;
+using contact_tests::State;
 
 /// The result of a call, or the message of the exception that it threw.
 struct Outcome {
@@ -42,18 +39,14 @@ PublicFunction gives(std::string name, Ask ask, bool rounds = true) {
           [ask](const Input& input, const State& state) {
             Outcome outcome{{}, false, true};
             const auto called = [&] {
+              const Environment changed(state);
+              std::feraiseexcept(FE_DIVBYZERO);
               struct Left {
                 Outcome& outcome;
-                unsigned modes = contact_tests::Environment::modes();
-                ~Left() {
-                  outcome.left_as_found = contact_tests::Environment::modes() == modes &&
-                                          std::fetestexcept(contact_tests::kFlags) == FE_DIVBYZERO;
-                }
+                const Environment& changed;
+                ~Left() { outcome.left_as_found = changed.left_as_found(FE_DIVBYZERO); }
               };
-              const contact_tests::Environment changed(state.rounding, state.flush);
-              std::feclearexcept(FE_ALL_EXCEPT);
-              std::feraiseexcept(FE_DIVBYZERO);
-              const Left left{outcome};
+              const Left left{outcome, changed};
               return ask(input);
             };
             try {
@@ -76,6 +69,15 @@ PublicFunction gives(std::string name, Ask ask, bool rounds = true) {
 template <class Ask>
 PublicFunction hands_on(std::string name, Ask ask) {
   return gives(std::move(name), std::move(ask), false);
+}
+
+/// Calls `ask` with counts of stages, which may depend on the state.
+template <class Ask>
+auto with_counts(const Ask& ask) {
+  return [ask](const Input& in) {
+    filtered::StageCounts counts;
+    return ask(in, counts);
+  };
 }
 
 /// @{

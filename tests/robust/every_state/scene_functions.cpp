@@ -27,7 +27,7 @@ auto of_scene(const Ask& ask) {
   return [ask](const Input& in) {
     Scene scene;
     {
-      const contact_tests::Environment usual(FE_TONEAREST, contact_tests::Environment::kKeep);
+      const Environment usual(FE_TONEAREST, Environment::kKeep);
       scene.add("as it is", faces_of(in));
       try {
         scene.add("posed", faces_of(in), in.pose);

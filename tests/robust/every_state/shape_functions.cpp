@@ -145,10 +145,7 @@ std::vector<PublicFunction> shape_functions() {
             }),
       gives("scene::posed", [](const Input& in) { return scene::posed(in.pose, in.point); }),
       gives("scene::posed",
-            [](const Input& in) {
-              filtered::StageCounts counts;
-              return scene::posed(in.pose, in.point, counts);
-            }),
+            with_counts([](const Input& in, filtered::StageCounts& n) { return scene::posed(in.pose, in.point, n); })),
       gives("scene::posed", [](const Input& in) { return scene::posed(in.any_pose, in.any_triangle); }),
       gives("scene::posed", [](const Input& in) { return scene::posed(in.any_pose, in.polygon); }),
   };

@@ -11,10 +11,12 @@
 #include "robust/filtered/detail/kernels.h"
 #include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
+#include "tests/robust/support/rearranged.h"
 
 namespace touchstone::filtered_tests {
 namespace {
 
+using namespace contact_tests;
 using filtered::ClosestPoint;
 
 ClosestPoint exact_closest(const Eigen::Vector3d& center, const Triangle& t) {

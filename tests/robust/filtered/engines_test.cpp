@@ -8,21 +8,17 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/prepared.h"
+#include "tests/robust/support/all_kernels.h"
 #include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
+#include "tests/robust/support/rearranged.h"
 
 namespace touchstone::filtered_tests {
 namespace {
 
+using namespace contact_tests;
 using filtered::detail::Kernels;
-
-std::vector<const Kernels*> all_kernels() {
-  std::vector<const Kernels*> list{&filtered::detail::baseline_kernels()};
-  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
-  return list;
-}
 
 RC_GTEST_PROP(FilteredEngines, AreExactOnTriangles, ()) {
   const Case c = *hard_triangles();

@@ -23,6 +23,7 @@
 namespace touchstone::filtered_tests {
 namespace {
 
+using namespace contact_tests;
 using filtered::detail::DoubleDouble;
 using filtered::detail::Vector3;
 namespace bounds = filtered::detail::bounds;

@@ -10,7 +10,7 @@
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "tests/robust/support/hard_cases.h"
+#include "tests/robust/support/rearranged.h"
 
 namespace touchstone::filtered {
 
@@ -21,6 +21,7 @@ void PrintTo(Stage stage, std::ostream* out) { *out << to_string(stage); }
 namespace touchstone::filtered_tests {
 namespace {
 
+using namespace contact_tests;
 using filtered::Stage;
 using filtered::StageCounts;
 using workloads::move_by_doubles;

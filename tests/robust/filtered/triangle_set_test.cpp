@@ -20,17 +20,18 @@
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/sets/triangle_groups.h"
 #include "robust/filtered/detail/signs/bounds.h"
+#include "tests/robust/support/all_kernels.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
+#include "tests/robust/support/rearranged.h"
 
 namespace touchstone::filtered_tests {
 namespace {
 
-using contact_tests::Environment;
+using namespace contact_tests;
 using filtered::Stage;
 using filtered::StageCounts;
 using filtered::TriangleSet;
@@ -39,12 +40,6 @@ using filtered::detail::TriangleGroup;
 using workloads::Random;
 
 bool exact_contact(const Ball& ball, const Triangle& t) { return exact::contact(ball, Polygon({t.a, t.b, t.c})); }
-
-std::vector<const Kernels*> all_kernels() {
-  std::vector<const Kernels*> list{&filtered::detail::baseline_kernels()};
-  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
-  return list;
-}
 
 using Answers = std::vector<bool>;
 
@@ -255,18 +250,14 @@ TEST(TriangleSet, DoesNotDependOnTheCallersState) {
     } catch (const Rejected&) {
       continue;  // scaling made a triangle degenerate
     }
-    for (const int mode : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
-        const Environment changed(mode, flush);
-        std::feclearexcept(FE_ALL_EXCEPT);
-        const unsigned modes = Environment::modes();
-        const TriangleSet set(triangles);
-        const std::string wrong = faults(ball, set, truth);
-        const int flags = std::fetestexcept(contact_tests::kFlags);
-        EXPECT_EQ(wrong, "") << "mode " << mode << ", flush " << flush;
-        EXPECT_EQ(flags, 0) << "mode " << mode << ", flush " << flush;
-        EXPECT_EQ(Environment::modes(), modes);
-      }
+    for (const State& state : kStates) {
+      const Environment changed(state);
+      const TriangleSet set(triangles);
+      const std::string wrong = faults(ball, set, truth);
+      const bool left_as_found = changed.left_as_found();
+      EXPECT_EQ(wrong, "") << state;
+      EXPECT_TRUE(left_as_found) << state;
+    }
   }
 }
 

@@ -12,14 +12,15 @@
 #include "experiments/run/statistics/shares.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/prepared.h"
 #include "tests/robust/lattice/lattice_case.h"
+#include "tests/robust/support/all_kernels.h"
 #include "tests/robust/support/environment.h"
 
 namespace touchstone::lattice_tests {
 namespace {
 
+using contact_tests::all_kernels;
 using contact_tests::Environment;
 using contact_tests::kModes;
 
@@ -47,12 +48,6 @@ const LatticeSet kSets[] = {{"3 x 3", 3, 3, 9, false}, {"holes, 3 x 3", 3, 3, 9,
 std::uint64_t share() {
   const char* asked = std::getenv("TOUCHSTONE_LATTICE_SHARE");
   return asked == nullptr ? 1500 / TOUCHSTONE_SAMPLES : std::stoull(asked);
-}
-
-std::vector<const filtered::detail::Kernels*> all_kernels() {
-  std::vector<const filtered::detail::Kernels*> list{&filtered::detail::baseline_kernels()};
-  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
-  return list;
 }
 
 struct Tally {

@@ -11,6 +11,7 @@
 #include "tests/robust/mesh/merged.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/random_meshes.h"
+#include "tests/robust/support/signed_zeros.h"
 
 namespace touchstone::mesh_tests {
 namespace {
@@ -24,6 +25,19 @@ Polygon face_of(const Mesh& mesh, std::uint32_t face) {
   Loop loop;
   for (const std::uint32_t vertex : mesh.faces[face]) loop.push_back(mesh.vertices[vertex]);
   return Polygon(loop);
+}
+
+// What the generators of meshes must not miss.
+TEST(RandomMeshes, HaveNegativeZeros) {
+  contact_tests::NegativeZeros seen;
+  for_each_random_mesh(50, [&](const Mesh& mesh, std::uint64_t index, const std::string&) {
+    for (const auto& face : mesh.faces)
+      seen.look_at(Triangle{mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]});
+    for (const Ball& ball : balls_near(mesh, {0}, index)) seen.look_at(ball);
+  });
+  EXPECT_TRUE(seen.center);
+  EXPECT_TRUE(seen.radius);
+  EXPECT_TRUE(seen.vertex);
 }
 
 // Else the properties below would say nothing.
@@ -153,18 +167,15 @@ TEST(Merge, StaysWithinItsTolerance) {
 
 // Guarantee (5).
 TEST(Merge, GivesTheSameInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
-  using contact_tests::Environment;
   for_each_random_mesh(TOUCHSTONE_SAMPLES / 20, [](const Mesh& mesh, std::uint64_t, const std::string& what) {
     const MergedMesh expected = merge_faces(mesh, 1e-4);
-    for (const int mode : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
-        const Environment changed(mode, flush);
-        const unsigned before = Environment::modes();
-        const MergedMesh merged = merge_faces(mesh, 1e-4);
-        const bool left = Environment::modes() == before;
-        EXPECT_TRUE(left) << what;
-        EXPECT_EQ(groups(merged), groups(expected)) << what << ", rounding mode " << mode << ", flush bits " << flush;
-      }
+    for (const contact_tests::State& state : contact_tests::kStates) {
+      const contact_tests::Environment changed(state);
+      const MergedMesh merged = merge_faces(mesh, 1e-4);
+      const bool left_as_found = changed.left_as_found();
+      EXPECT_TRUE(left_as_found) << what << ", " << state;
+      EXPECT_EQ(groups(merged), groups(expected)) << what << ", " << state;
+    }
   });
 }
 

@@ -1,26 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guarantees of robust/mesh/merge.h by hand: what is merged, what is kept apart, and where regions are cut.
+// Welding, and the guarantees of robust/mesh/merge.h by hand: what is merged, what is kept apart, and where regions are
+// cut.
 #include "robust/mesh/merge.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "robust/exact/exact.h"
 #include "robust/mesh/scene_faces.h"
+#include "robust/mesh/weld.h"
 #include "tests/robust/mesh/merged.h"
+#include "tests/robust/support/limits.h"
 #include "tests/robust/support/random_meshes.h"
 
 namespace touchstone::mesh_tests {
 namespace {
 
+using contact_tests::kInfinity;
 using mesh::EdgeCounts;
 using mesh::merge_faces;
 using mesh::MergedFace;
 using mesh::MergedMesh;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+TEST(Weld, KeepsTheFirstOfEqualVerticesInTheirOrder) {
+  const Mesh mesh{{{2, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}}, {{0, 1, 2}, {5, 4, 3}}};
+  const Mesh welded = mesh::weld(mesh);
+  const std::vector<Eigen::Vector3d> expected{{2, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  EXPECT_EQ(welded.vertices, expected);
+  EXPECT_EQ(welded.faces, (std::vector<Numbers>{{0, 1, 2}, {3, 0, 1}}));
+}
+
+TEST(Weld, TakesBothZerosForOne) {
+  const Mesh welded = mesh::weld({{{0, 0, 1}, {-0.0, 0, 1}, {0, -0.0, 1}}, {{0, 1, 2}}});
+  EXPECT_EQ(welded.vertices.size(), 1U);
+  EXPECT_EQ(welded.faces, (std::vector<Numbers>{{0, 0, 0}}));
+}
+
+TEST(Weld, KeepsNeighbouringDoublesApart) {
+  const double next = std::nextafter(1.0, 2.0);
+  EXPECT_EQ(mesh::weld({{{1, 1, 1}, {1, 1, next}, {1, next, 1}, {next, 1, 1}, {1, 1, 1}}, {}}).vertices.size(), 4U);
+}
 
 MergedMesh merged_soundly(const Mesh& mesh, double tolerance = 0) {
   MergedMesh merged = merge_faces(mesh, tolerance);

@@ -10,17 +10,15 @@
 #include <vector>
 
 #include "tests/robust/support/environment.h"
+#include "tests/robust/support/rational_plane.h"
 
-namespace touchstone::filtered_tests {
+namespace touchstone::contact_tests {
 namespace {
 
-using contact_tests::Environment;
-using contact_tests::kModes;
 using filtered::detail::Bounded;
 using filtered::detail::BoundedVector;
 using filtered::detail::DoubleDouble;
 using filtered::detail::Pack;
-using filtered::detail::Vector3;
 
 mpq_class value_of(const Bounded<Pack>& number) {
   double lanes[filtered::detail::kLanes];
@@ -51,7 +49,7 @@ struct Given {
             filtered::detail::constant<filtered::detail::ErrorOf<Number>>(largest),
             filtered::detail::constant<filtered::detail::ErrorOf<Number>>(error)};
   }
-  [[nodiscard]] Vector3<mpq_class> exact() const {
+  [[nodiscard]] Rationals exact() const {
     const auto component = [this](int i) {
       return mpq_class(mpq_class(value[i]) + mpq_class(error) * mpq_class(share[i]));
     };
@@ -68,13 +66,6 @@ Given draw_vector() {
   return {{coordinate(), coordinate(), coordinate()},
           std::ldexp(1.0, *rc::gen::inRange(-80, -30)),
           {share(), share(), share()}};
-}
-
-mpq_class dot(const Vector3<mpq_class>& a, const Vector3<mpq_class>& b) {
-  return mpq_class(a.x * b.x + a.y * b.y + a.z * b.z);
-}
-Vector3<mpq_class> cross(const Vector3<mpq_class>& a, const Vector3<mpq_class>& b) {
-  return {mpq_class(a.y * b.z - a.z * b.y), mpq_class(a.z * b.x - a.x * b.z), mpq_class(a.x * b.y - a.y * b.x)};
 }
 
 /// Asserts that the exact value lies within the error, widened as the signs widen it.
@@ -146,4 +137,4 @@ TEST(Bounded, IsTight) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered_tests
+}  // namespace touchstone::contact_tests

@@ -4,7 +4,7 @@
 
 #include "robust/exact/motion.h"
 #include "tests/robust/support/environment.h"
-#include "tests/robust/support/moving.h"
+#include "tests/robust/support/hand_cases.h"
 
 namespace touchstone::contact_tests {
 namespace {
@@ -18,17 +18,15 @@ TEST(ExactMotionCases, FirstContactIsThatDerivedByHand) {
 
 TEST(ExactMotionCases, EveryStateOfTheFloatingPointUnitGivesTheSameAndIsLeftAsFound) {
   for (const auto& [given, expected] : moving_hand_cases())
-    for (const int mode : kModes)
-      for (const unsigned flush : kFlushes) {
-        const Environment changed(mode, flush);
-        const unsigned modes = Environment::modes();
-        const FirstContact first = exact::first_contact(given.motion, given.polygon);
-        const bool touches = exact::contact(given.motion, given.polygon);
-        const bool left_as_found = Environment::modes() == modes;
-        EXPECT_EQ(first, expected) << given.id << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_EQ(touches, expected.contact()) << given.id;
-        EXPECT_TRUE(left_as_found) << given.id;
-      }
+    for (const State& state : kStates) {
+      const Environment changed(state);
+      const FirstContact first = exact::first_contact(given.motion, given.polygon);
+      const bool touches = exact::contact(given.motion, given.polygon);
+      const bool left_as_found = changed.left_as_found();
+      EXPECT_EQ(first, expected) << given.id << ", " << state;
+      EXPECT_EQ(touches, expected.contact()) << given.id << ", " << state;
+      EXPECT_TRUE(left_as_found) << given.id << ", " << state;
+    }
 }
 
 // Every number of a motion at extreme sizes; sums of coordinates leave the doubles.

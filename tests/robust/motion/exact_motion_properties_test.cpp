@@ -136,11 +136,7 @@ RC_GTEST_PROP(ExactMotion, PowersOfTwoScaleThePointOnly, ()) {
 // Identity (6): mirroring in a coordinate plane.
 RC_GTEST_PROP(ExactMotion, MirroringMirrorsThePointOnly, ()) {
   const MovingCase c = *any_moving_case();
-  const int axis = *rc::gen::inRange(0, 3);
-  const PointMap mirror = [axis](Eigen::Vector3d v) {
-    v[axis] = -v[axis];
-    return v;
-  };
+  const PointMap mirror = mirror_along(*rc::gen::inRange(0, 3));
   const Case image = moved({c.id, c.motion.ball, c.polygon}, mirror);
   const FirstContact expected = exact::first_contact(c.motion, c.polygon);
   RC_ASSERT(exact::first_contact({image.ball, mirror(c.motion.to)}, image.polygon) ==

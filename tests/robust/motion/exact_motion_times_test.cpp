@@ -4,38 +4,27 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "robust/exact/motion.h"
 #include "tests/robust/support/moving.h"
 #include "tests/robust/support/printing.h"
+#include "tests/robust/support/rational_plane.h"
 
 namespace touchstone::contact_tests {
 namespace {
-
-using Rationals = std::array<mpq_class, 3>;
-
-Rationals rationals(const Eigen::Vector3d& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
-Rationals minus(const Rationals& a, const Rationals& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-mpq_class dot(const Rationals& a, const Rationals& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Rationals cross(const Rationals& a, const Rationals& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// The squared distance of c(t) from the plane, line or point of a feature, minus r^2.
 class Excess {
  public:
   Excess(const MovingCase& c, const Feature& feature)
-      : motion_(c.motion), base_(rationals(c.polygon.vertex(feature.index))), kind_(feature.kind) {
+      : motion_(c.motion),
+        base_(rationals(c.polygon.vertex(feature.index))),
+        normal_(RationalPlane(c.polygon).normal),
+        kind_(feature.kind) {
     const Polygon& polygon = c.polygon;
     if (kind_ == Feature::Kind::Edge) direction_ = minus(rationals(polygon.vertex(polygon.next(feature.index))), base_);
-    for (std::size_t i = 1; i + 1 < polygon.loop_end(0); ++i) {
-      const Rationals part = cross(minus(rationals(polygon.vertex(i)), rationals(polygon.vertex(0))),
-                                   minus(rationals(polygon.vertex(i + 1)), rationals(polygon.vertex(0))));
-      for (std::size_t axis = 0; axis < 3; ++axis) normal_[axis] += part[axis];
-    }
   }
 
   mpq_class operator()(const mpq_class& time) const {

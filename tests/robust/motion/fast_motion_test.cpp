@@ -11,7 +11,7 @@
 
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/motion.h"
-#include "tests/robust/support/moving.h"
+#include "tests/robust/support/hand_cases.h"
 #include "tests/robust/support/printing.h"
 #include "tests/robust/support/rearranged.h"
 
@@ -57,7 +57,6 @@ TEST(FastMotionCases, AnUnpreparedPolygonIsPrepared) {
   }
 }
 
-Triangle triangle_of(const Polygon& polygon) { return {polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}; }
 bool is_triangle(const Polygon& polygon) { return polygon.vertex_count() == 3; }
 
 /// Triangles, mostly in small integers.

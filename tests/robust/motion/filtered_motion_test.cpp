@@ -6,31 +6,22 @@
 
 #include <algorithm>
 #include <array>
-#include <cfenv>
 #include <utility>
 #include <vector>
 
 #include "robust/exact/motion.h"
-#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/motion.h"
+#include "tests/robust/support/all_kernels.h"
 #include "tests/robust/support/environment.h"
+#include "tests/robust/support/hand_cases.h"
 #include "tests/robust/support/hard_cases.h"
-#include "tests/robust/support/moving.h"
+#include "tests/robust/support/rearranged.h"
 
 namespace touchstone::contact_tests {
 namespace {
 
 using filtered::detail::Kernels;
-using filtered_tests::hard_cases;
-using filtered_tests::hard_triangles;
-using filtered_tests::triangle_of;
-
-std::vector<const Kernels*> all_kernels() {
-  std::vector<const Kernels*> list{&filtered::detail::baseline_kernels()};
-  if (&filtered::detail::kernels() != list.front()) list.push_back(&filtered::detail::kernels());
-  return list;
-}
 
 RC_GTEST_PROP(FilteredMotion, IsExactForPreparedPolygons, ()) {
   const MovingCase c = *moving(hard_cases());
@@ -100,24 +91,21 @@ RC_GTEST_PROP(FilteredMotion, IsTheSameInEveryFloatingPointState, ()) {
   const Triangle triangle = triangle_of(c.polygon);
   const FirstContact truth = exact::first_contact(c.motion, c.polygon);
   const filtered::PreparedPolygon prepared(c.polygon);
-  for (const int mode : kModes) {
-    for (const unsigned flush : kFlushes) {
-      std::array<FirstContact, 2> found;
-      std::array<bool, 2> touches{};
-      int raised = 0;
-      {
-        const Environment environment(mode, flush);
-        std::feclearexcept(FE_ALL_EXCEPT);
-        found = {filtered::first_contact(c.motion, triangle), filtered::first_contact(c.motion, prepared)};
-        touches = {filtered::contact(c.motion, triangle), filtered::contact(c.motion, prepared)};
-        raised = std::fetestexcept(kFlags);
-      }
-      RC_ASSERT(found[0] == truth);
-      RC_ASSERT(found[1] == truth);
-      RC_ASSERT(touches[0] == truth.contact());
-      RC_ASSERT(touches[1] == truth.contact());
-      RC_ASSERT(raised == 0);
+  for (const State& state : kStates) {
+    std::array<FirstContact, 2> found;
+    std::array<bool, 2> touches{};
+    bool left_as_found = false;
+    {
+      const Environment changed(state);
+      found = {filtered::first_contact(c.motion, triangle), filtered::first_contact(c.motion, prepared)};
+      touches = {filtered::contact(c.motion, triangle), filtered::contact(c.motion, prepared)};
+      left_as_found = changed.left_as_found();
     }
+    RC_ASSERT(found[0] == truth);
+    RC_ASSERT(found[1] == truth);
+    RC_ASSERT(touches[0] == truth.contact());
+    RC_ASSERT(touches[1] == truth.contact());
+    RC_ASSERT(left_as_found);
   }
 }
 

@@ -12,7 +12,7 @@
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::proofs {
+namespace touchstone::proofs::closest {
 namespace {
 
 const mpq_class kDouble = bounds::kDoubleDoubleUnit, kSecondOrder = mpq_class(0x1p-20) + 1;
@@ -110,7 +110,7 @@ TEST(ClosestBounds, AskForNormalsKnownComponentByComponent) {
 // Results are known to two units of themselves besides, of which their own rounding takes 3 u^2 + 13 u^3. The rest is
 // more than what underflow does to a component, to the product that it goes into, and to the share that it takes.
 TEST(ClosestBounds, AllowForComponentsThatUnderflow) {
-  const mpq_class u = 0x1p-53, own_rounding = 3 * power(u, 2) + 13 * power(u, 3);
+  const mpq_class own_rounding = 3 * power(kU, 2) + 13 * power(kU, 3);
   const mpq_class left_over = (2 * kDouble - own_rounding) * mpq_class(kSmallestResult);
   const mpq_class farthest = bounds::kLargest, shortest = kShortestDirection, operation = power(mpq_class(1, 2), 1021);
   const mpq_class share = kRootOfThree * farthest / shortest;  // D.to_center / D.D, for |D| at least `shortest`
@@ -142,9 +142,8 @@ TEST(ClosestBounds, HoldForDistances) {
 
 // Every error holds two units of its value, or kClosest of it, and a tail is at most u of that: what Enclosed asks for.
 TEST(ClosestBounds, AreWideEnoughForTheRoundingTest) {
-  const mpq_class u = 0x1p-53;
-  EXPECT_GE(2 * kDouble, 2 * u * u);
-  EXPECT_GE(mpq_class(bounds::kClosest), 2 * u * u);
+  EXPECT_GE(2 * kDouble, 2 * kU * kU);
+  EXPECT_GE(mpq_class(bounds::kClosest), 2 * kU * kU);
 }
 
 // A normal that is shorter than 8 times its error may be wrong altogether. Then step and distance, exact and computed,
@@ -159,4 +158,4 @@ TEST(ClosestBounds, AreNotSureOfNeedles) {
 }
 
 }  // namespace
-}  // namespace touchstone::proofs
+}  // namespace touchstone::proofs::closest

@@ -15,8 +15,7 @@
 namespace touchstone::proofs::culling_motion {
 namespace {
 
-const mpq_class kU = 0x1p-53;  // round to nearest
-const mpq_class kSmallestDouble = power(mpq_class(1, 2), 1074), kLargestDouble = std::numeric_limits<double>::max();
+const mpq_class kLargestDouble = std::numeric_limits<double>::max();
 
 /// The calculus with lengths in units of L, the largest of the centres' coordinates and the reach. Underflow counts
 /// most where L is kTiny.

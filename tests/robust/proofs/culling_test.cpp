@@ -17,8 +17,7 @@
 namespace touchstone::proofs::culling {
 namespace {
 
-const mpq_class kU = 0x1p-53;  // round to nearest
-const mpq_class kSmallestDouble = power(mpq_class(1, 2), 1074), kTiny = scene::detail::culling::kTiny;
+const mpq_class kTiny = scene::detail::culling::kTiny;
 const ErrorModel kNearest{kU, kSmallestDouble / (kTiny * kTiny), true};
 const ErrorBound kZero{&kNearest, 0, 0, 0};
 

@@ -13,9 +13,8 @@ namespace {
 
 namespace bound = scene::detail::distance_bound;
 
-const mpq_class kU = 0x1p-53;  // round to nearest
 // Beside coordinates of up to 1, where m is at least kSmallest.
-const ErrorModel kNearest{kU, power(mpq_class(1, 2), 1074) / power(mpq_class(bound::kSmallest), 2), true};
+const ErrorModel kNearest{kU, kSmallestDouble / power(mpq_class(bound::kSmallest), 2), true};
 
 /// The error of a point that is combined from three vertices, each known to u, with weights as they are.
 mpq_class error_of_point() {
@@ -37,7 +36,7 @@ TEST(DistanceBound, CoversTheRoundingOfTheDistance) {
   EXPECT_LE(power(1 + kU, 4 + 2 + 1 + 3) / power(1 - kU, 1), mpq_class(bound::kWide));
   EXPECT_GT(power(1 + kU, 20), mpq_class(bound::kWide)) << "it is loose";
   const mpq_class spare = mpq_class(bound::kPoint) - error_of_point();
-  EXPECT_LE(3 * power(mpq_class(1, 2), 1074), power(spare * mpq_class(bound::kSmallest), 2));
+  EXPECT_LE(3 * kSmallestDouble, power(spare * mpq_class(bound::kSmallest), 2));
 }
 
 }  // namespace

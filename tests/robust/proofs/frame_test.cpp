@@ -15,7 +15,7 @@
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::proofs {
+namespace touchstone::proofs::frame_bounds {
 namespace {
 
 const mpq_class kUnit = bounds::kUnit, kSize = 2;
@@ -255,4 +255,4 @@ TEST(FrameBounds, BoxesHoldTheirPoints) {
 }
 
 }  // namespace
-}  // namespace touchstone::proofs
+}  // namespace touchstone::proofs::frame_bounds

@@ -12,9 +12,6 @@ namespace {
 
 namespace held = scene::detail::held_vertex;
 
-const mpq_class kU = 0x1p-53;  // round to nearest
-const mpq_class kSmallestDouble = power(mpq_class(1, 2), 1074);
-
 /// The most that the exact square of a distance may be, relative to that of the radius, if the computed one is less
 /// than the limit. Each difference is rounded once, so its square twice; a product and two sums are rounded three times
 /// at most, the limit twice. Underflow takes less than the smallest double from each of three products.

@@ -12,7 +12,7 @@
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::proofs {
+namespace touchstone::proofs::lanes {
 namespace {
 
 const mpq_class kUnit = bounds::kFloatUnit, kSteps = TriangleGroup::kSteps;
@@ -109,4 +109,4 @@ TEST(Lanes, DoNotOverflow) {
 }
 
 }  // namespace
-}  // namespace touchstone::proofs
+}  // namespace touchstone::proofs::lanes

@@ -12,10 +12,10 @@
 #include "robust/proofs/expressions.h"
 #include "tests/robust/proofs/rationals.h"
 
-namespace touchstone::proofs {
+namespace touchstone::proofs::lone_sign {
 namespace {
 
-const mpq_class kU = 0x1p-53, kUnit = bounds::kDoubleDoubleUnit;
+const mpq_class kUnit = bounds::kDoubleDoubleUnit;
 const ErrorModel kDoubleDoubles{kUnit, 0, true, SumsOfProducts{bounds::kDot, bounds::kCross}};
 
 /// What a sign subtracts, and from what.
@@ -71,4 +71,4 @@ TEST(LoneSign, MayNotHaveLowPartsOfAnySize) {
 }
 
 }  // namespace
-}  // namespace touchstone::proofs
+}  // namespace touchstone::proofs::lone_sign

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "experiments/cases/workloads/random.h"
@@ -13,6 +12,7 @@
 #include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/filtered.h"
 #include "tests/robust/proofs/rationals.h"
+#include "tests/robust/support/rational_plane.h"
 
 namespace touchstone::proofs::normal_of_polygon {
 namespace {
@@ -38,15 +38,8 @@ Polygon almost_level(Random& random, int axis, int slope) {
 }
 
 /// Newell's normal, times 2^exponent.
-std::array<mpq_class, 3> exact_normal(const Polygon& polygon, int exponent) {
-  std::array<mpq_class, 3> normal;
-  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
-    const Eigen::Vector3d p = polygon.vertex(i), q = polygon.vertex(polygon.next(i));
-    for (int k = 0; k < 3; ++k) {
-      const int a = (k + 1) % 3, b = (k + 2) % 3;
-      normal[static_cast<std::size_t>(k)] += mpq_class(p[a]) * mpq_class(q[b]) - mpq_class(p[b]) * mpq_class(q[a]);
-    }
-  }
+contact_tests::Rationals exact_normal(const Polygon& polygon, int exponent) {
+  contact_tests::Rationals normal = contact_tests::RationalPlane(polygon).normal;
   for (mpq_class& component : normal)
     component = exponent < 0 ? mpq_class(component / power(2, static_cast<std::size_t>(-exponent)))
                              : mpq_class(component * power(2, static_cast<std::size_t>(exponent)));

@@ -14,7 +14,6 @@ namespace {
 using namespace scene::detail::own_frame;
 namespace bounds = filtered::detail::bounds;
 
-const mpq_class kU = 0x1p-53;  // round to nearest
 const mpq_class kMost = kMostResidual;
 
 /// The relative error of a number that was rounded that number of times.

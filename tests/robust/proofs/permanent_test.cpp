@@ -14,8 +14,6 @@
 namespace touchstone::proofs {
 namespace {
 
-const mpq_class kU = 0x1p-53;  // round to nearest
-
 /// The factors that a node's computed value and computed permanent keep within, relative to the exact permanent: the
 /// error is at most (upper - 1) M, the computed permanent at least lower M.
 struct Factors {

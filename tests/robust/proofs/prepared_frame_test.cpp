@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "experiments/cases/workloads/random.h"
-#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/frame.h"
 #include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/detail/signs/bounds.h"
+#include "tests/robust/support/all_kernels.h"
+#include "tests/robust/support/rational_plane.h"
 
 namespace touchstone::proofs::prepared_frame {
 namespace {
@@ -23,7 +24,9 @@ namespace {
 using filtered::PreparedPolygon;
 using workloads::Random;
 using namespace filtered::detail;
-using Rationals = std::array<mpq_class, 3>;
+using contact_tests::minus;
+using contact_tests::RationalPlane;
+using contact_tests::Rationals;
 
 constexpr std::uint64_t kPolygons = std::uint64_t{40} * std::max(TOUCHSTONE_SAMPLES, 30);  // fewer err by less
 constexpr mp_bitcnt_t kBits = 512;
@@ -34,8 +37,12 @@ mpf_class root(const mpq_class& value) { return sqrt(real(value)); }
 Rationals exactly(const ScaledVertex& vertex) {
   return {mpq_class(vertex.coordinates[0]), mpq_class(vertex.coordinates[1]), mpq_class(vertex.coordinates[2])};
 }
-Rationals operator-(const Rationals& a, const Rationals& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-mpq_class dot(const Rationals& a, const Rationals& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Rationals between(const ScaledVertex& a, const ScaledVertex& b) { return minus(exactly(b), exactly(a)); }
+
+/// Seen from vertex 0.
+RationalPlane exact_plane(const std::vector<ScaledVertex>& vertices, std::size_t outer) {
+  return RationalPlane(outer, [&](std::size_t i) { return between(vertices[0], vertices[i]); });
+}
 
 /// Loops about a random plane: flat or with vertices off it, thin or round, near the origin or far from it, with short
 /// edges and steep ones, with and without a hole.
@@ -61,26 +68,6 @@ Polygon draw_polygon(std::uint64_t index) {
   return random.coin() ? Polygon(outer) : Polygon(outer, {loop(0.05, random.integer(3, 6))});
 }
 
-struct ExactPlane {
-  Rationals normal, mean;
-  int dropped_axis = 0;
-
-  explicit ExactPlane(const std::vector<ScaledVertex>& vertices, std::size_t outer) {
-    for (std::size_t i = 0; i < outer; ++i) {
-      const Rationals p = exactly(vertices[i]) - exactly(vertices[0]);
-      const Rationals q = exactly(vertices[i + 1 < outer ? i + 1 : 0]) - exactly(vertices[0]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        normal[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
-        mean[k] += p[k] / mpq_class(static_cast<unsigned long>(outer));
-      }
-    }
-    for (const int axis : {1, 2})
-      if (abs(normal[static_cast<std::size_t>(axis)]) > abs(normal[static_cast<std::size_t>(dropped_axis)]))
-        dropped_axis = axis;
-  }
-  [[nodiscard]] mpq_class largest() const { return abs(normal[static_cast<std::size_t>(dropped_axis)]); }
-};
-
 /// The largest error of each kind, as a share of what is allowed.
 struct Shares {
   mpf_class normal, axis, height, point, direction, length;
@@ -97,10 +84,10 @@ void raise(mpf_class& share, const mpf_class& off, double allowed, const std::st
 struct ExactAxes {
   std::array<mpf_class, 3> x, y, normal;
 
-  explicit ExactAxes(const ExactPlane& plane) {
-    const auto k = static_cast<std::size_t>(plane.dropped_axis), a = (k + 1) % 3, b = (k + 2) % 3;
+  explicit ExactAxes(const RationalPlane& plane) {
+    const std::size_t k = plane.dropped_axis, a = (k + 1) % 3, b = (k + 2) % 3;
     const Rationals& n = plane.normal;
-    const mpf_class width = root(n[k] * n[k] + n[a] * n[a]), length = root(dot(n, n));
+    const mpf_class width = root(n[k] * n[k] + n[a] * n[a]), length = root(contact_tests::dot(n, n));
     for (std::size_t i = 0; i < 3; ++i) normal[i] = real(n[i]) / length;
     x[k] = -real(n[a]) / width, x[a] = real(n[k]) / width, x[b] = mpf_class(0, kBits);
     for (std::size_t i = 0; i < 3; ++i)
@@ -113,7 +100,7 @@ mpf_class dot(const std::array<mpf_class, 3>& axis, const Rationals& v) {
 }
 
 void check_frame(const FramedPolygon& found, const Polygon& polygon, const std::vector<ScaledVertex>& vertices,
-                 const ExactPlane& plane, const std::string& what, Shares& shares) {
+                 const RationalPlane& plane, const std::string& what, Shares& shares) {
   using bounds::kUnit;
   const ExactAxes axes(plane);
   for (int i = 0; i < 3; ++i) {
@@ -124,21 +111,16 @@ void check_frame(const FramedPolygon& found, const Polygon& polygon, const std::
   }
   raise(shares.height, found.frame.plane_height - dot(axes.normal, plane.mean), kUnit, what + ": height");
 
-  const auto k = static_cast<std::size_t>(plane.dropped_axis);
-  const auto lifted = [&](std::size_t i) {
-    Rationals p = exactly(vertices[i]) - exactly(vertices[0]);
-    p[k] += dot(plane.normal, plane.mean - p) / plane.normal[k];
-    return p;
-  };
+  const auto lifted = [&](std::size_t i) { return plane.lifted(between(vertices[0], vertices[i])); };
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const EdgeTree::Edge& edge = found.edges[i];
-    const Rationals start = lifted(i), end = lifted(polygon.next(i)), along = end - start;
+    const Rationals start = lifted(i), end = lifted(polygon.next(i)), along = minus(end, start);
     const std::string here = what + ", edge " + std::to_string(i);
     raise(shares.point, edge.start_x - dot(axes.x, start), bounds::kFramePoint * kUnit, here);
     raise(shares.point, edge.start_y - dot(axes.y, start), bounds::kFramePoint * kUnit, here);
     raise(shares.point, edge.end_x - dot(axes.x, end), bounds::kFramePoint * kUnit, here);
     raise(shares.point, edge.end_y - dot(axes.y, end), bounds::kFramePoint * kUnit, here);
-    const mpf_class length = root(dot(along, along));
+    const mpf_class length = root(contact_tests::dot(along, along));
     raise(shares.length, edge.length - length, bounds::kFrameLength * kUnit, here);
     raise(shares.direction, edge.direction_x - dot(axes.x, along) / length, bounds::kFrameDirection * kUnit, here);
     raise(shares.direction, edge.direction_y - dot(axes.y, along) / length, bounds::kFrameDirection * kUnit, here);
@@ -150,7 +132,7 @@ void check(const Kernels& kernels, const Polygon& polygon, const std::string& wh
   const auto vertices = scaled_vertices(polygon, unit);
   ASSERT_TRUE(vertices);
   const std::size_t outer = polygon.loop_end(0);
-  const ExactPlane exact(*vertices, outer);
+  const RationalPlane exact = exact_plane(*vertices, outer);
   const NewellSums sums = kernels.newell_sums(vertices->data(), outer);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const mpq_class normal = mpq_class(sums.normal[axis].high) + mpq_class(sums.normal[axis].low);
@@ -160,11 +142,12 @@ void check(const Kernels& kernels, const Polygon& polygon, const std::string& wh
   const NewellPlane plane(sums, std::span(*vertices).first(outer));
   if (!plane.certain) return;
   ++shares.certain;
-  EXPECT_EQ(plane.dropped_axis, exact.dropped_axis) << what;
+  const mpq_class largest = abs(exact.normal[exact.dropped_axis]);
+  EXPECT_EQ(static_cast<std::size_t>(plane.dropped_axis), exact.dropped_axis) << what;
   for (int axis = 0; axis < 3; ++axis) {
     const mpq_class found = mpq_class(plane.normal[axis].high) + mpq_class(plane.normal[axis].low);
-    raise(shares.normal, real((found - exact.normal[static_cast<std::size_t>(axis)]) / exact.largest()),
-          NewellPlane::kError, what);
+    raise(shares.normal, real((found - exact.normal[static_cast<std::size_t>(axis)]) / largest), NewellPlane::kError,
+          what);
   }
   if (const auto found = framed(polygon, *vertices, unit, plane)) {
     ++shares.framed;
@@ -173,9 +156,7 @@ void check(const Kernels& kernels, const Polygon& polygon, const std::string& wh
 }
 
 TEST(PreparedFrame, IsAsAccurateAsStatedWithEveryKernel) {
-  std::vector<const Kernels*> all{&baseline_kernels()};
-  if (&kernels() != all.front()) all.push_back(&kernels());
-  for (const Kernels* kernels : all) {
+  for (const Kernels* kernels : contact_tests::all_kernels()) {
     Shares shares;
     for (std::uint64_t index = 0; index < kPolygons; ++index)
       check(*kernels, draw_polygon(index), "polygon " + std::to_string(index), shares);
@@ -205,9 +186,9 @@ TEST(PreparedFrame, DecidesTiesOfTheNormalExactly) {
     const auto vertices = scaled_vertices(polygon, frame_unit(polygon));
     ASSERT_TRUE(vertices);
     const NewellPlane plane(kernels().newell_sums(vertices->data(), 4), *vertices);
-    const ExactPlane exact(*vertices, 4);
+    const RationalPlane exact = exact_plane(*vertices, 4);
     EXPECT_TRUE(plane.certain) << "polygon " << index;
-    EXPECT_EQ(plane.dropped_axis, exact.dropped_axis) << "polygon " << index;
+    EXPECT_EQ(static_cast<std::size_t>(plane.dropped_axis), exact.dropped_axis) << "polygon " << index;
     ++(plane.dropped_axis == 0 ? first : second);
   }
   EXPECT_GT(first, kPolygons / 4);

@@ -20,4 +20,7 @@ inline mpq_class root_above(const mpq_class& square) {
   return mpq_class(sqrt(scaled) + 1, mpz_class(1) << kBits);
 }
 
+inline const mpq_class kU = 0x1p-53;  ///< the unit of rounding to nearest
+inline const mpq_class kSmallestDouble = power(mpq_class(1, 2), 1074);
+
 }  // namespace touchstone::proofs

@@ -18,10 +18,8 @@ namespace {
 
 using scene::detail::rounded_plane::Plane;
 
-const mpq_class kU = 0x1p-53;  // round to nearest
 /// Against the smallest product of lengths, of three.
-const mpq_class kUnderflow =
-    power(mpq_class(1, 2), 1074) / power(mpq_class(scene::detail::rounded_plane::kSmallestSize), 3);
+const mpq_class kUnderflow = kSmallestDouble / power(mpq_class(scene::detail::rounded_plane::kSmallestSize), 3);
 const ErrorModel kNearest{kU, kUnderflow, true};
 const ErrorBound kZero{&kNearest, 0, 0, 0};
 

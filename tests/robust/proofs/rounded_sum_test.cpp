@@ -11,8 +11,6 @@
 namespace touchstone::proofs::rounded_sum {
 namespace {
 
-const mpq_class kU = 0x1p-53;  // round to nearest
-
 /// What Permanent guarantees of a sum of six doubles, for exact magnitudes of 1 in all: it is off by at most
 /// upper - 1, and so are the magnitudes as computed.
 constexpr int kRoundings = [] {

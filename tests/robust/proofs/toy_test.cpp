@@ -20,7 +20,7 @@ namespace {
 
 using workloads::Random;
 
-constexpr std::uint64_t kSamples = std::uint64_t{300} * TOUCHSTONE_SAMPLES, kSteps = 3000;
+constexpr std::uint64_t kSamples = std::uint64_t{300} * TOUCHSTONE_SAMPLES, kMostSteps = 3000;
 constexpr std::uint64_t kSeed = 2026;
 
 /// The largest share of its bound that an error has taken, for each constant.
@@ -91,7 +91,7 @@ TEST(Toy, ErrorsThatAreDrivenUpStayWithinTheBoundsAndShowThemNotLoose) {
       const double bound = bounds[i++];
       Operands operands = draw_operands(random);
       double largest = 0;
-      for (std::uint64_t step = 0; step < kSteps; ++step) {
+      for (std::uint64_t step = 0; step < kMostSteps; ++step) {
         Operands other = operands;
         for (Exact count = random.integer(1, 3); count > 0; --count)
           other[static_cast<std::size_t>(random.integer(0, other.size() - 1))] = draw_operand(random);

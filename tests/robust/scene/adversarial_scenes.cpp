@@ -5,23 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/scene/posing.h"
+#include "tests/robust/support/draw_point.h"
+#include "tests/robust/support/rearranged.h"
 #include "tests/robust/support/signed_zeros.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
+using contact_tests::draw_point;
+using contact_tests::polygon_of;
 using contact_tests::sign_zeros;
 using workloads::Random;
 
 double coordinate(Random& random) { return 2 * random.unit() - 1; }
-Eigen::Vector3d point(Random& random) { return {coordinate(random), coordinate(random), coordinate(random)}; }
-
-Polygon polygon_of(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
 
 /// Adds the triangle if it is one.
 void add(scene::Faces& faces, const Triangle& t) {
@@ -31,20 +31,20 @@ void add(scene::Faces& faces, const Triangle& t) {
 
 /// An L of unit size in a random plane through a point, its corners moved by up to `noise`.
 void add_polygon(Random& random, scene::Faces& faces, const Eigen::Vector3d& at, double size, double noise) {
-  const Eigen::Vector3d u = point(random), v = point(random);
+  const Eigen::Vector3d u = draw_point(random), v = draw_point(random);
   Loop loop;
   for (const auto& [x, y] : {std::pair(0.0, 0.0), {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 3.0}, {0.0, 3.0}})
-    loop.emplace_back(at + size * (x * u + y * v + noise * point(random)));
+    loop.emplace_back(at + size * (x * u + y * v + noise * draw_point(random)));
   const Polygon polygon(loop);
   if (!exact::validate(polygon)) faces.polygons.push_back(polygon);
 }
 
 void add_soup(Random& random, scene::Faces& faces, double size, const Eigen::Vector3d& at, int times) {
   for (int i = 0; i < 40 * times; ++i) {
-    const Eigen::Vector3d near = at + size * point(random);
-    add(faces, {near, near + size / 4 * point(random), near + size / 4 * point(random)});
+    const Eigen::Vector3d near = at + size * draw_point(random);
+    add(faces, {near, near + size / 4 * draw_point(random), near + size / 4 * draw_point(random)});
   }
-  for (int i = 0; i < 4 * times; ++i) add_polygon(random, faces, at + size * point(random), size / 4, 0x1p-52);
+  for (int i = 0; i < 4 * times; ++i) add_polygon(random, faces, at + size * draw_point(random), size / 4, 0x1p-52);
 }
 
 void add_lattice(Random& random, scene::Faces& faces, int side) {
@@ -65,8 +65,8 @@ scene::Faces draw_faces(Random& random, Kind kind, int times) {
     case Kind::Coplanar: add_lattice(random, faces, 6 * times); break;
     case Kind::Needles:
       for (int i = 0; i < 60 * times; ++i) {
-        const Eigen::Vector3d end = point(random);
-        add(faces, {{0, 0, 0}, end, end + 0x1p-30 * point(random)});
+        const Eigen::Vector3d end = draw_point(random);
+        add(faces, {{0, 0, 0}, end, end + 0x1p-30 * draw_point(random)});
       }
       break;
     case Kind::Duplicates: {
@@ -79,17 +79,18 @@ scene::Faces draw_faces(Random& random, Kind kind, int times) {
     case Kind::MixedSizes:
       for (int i = 0; i < 60 * times; ++i) {
         const double size = std::ldexp(1.0, static_cast<int>(random.integer(-60, 60)));
-        const Eigen::Vector3d near = size * point(random);
-        add(faces, {near, near + size * point(random), near + size * point(random)});
+        const Eigen::Vector3d near = size * draw_point(random);
+        add(faces, {near, near + size * draw_point(random), near + size * draw_point(random)});
       }
       break;
     case Kind::HugeNumbers: add_soup(random, faces, 0x1p1019, {0, 0, 0}, times); break;
     case Kind::TinyNumbers: add_soup(random, faces, random.coin() ? 0x1p-1000 : 0x1p-1066, {0, 0, 0}, times); break;
-    case Kind::FarAway: add_soup(random, faces, 1, 0x1p40 * point(random), times); break;
+    case Kind::FarAway: add_soup(random, faces, 1, 0x1p40 * draw_point(random), times); break;
     case Kind::OffPlane:
       // Few, so that no neighbour's box makes up for what a box lacks.
       while (faces.polygons.size() < 2)
-        add_polygon(random, faces, 4 * point(random), 0.3, std::ldexp(1.0, -static_cast<int>(random.integer(1, 50))));
+        add_polygon(random, faces, 4 * draw_point(random), 0.3,
+                    std::ldexp(1.0, -static_cast<int>(random.integer(1, 50))));
       break;
   }
   return faces;
@@ -131,10 +132,6 @@ std::vector<Polygon> all_polygons(const std::vector<scene::Faces>& objects) {
   return all;
 }
 
-Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index) {
-  return draw_ball(all_polygons(objects), seed, index);
-}
-
 Motion draw_motion(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index) {
   Random random(seed, index, 67);
   const Ball ball = draw_ball(all, seed, index);
@@ -145,7 +142,7 @@ Motion draw_motion(const std::vector<Polygon>& all, std::uint64_t seed, std::uin
     case 0: way = edge; break;
     case 1: way = edge.cwiseAbs().maxCoeff() * Eigen::Vector3d::Unit(random.integer(0, 2)); break;
     case 2: way = face.vertex(2) - ball.center; break;
-    default: way = edge.cwiseAbs().maxCoeff() * point(random);
+    default: way = edge.cwiseAbs().maxCoeff() * draw_point(random);
   }
   if (random.coin()) way *= std::ldexp(1.0, static_cast<int>(random.integer(-40, 2)));
   Motion motion(ball, ball.center);
@@ -170,7 +167,7 @@ Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_
   // At a vertex, between two of one face or of two faces, or beside a face.
   const double share = random.coin() ? 0 : random.unit() / 2;
   Eigen::Vector3d center = (1 - share) * near.vertex(0) + share * (random.coin() ? near : other).vertex(1);
-  if (random.coin()) center += (near.vertex(1) - near.vertex(0)).cwiseAbs().maxCoeff() * point(random);
+  if (random.coin()) center += (near.vertex(1) - near.vertex(0)).cwiseAbs().maxCoeff() * draw_point(random);
   const double distance = exact::answer({center, 0}, random.coin() ? near : other).distance;
   Ball ball{center, 0};
   switch (random.integer(0, 3)) {
@@ -209,7 +206,7 @@ Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std
       pose.rotation = Eigen::AngleAxisd(std::atan(1.0), Eigen::Vector3d::Unit(random.integer(0, 2))).toRotationMatrix();
       break;
     case 4:
-      for (int row = 0; row < 3; ++row) pose.rotation.row(row) = point(random) / 2;
+      for (int row = 0; row < 3; ++row) pose.rotation.row(row) = draw_point(random) / 2;
       break;
     default: {
       const Eigen::Quaterniond turn{coordinate(random), coordinate(random), coordinate(random), coordinate(random)};
@@ -218,7 +215,7 @@ Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std
     }
   }
   if (random.coin()) {
-    const Eigen::Vector3d direction = point(random);
+    const Eigen::Vector3d direction = draw_point(random);
     pose.translation = std::ldexp(largest, static_cast<int>(random.integer(-40, -2))) * direction;
   }
   sign_zeros(pose, random);

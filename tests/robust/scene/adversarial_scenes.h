@@ -32,7 +32,6 @@ enum class Kind {
 [[nodiscard]] std::vector<scene::Faces> draw_objects(Kind kind, std::uint64_t seed, std::uint64_t index, int times = 1);
 
 /// A ball near a face: its radius is 0, large, or within a few doubles of the distance to some face.
-[[nodiscard]] Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index);
 [[nodiscard]] Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index);
 
 /// A motion that has such a ball at its start, at its end or in between, and is as short or as long as may be; or at

@@ -10,18 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/scene/detail/swept.h"
+#include "tests/robust/support/draw_point.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
+using contact_tests::draw_point;
 using workloads::Random;
-
-Eigen::Vector3d point(Random& random, double size) {
-  return size * Eigen::Vector3d{2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1};
-}
 
 /// A power of two, mostly near 1.
 double draw_size(Random& random) {
@@ -66,16 +63,16 @@ struct Sample {
 Sample draw_sample(std::uint64_t index) {
   Random random(2026, index, 94);
   const double size = std::ldexp(1.0, static_cast<int>(random.integer(-100, 100)));
-  const Eigen::Vector3d corner = point(random, size) + point(random, size * draw_size(random));
-  Eigen::Vector3d extent = point(random, size).cwiseAbs();
+  const Eigen::Vector3d corner = draw_point(random, size) + draw_point(random, size * draw_size(random));
+  Eigen::Vector3d extent = draw_point(random, size).cwiseAbs();
   for (int k = 0; k < 3; ++k)
     if (random.integer(0, 3) == 0) extent[k] = 0;
   Sample sample{{corner, corner + extent}, {}, static_cast<int>(random.integer(0, 8))};
-  Eigen::Vector3d way = point(random, size * draw_size(random));
+  Eigen::Vector3d way = draw_point(random, size * draw_size(random));
   for (int k = 0; k < 3; ++k)
     if (random.integer(0, 3) == 0) way[k] *= random.coin() ? 0 : 0x1p-31;
   Eigen::Vector3d at = random.coin() ? sample.box.low : sample.box.high;
-  at += point(random, size * draw_size(random));
+  at += draw_point(random, size * draw_size(random));
   const double share = sample.eighths / 8.0;
   sample.motion = Motion({at - share * way, 0}, at + (1 - share) * way);
   sample.motion.ball.radius = root_rounded_up(squared_distance(sample.box, center_at(sample.motion, sample.eighths)));

@@ -6,29 +6,26 @@
 
 #include <cmath>
 
-#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/filtered.h"
+#include "tests/robust/support/draw_point.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
+using contact_tests::draw_point;
 using workloads::Random;
-
-Eigen::Vector3d point(Random& random, double size) {
-  return size * Eigen::Vector3d{2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1};
-}
 
 TEST(DistanceAtMost, IsAtLeastTheDistanceAndLittleMore) {
   for (std::uint64_t index = 0; index < 100 * TOUCHSTONE_SAMPLES; ++index) {
     Random random(2026, index, 93);
     const double size = std::ldexp(1.0, static_cast<int>(random.integer(-180, 180)));
     const double thin = random.coin() ? 1 : std::ldexp(1.0, -static_cast<int>(random.integer(0, 40)));
-    const Eigen::Vector3d a = point(random, size), b = point(random, size);
-    const Triangle triangle{a, b, a + random.unit() * (b - a) + point(random, thin * size)};
-    Eigen::Vector3d center = point(random, 2 * size);
+    const Eigen::Vector3d a = draw_point(random, size), b = draw_point(random, size);
+    const Triangle triangle{a, b, a + random.unit() * (b - a) + draw_point(random, thin * size)};
+    Eigen::Vector3d center = draw_point(random, 2 * size);
     // On it or beside it, nearly.
     if (random.coin())
-      center = a + random.unit() * (b - a) + point(random, size * std::abs(random.log_uniform(-50, 0)));
+      center = a + random.unit() * (b - a) + draw_point(random, size * std::abs(random.log_uniform(-50, 0)));
     const double bound = scene::detail::distance_at_most(center, triangle);
     EXPECT_TRUE(filtered::contact({center, bound}, triangle)) << "sample " << index;
     const double largest = 8 * size;

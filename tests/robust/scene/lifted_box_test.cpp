@@ -4,15 +4,17 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
+#include "tests/robust/support/rational_plane.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
+using contact_tests::RationalPlane;
+using contact_tests::rationals;
 using workloads::Random;
 
 /// Polygons of 3 to 40 vertices in any plane, off it by nothing to their size, far away or not, thin or not, with one
@@ -44,31 +46,11 @@ std::optional<Polygon> draw_polygon(std::uint64_t index) {
   return std::nullopt;
 }
 
-/// The contract's lift, in rationals: the coordinate of each vertex along the dropped axis, and that axis.
-std::pair<std::size_t, std::vector<mpq_class>> lifted(const Polygon& polygon) {
-  const std::size_t n = polygon.loop_end(0);
-  const auto at = [&](std::size_t i) {
-    const Eigen::Vector3d p = polygon.vertex(i);
-    return std::array<mpq_class, 3>{p[0], p[1], p[2]};
-  };
-  std::array<mpq_class, 3> normal, mean;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto p = at(i), q = at(polygon.next(i));
-      normal[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
-      mean[k] += p[k] / static_cast<unsigned long>(n);
-    }
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (abs(normal[k]) > abs(normal[axis])) axis = k;
-  std::vector<mpq_class> result;
-  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
-    const auto p = at(i);
-    mpq_class height = 0;
-    for (std::size_t k = 0; k < 3; ++k) height += normal[k] * (mean[k] - p[k]);
-    result.emplace_back(p[axis] + height / normal[axis]);
-  }
-  return {axis, result};
+/// Does the box hold the vertex where it is lifted to, along the dropped axis?
+bool holds_lifted(const Box& box, const RationalPlane& plane, const Eigen::Vector3d& vertex) {
+  const auto axis = static_cast<Eigen::Index>(plane.dropped_axis);
+  const mpq_class at = plane.lifted(rationals(vertex))[plane.dropped_axis];
+  return mpq_class(box.low[axis]) <= at && at <= mpq_class(box.high[axis]);
 }
 
 TEST(LiftedBox, HoldsEveryLiftedVertexTightly) {
@@ -79,15 +61,13 @@ TEST(LiftedBox, HoldsEveryLiftedVertexTightly) {
     const Box exact = scene::detail::lifted_box(*polygon, filtered::PreparedPolygon(*polygon));
     const auto quick = scene::detail::quick_lifted_box(*polygon);
     ++all, quick_ones += quick.has_value();
-    const auto [axis, coordinates] = lifted(*polygon);
+    const RationalPlane plane(*polygon);
     for (const Box& box : {exact, quick.value_or(exact)}) {
       for (std::size_t i = 0; i < polygon->vertex_count(); ++i) {
         const Eigen::Vector3d p = polygon->vertex(i);
         EXPECT_TRUE((box.low.array() <= p.array()).all() && (p.array() <= box.high.array()).all())
             << "sample " << index;
-        const auto k = static_cast<Eigen::Index>(axis);
-        EXPECT_TRUE(mpq_class(box.low[k]) <= coordinates[i] && coordinates[i] <= mpq_class(box.high[k]))
-            << "sample " << index << ", vertex " << i;
+        EXPECT_TRUE(holds_lifted(box, plane, p)) << "sample " << index << ", vertex " << i;
       }
       if (quick) {
         const double size = (exact.high - exact.low).maxCoeff();
@@ -104,11 +84,8 @@ TEST(LiftedBox, IsWideAlongEveryAxisThatMayBeTheDroppedOne) {
   const Polygon polygon({{0, 0, 0}, {1, 0, 0x1p-54}, {1, 1, 1}, {0, 1, 1.25}});
   const auto box = scene::detail::quick_lifted_box(polygon);
   ASSERT_TRUE(box);
-  const auto [axis, coordinates] = lifted(polygon);
-  for (const mpq_class& x : coordinates) {
-    const auto k = static_cast<Eigen::Index>(axis);
-    EXPECT_TRUE(mpq_class(box->low[k]) <= x && x <= mpq_class(box->high[k]));
-  }
+  const RationalPlane plane(polygon);
+  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) EXPECT_TRUE(holds_lifted(*box, plane, polygon.vertex(i)));
 }
 
 TEST(LiftedBox, IsLeftToTheExactPathWhereDoublesCannotTell) {

@@ -4,70 +4,27 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/motion.h"
 #include "robust/scene/detail/first_contact_search.h"
-#include "tests/robust/scene/adversarial_scenes.h"
-#include "tests/robust/scene/faces_on_way.h"
+#include "tests/robust/scene/brute_force.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/moving.h"
-
-namespace touchstone::scene {
-
-/// How GoogleTest shows a first face.
-void PrintTo(const FirstFace& first, std::ostream* out) {
-  *out << "object " << first.face.object << ", face " << first.face.face << ": ";
-  touchstone::PrintTo(first.contact, out);
-}
-bool operator==(const FirstFace& a, const FirstFace& b) { return a.face == b.face && a.contact == b.contact; }
-
-}  // namespace touchstone::scene
 
 namespace touchstone::scene_tests {
 namespace {
 
 using scene::FaceId;
-using scene::FirstFace;
 using scene::Scene;
-
-/// A scene, its faces without any hierarchy, and motions through them.
-struct Subject {
-  Subject(Kind kind, std::uint64_t index) : Subject(draw_objects(kind, 2026, index), name(kind)) {}
-  Subject(const std::vector<scene::Faces>& objects, std::string words)
-      : what(std::move(words)), polygons(all_polygons(objects)), faces(objects) {
-    for (std::size_t i = 0; i < objects.size(); ++i) built.add("object " + std::to_string(i), objects[i]);
-  }
-  [[nodiscard]] Motion motion(std::uint64_t index) const { return draw_motion(polygons, 2026, index); }
-
-  std::string what;
-  std::vector<Polygon> polygons;
-  FacesOnWay faces;
-  Scene built;
-};
-
-/// Calls f(subject, motion, number, words) for scenes of each kind.
-template <class F>
-void for_each_query(std::uint64_t motions, const F& f) {
-  for (const Kind kind : all_kinds())
-    for (std::uint64_t index = 0; index < 2; ++index) {
-      const Subject subject(kind, index);
-      for (std::uint64_t i = 0; i < motions; ++i) {
-        const std::uint64_t number = 1000 * index + i;
-        f(subject, subject.motion(number), number, subject.what + ", motion " + std::to_string(number));
-      }
-    }
-}
 
 TEST(MovingBallInScene, TouchesExactlyTheFacesOnItsWay) {
   std::uint64_t touching = 0;
-  for_each_query(2 * TOUCHSTONE_SAMPLES,
+  for_each_query(draw_motion, 2 * TOUCHSTONE_SAMPLES,
                  [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
                    const auto expected = subject.faces.touched(motion);
                    EXPECT_EQ(subject.built.touched(motion), expected) << what;
@@ -82,7 +39,7 @@ TEST(MovingBallInScene, TouchesExactlyTheFacesOnItsWay) {
 
 TEST(MovingBallInScene, TouchesTheFirstFaceFirstAndTheLowestOfEquals) {
   std::uint64_t on_way = 0;
-  for_each_query(2 * TOUCHSTONE_SAMPLES,
+  for_each_query(draw_motion, 2 * TOUCHSTONE_SAMPLES,
                  [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
                    const auto expected = subject.faces.first(motion);
                    EXPECT_EQ(subject.built.first_contact(motion), expected) << what;
@@ -95,7 +52,7 @@ TEST(MovingBallInScene, TouchesTheFirstFaceFirstAndTheLowestOfEquals) {
 }
 
 TEST(MovingBallInScene, TouchesAtRestWhatTheBallTouches) {
-  for_each_query(TOUCHSTONE_SAMPLES / 2,
+  for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 2,
                  [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
                    const Motion at_rest(motion.ball, motion.ball.center);
                    const auto touched = subject.built.touched(motion.ball);
@@ -110,7 +67,7 @@ TEST(MovingBallInScene, TouchesAtRestWhatTheBallTouches) {
 }
 
 TEST(MovingBallInScene, TouchesTheSameFacesOnItsWayBack) {
-  for_each_query(TOUCHSTONE_SAMPLES / 2,
+  for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 2,
                  [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
                    const Motion back({motion.to, motion.ball.radius}, motion.ball.center);
                    EXPECT_EQ(subject.built.touched(back), subject.built.touched(motion)) << what;
@@ -118,7 +75,7 @@ TEST(MovingBallInScene, TouchesTheSameFacesOnItsWayBack) {
 }
 
 TEST(MovingBallInScene, AsksChosenObjectsOnly) {
-  for_each_query(TOUCHSTONE_SAMPLES / 5,
+  for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 5,
                  [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
                    const Scene::Objects chosen(std::vector<std::uint32_t>{2, 1, 2}), none(std::vector<std::uint32_t>{});
                    std::vector<FaceId> expected;
@@ -140,9 +97,9 @@ TEST(MovingBallInScene, AsksChosenObjectsOnly) {
 
 TEST(MovingBallInScene, AnswersBatchesAsSingleQuestions) {
   for (const Kind kind : all_kinds()) {
-    const Subject subject(kind, 7);
+    const Subject subject(draw_objects(kind, 2026, 7), name(kind));
     std::vector<Motion> motions;
-    for (std::uint64_t i = 0; i < 300; ++i) motions.push_back(subject.motion(i));
+    for (std::uint64_t i = 0; i < 300; ++i) motions.push_back(draw_motion(subject.faces.polygons(), 2026, i));
     const std::unique_ptr<bool[]> touches(new bool[motions.size()]);
     subject.built.touches(std::span<const Motion>(motions), {touches.get(), motions.size()});
     const auto touched = subject.built.touched(motions);
@@ -157,27 +114,22 @@ TEST(MovingBallInScene, AnswersBatchesAsSingleQuestions) {
 }
 
 TEST(MovingBallInScene, AnswersInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
-  using contact_tests::Environment;
-  for_each_query(TOUCHSTONE_SAMPLES / 20, [](const Subject& subject, const Motion& motion, std::uint64_t,
-                                             const std::string& what) {
-    const auto expected = subject.built.touched(motion);
-    const auto expected_first = subject.built.first_contact(motion);
-    for (const int mode : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
-        const Environment changed(mode, flush);
-        const unsigned before = Environment::modes();
-        std::feclearexcept(FE_ALL_EXCEPT);
-        const auto touched = subject.built.touched(motion);
-        const auto first = subject.built.first_contact(motion);
-        const bool touches = subject.built.touches(motion);
-        const bool raised = std::fetestexcept(contact_tests::kFlags) != 0;
-        const bool left = Environment::modes() == before;
-        EXPECT_EQ(touched, expected) << what << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_EQ(touches, !expected.empty()) << what << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_EQ(first, expected_first) << what << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_TRUE(left && !raised) << what << ", rounding mode " << mode << ", flush bits " << flush;
-      }
-  });
+  for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 20,
+                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                   const auto expected = subject.built.touched(motion);
+                   const auto expected_first = subject.built.first_contact(motion);
+                   for (const contact_tests::State& state : contact_tests::kStates) {
+                     const contact_tests::Environment changed(state);
+                     const auto touched = subject.built.touched(motion);
+                     const auto first = subject.built.first_contact(motion);
+                     const bool touches = subject.built.touches(motion);
+                     const bool left = changed.left_as_found();
+                     EXPECT_EQ(touched, expected) << what << ", " << state;
+                     EXPECT_EQ(touches, !expected.empty()) << what << ", " << state;
+                     EXPECT_EQ(first, expected_first) << what << ", " << state;
+                     EXPECT_TRUE(left) << what << ", " << state;
+                   }
+                 });
 }
 
 // Triangles stay in their own frame where it can hold them; motions are about the posed faces.
@@ -201,7 +153,7 @@ TEST(MovingBallInScene, FindsPosedFacesAsIfTheyWereBuiltThere) {
       ++posed_scenes;
       const Subject subject(there, name(kind) + ", scene " + std::to_string(index));
       for (std::uint64_t i = 0; i < 20; ++i) {
-        const Motion motion = subject.motion(100 * index + i);
+        const Motion motion = draw_motion(subject.faces.polygons(), 2026, 100 * index + i);
         const std::string what = subject.what + ", motion " + std::to_string(i);
         const auto expected = subject.faces.first(motion);
         EXPECT_EQ(moved.first_contact(motion), expected) << what;

@@ -8,36 +8,31 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/validate.h"
 #include "robust/scene/posing.h"
+#include "tests/robust/support/draw_point.h"
+#include "tests/robust/support/rational_plane.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
+using namespace contact_tests;
 using scene::detail::OwnFrame;
 using workloads::Random;
 
 mpq_class difference(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int axis) {
   return mpq_class(a[axis]) - mpq_class(b[axis]);
 }
-mpq_class squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  mpq_class sum = 0;
-  for (int k = 0; k < 3; ++k) sum += difference(a, b, k) * difference(a, b, k);
-  return sum;
-}
+Rationals way(const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return minus(rationals(to), rationals(from)); }
+mpq_class squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return dot(way(a, b), way(a, b)); }
 bool within(const mpq_class& squared, double radius) {
   return radius >= 0 && squared <= mpq_class(radius) * mpq_class(radius);
 }
 
-Eigen::Vector3d point(Random& random, double size) {
-  return size * Eigen::Vector3d{2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1};
-}
-
 /// A rotation or a reflection, in doubles, rounded to floats, or times a number.
-Eigen::Matrix3d draw_rotation(Random& random) {
-  const Eigen::Vector3d axis = point(random, 1);
+Eigen::Matrix3d draw_frame_matrix(Random& random) {
+  const Eigen::Vector3d axis = draw_point(random, 1);
   Eigen::Matrix3d result = Eigen::AngleAxisd(6 * random.unit(), axis.normalized()).toRotationMatrix();
   switch (random.integer(0, 3)) {
     case 0: return result.cast<float>().cast<double>();
@@ -55,9 +50,9 @@ struct Seen {
 
 Seen draw_seen(Random& random) {
   const double reach = std::abs(random.log_uniform(-20, 20));
-  Seen seen{{draw_rotation(random), Eigen::Vector3d::Zero()}, reach, Eigen::Vector3d::Zero()};
-  if (random.coin()) seen.pose.translation = point(random, std::abs(random.log_uniform(-40, 40)));
-  seen.own = point(random, reach / 2);
+  Seen seen{{draw_frame_matrix(random), Eigen::Vector3d::Zero()}, reach, Eigen::Vector3d::Zero()};
+  if (random.coin()) seen.pose.translation = draw_point(random, std::abs(random.log_uniform(-40, 40)));
+  seen.own = draw_point(random, reach / 2);
   return seen;
 }
 
@@ -96,7 +91,7 @@ TEST(OwnFrame, SeesEveryBallThatTouchesAndNoOther) {
     ASSERT_TRUE(frame) << what;
     const double scale = seen.reach * seen.pose.rotation.norm();
     const Eigen::Vector3d center =
-        scene::posed(seen.pose, seen.own) + point(random, scale * std::abs(random.log_uniform(-30, 2)));
+        scene::posed(seen.pose, seen.own) + draw_point(random, scale * std::abs(random.log_uniform(-30, 2)));
     expect_sound(*frame, seen, center, what);
   }
 }
@@ -141,7 +136,7 @@ TEST(OwnFrame, SeesEveryMotionThatTouchesAndNoOther) {
     const double scale = seen.reach * seen.pose.rotation.norm();
     const auto end = [&] {
       return Eigen::Vector3d(scene::posed(seen.pose, seen.own) +
-                             point(random, scale * std::abs(random.log_uniform(-30, 2))));
+                             draw_point(random, scale * std::abs(random.log_uniform(-30, 2))));
     };
     const Eigen::Vector3d first = end();
     expect_sound(*frame, seen, first, random.coin() ? end() : first, "sample " + std::to_string(index));
@@ -235,10 +230,11 @@ TEST(OwnFrame, HoldsOnlyTrianglesThatStayTriangles) {
   for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
     Random random(2026, index, 91);
     const double thin = std::ldexp(1.0, -static_cast<int>(random.integer(20, 56)));
-    const Eigen::Vector3d a = point(random, 1), b = point(random, 1);
-    const Triangle triangle{a, b, a + random.unit() * (b - a) + point(random, thin)};
+    const Eigen::Vector3d a = draw_point(random, 1), b = draw_point(random, 1);
+    const Triangle triangle{a, b, a + random.unit() * (b - a) + draw_point(random, thin)};
     if (exact::validate(Polygon({triangle.a, triangle.b, triangle.c}))) continue;
-    const Pose pose{draw_rotation(random), point(random, std::ldexp(1.0, static_cast<int>(random.integer(-3, 12))))};
+    const Pose pose{draw_frame_matrix(random),
+                    draw_point(random, std::ldexp(1.0, static_cast<int>(random.integer(-3, 12))))};
     if (!OwnFrame::of(pose, 2, scene::detail::least_altitude(triangle))) continue;
     ++held;
     EXPECT_NO_THROW((void)scene::posed(pose, triangle)) << "sample " << index;
@@ -251,20 +247,14 @@ TEST(LeastAltitude, IsAtMostTheLeastAltitude) {
     Random random(2026, index, 92);
     const double size = std::ldexp(1.0, static_cast<int>(random.integer(-300, 300)));
     const double thin = std::ldexp(1.0, -static_cast<int>(random.integer(0, 56)));
-    const Eigen::Vector3d a = point(random, size), b = point(random, size);
-    const Triangle t{a, b, a + random.unit() * (b - a) + point(random, thin * size)};
+    const Eigen::Vector3d a = draw_point(random, size), b = draw_point(random, size);
+    const Triangle t{a, b, a + random.unit() * (b - a) + draw_point(random, thin * size)};
     const mpq_class altitude = scene::detail::least_altitude(t);
     ASSERT_GE(altitude, 0);
     // (twice the area)^2 >= altitude^2 edge^2 for each edge
-    mpq_class normal_sq = 0;
-    for (int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const mpq_class component =
-          difference(t.b, t.a, i) * difference(t.c, t.a, j) - difference(t.b, t.a, j) * difference(t.c, t.a, i);
-      normal_sq += component * component;
-    }
+    const Rationals normal = cross(way(t.a, t.b), way(t.a, t.c));
     for (const auto& edge_sq : {squared_distance(t.a, t.b), squared_distance(t.b, t.c), squared_distance(t.c, t.a)})
-      EXPECT_GE(normal_sq, altitude * altitude * edge_sq) << "sample " << index;
+      EXPECT_GE(dot(normal, normal), altitude * altitude * edge_sq) << "sample " << index;
   }
 }
 

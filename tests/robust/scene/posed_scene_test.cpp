@@ -5,51 +5,30 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
-#include <variant>
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/run/statistics/shares.h"
-#include "robust/exact/exact.h"
-#include "robust/filtered/filtered.h"
 #include "robust/scene/posing.h"
-#include "tests/robust/scene/adversarial_scenes.h"
+#include "tests/robust/scene/brute_force.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/printing.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
-using scene::FaceId;
 using scene::Scene;
 using workloads::Random;
-
-/// The faces of an object where it stands, without any hierarchy.
-struct Standing {
-  explicit Standing(const scene::Faces& faces) {
-    for (const Triangle& t : faces.triangles) {
-      contacts.emplace_back(t);
-      polygons.emplace_back(Polygon({t.a, t.b, t.c}));
-    }
-    for (const Polygon& polygon : faces.polygons) {
-      contacts.emplace_back(filtered::PreparedPolygon(polygon));
-      polygons.push_back(polygon);
-    }
-  }
-
-  std::vector<std::variant<Triangle, filtered::PreparedPolygon>> contacts;
-  std::vector<Polygon> polygons;
-};
 
 /// A scene that moves from step to step, and the same without it.
 class MovingScene {
  public:
   MovingScene(Kind kind, std::uint64_t index, int times)
-      : kind_(kind), index_(index), models_(draw_objects(kind, 2026, index, times)) {
-    for (std::size_t i = 0; i < models_.size(); ++i) {
-      scene_.add("object " + std::to_string(i), models_[i]);
-      standing_.emplace_back(models_[i]);
-    }
-    gather();
+      : kind_(kind),
+        index_(index),
+        models_(draw_objects(kind, 2026, index, times)),
+        standing_(models_),
+        faces_(models_) {
+    for (std::size_t i = 0; i < models_.size(); ++i) scene_.add("object " + std::to_string(i), models_[i]);
   }
 
   /// Moves some objects; those with a face that the pose makes invalid stay.
@@ -58,9 +37,8 @@ class MovingScene {
       Random random(2026, 1000 * index_ + step, 66 + i);
       if (random.coin()) continue;
       const Pose before = scene_.pose(i), pose = draw_pose({models_[i]}, 2026, random.bits() >> 1);
-      std::optional<scene::Faces> faces;
       try {
-        faces = posed(pose, models_[i]);
+        standing_[i] = posed(pose, models_[i]);
       } catch (const Rejected&) {
         EXPECT_THROW(scene_.set_pose(i, pose), Rejected) << *this;
         EXPECT_EQ(scene_.pose(i), before) << *this;
@@ -68,60 +46,26 @@ class MovingScene {
       }
       scene_.set_pose(i, pose);
       ++moves_;
-      standing_[i] = Standing(*faces);
     }
-    gather();
+    faces_ = BruteForce(standing_);
   }
 
-  [[nodiscard]] Ball ball(std::uint64_t index) const { return draw_ball(all_, 2026 + index_, index); }
+  [[nodiscard]] Ball ball(std::uint64_t index) const { return draw_ball(faces_.polygons(), 2026 + index_, index); }
+  [[nodiscard]] const BruteForce& faces() const { return faces_; }
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] std::uint64_t moves() const { return moves_; }
-
-  [[nodiscard]] std::vector<FaceId> touched(const Ball& ball) const {
-    std::vector<FaceId> result;
-    for (std::uint32_t object = 0; object < standing_.size(); ++object)
-      for (std::uint32_t face = 0; face < standing_[object].contacts.size(); ++face)
-        if (std::visit([&](const auto& f) { return filtered::contact(ball, f); }, standing_[object].contacts[face]))
-          result.push_back({object, face});
-    return result;
-  }
-  [[nodiscard]] std::vector<FaceId> touched_by_exact(const Ball& ball) const {
-    std::vector<FaceId> result;
-    for (std::size_t i = 0; i < all_.size(); ++i)
-      if (exact::contact(ball, all_[i])) result.push_back(ids_[i]);
-    return result;
-  }
-  [[nodiscard]] FaceId nearest(const Ball& ball) const {
-    std::size_t best = 0;
-    exact::PreparedPolygon found(all_[0]);
-    for (std::size_t i = 1; i < all_.size(); ++i)
-      if (exact::PreparedPolygon other(all_[i]); exact::compare_distances(ball, other, found) < 0)
-        best = i, found = std::move(other);
-    return ids_[best];
-  }
 
   friend std::ostream& operator<<(std::ostream& out, const MovingScene& subject) {
     return out << name(subject.kind_) << ", scene " << subject.index_ << ", moves " << subject.moves_;
   }
 
  private:
-  void gather() {
-    all_.clear();
-    ids_.clear();
-    for (std::uint32_t object = 0; object < standing_.size(); ++object)
-      for (std::uint32_t face = 0; face < standing_[object].polygons.size(); ++face) {
-        all_.push_back(standing_[object].polygons[face]);
-        ids_.push_back({object, face});
-      }
-  }
-
   Kind kind_;
   std::uint64_t index_;
   std::vector<scene::Faces> models_;
-  std::vector<Standing> standing_;
+  std::vector<scene::Faces> standing_;
+  BruteForce faces_;
   Scene scene_;
-  std::vector<Polygon> all_;
-  std::vector<FaceId> ids_;
   std::uint64_t moves_ = 0;
 };
 
@@ -145,11 +89,11 @@ TEST(PosedScene, NeverDiffersFromBruteForce) {
         for (std::uint64_t i = 0; i < kBalls; ++i, ++queries) {
           const std::uint64_t number = kBalls * step + i;
           const Ball ball = subject.ball(number);
-          const auto expected = subject.touched(ball);
+          const auto expected = subject.faces().touched(ball);
           bool same = subject.scene().touched(ball) == expected && subject.scene().touches(ball) == !expected.empty();
           if (number % 50 == 7) {
-            same = same && subject.touched_by_exact(ball) == expected;
-            same = same && subject.scene().nearest(ball)->face == subject.nearest(ball);
+            same = same && subject.faces().touched_by_exact(ball) == expected;
+            same = same && subject.scene().nearest(ball) == subject.faces().nearest_by_exact(ball);
           }
           differences += !same;
           touching += !expected.empty();
@@ -168,7 +112,7 @@ TEST(PosedScene, AnswersAsOneBuiltOfPosedFaces) {
     for (std::uint64_t index = 0; index < 3; ++index) {
       const auto models = draw_objects(kind, 2026, index);
       Scene moved, posed_when_added, built;
-      std::vector<Polygon> all;
+      std::vector<scene::Faces> standing;
       for (std::uint32_t i = 0; i < models.size(); ++i) {
         Pose pose;
         scene::Faces faces = models[i];
@@ -182,19 +126,16 @@ TEST(PosedScene, AnswersAsOneBuiltOfPosedFaces) {
           }
         posed_when_added.add(std::to_string(i), models[i], pose);
         built.add(std::to_string(i), faces);
-        for (const Triangle& t : faces.triangles) all.push_back(Polygon({t.a, t.b, t.c}));
-        all.insert(all.end(), faces.polygons.begin(), faces.polygons.end());
+        standing.push_back(std::move(faces));
       }
+      const std::vector<Polygon> all = all_polygons(standing);
       for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES / 2; ++i) {
         const Ball ball = draw_ball(all, 2026, i);
         const auto expected = built.touched(ball);
         EXPECT_EQ(moved.touched(ball), expected) << name(kind) << ", scene " << index << ", ball " << i;
         EXPECT_EQ(posed_when_added.touched(ball), expected) << name(kind) << ", scene " << index << ", ball " << i;
         if (i % 5 != 0) continue;
-        const auto nearest = built.nearest(ball), found = moved.nearest(ball);
-        EXPECT_EQ(found->face, nearest->face) << name(kind) << ", scene " << index << ", ball " << i;
-        EXPECT_EQ(found->point, nearest->point) << name(kind) << ", scene " << index << ", ball " << i;
-        EXPECT_EQ(found->distance, nearest->distance) << name(kind) << ", scene " << index << ", ball " << i;
+        EXPECT_EQ(moved.nearest(ball), built.nearest(ball)) << name(kind) << ", scene " << index << ", ball " << i;
       }
     }
 }
@@ -204,7 +145,7 @@ TEST(PosedScene, IsAsBeforeWhenMovedBack) {
   Scene scene;
   const std::uint32_t object = scene.add("soup", models[0]);
   std::vector<Ball> balls;
-  for (std::uint64_t i = 0; i < 100; ++i) balls.push_back(draw_ball({models[0]}, 2026, i));
+  for (std::uint64_t i = 0; i < 100; ++i) balls.push_back(draw_ball(all_polygons({models[0]}), 2026, i));
   const auto before = scene.touched(balls);
   const std::size_t memory = scene.triangle_memory(object);
   for (std::uint64_t step = 0; step < 30; ++step) scene.set_pose(object, draw_pose({models[0]}, 2026, step));
@@ -229,7 +170,7 @@ TEST(PosedScene, AnswersBatchesAsSingleQuestionsFromTheFirstOn) {
     }
     std::vector<Ball> balls;
     for (std::uint64_t i = 0; i < 200; ++i) {
-      balls.push_back(draw_ball(models, 2026, i));
+      balls.push_back(draw_ball(all_polygons(models), 2026, i));
       balls.back().center += Eigen::Vector3d(1, 2, 3);
     }
     const auto answers = one.touched(balls, Scene::Objects({0, 2}));
@@ -239,7 +180,6 @@ TEST(PosedScene, AnswersBatchesAsSingleQuestionsFromTheFirstOn) {
 }
 
 TEST(PosedScene, StandsAlikeInEveryFloatingPointEnvironment) {
-  using contact_tests::Environment;
   for (const Kind kind : all_kinds()) {
     const auto model = draw_objects(kind, 2026, 2)[0];
     const Pose pose{(Eigen::Matrix3d() << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1).finished(), {0, 0, 0}};
@@ -247,25 +187,23 @@ TEST(PosedScene, StandsAlikeInEveryFloatingPointEnvironment) {
     std::vector<Ball> balls;
     try {
       const scene::Faces faces = posed(pose, model);
-      for (std::uint64_t i = 0; i < 20; ++i) balls.push_back(draw_ball({faces}, 2026, i));
+      for (std::uint64_t i = 0; i < 20; ++i) balls.push_back(draw_ball(all_polygons({faces}), 2026, i));
       expected.add("object", faces);
     } catch (const Rejected&) {
       continue;
     }
-    for (const int mode : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
-        Scene scene;
-        {
-          const Environment changed(mode, flush);
-          const unsigned before = Environment::modes();
-          scene.add("object", model);
-          scene.set_pose(0, pose);
-          const bool left = Environment::modes() == before;
-          EXPECT_TRUE(left) << name(kind);
-        }
-        for (const Ball& ball : balls)
-          EXPECT_EQ(scene.touched(ball), expected.touched(ball)) << name(kind) << ", mode " << mode << ", " << flush;
+    for (const contact_tests::State& state : contact_tests::kStates) {
+      Scene scene;
+      {
+        const contact_tests::Environment changed(state);
+        scene.add("object", model);
+        scene.set_pose(0, pose);
+        const bool left = changed.left_as_found();
+        EXPECT_TRUE(left) << name(kind) << ", " << state;
       }
+      for (const Ball& ball : balls)
+        EXPECT_EQ(scene.touched(ball), expected.touched(ball)) << name(kind) << ", " << state;
+    }
   }
 }
 

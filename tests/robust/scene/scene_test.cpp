@@ -2,13 +2,14 @@
 // The guarantees of robust/scene/scene.h, against brute force over all faces by the exact path.
 #include <gtest/gtest.h>
 
-#include <cfenv>
+#include <cmath>
 #include <memory>
 
 #include "robust/exact/exact.h"
-#include "tests/robust/scene/adversarial_scenes.h"
+#include "tests/robust/scene/brute_force.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/printing.h"
+#include "tests/robust/support/signed_zeros.h"
 
 namespace touchstone::scene_tests {
 namespace {
@@ -16,53 +17,42 @@ namespace {
 using scene::FaceId;
 using scene::Scene;
 
-/// A scene and its faces, prepared for the exact path.
-struct Subject {
-  Subject(Kind kind, std::uint64_t index) : Subject(draw_objects(kind, 2026, index)) {}
-  explicit Subject(std::vector<scene::Faces> given) : objects(std::move(given)) {
-    for (std::uint32_t object = 0; object < objects.size(); ++object) {
-      built.add("object " + std::to_string(object), objects[object]);
-      std::uint32_t face = 0;
-      for (const Triangle& t : objects[object].triangles)
-        all.emplace_back(FaceId{object, face++}, exact::PreparedPolygon(Polygon({t.a, t.b, t.c})));
-      for (const Polygon& polygon : objects[object].polygons)
-        all.emplace_back(FaceId{object, face++}, exact::PreparedPolygon(polygon));
+// What the generators of scenes must not miss.
+TEST(AdversarialScenes, HaveNegativeZeros) {
+  contact_tests::NegativeZeros seen;
+  bool turned = false, moved = false;
+  for (const Kind kind : all_kinds()) {
+    const auto objects = draw_objects(kind, 2026, 0);
+    for (const scene::Faces& faces : objects)
+      for (const Triangle& triangle : faces.triangles) seen.look_at(triangle);
+    for (std::uint64_t index = 0; index < 50; ++index) {
+      seen.look_at(draw_ball(all_polygons(objects), 2026, index));
+      const Pose pose = draw_pose(objects, 2026, index);
+      turned = turned || (pose.rotation.array() == 0 && pose.rotation.array().unaryExpr([](double x) {
+                           return std::signbit(x);
+                         })).any();
+      moved = moved || (pose.translation.z() == 0 && std::signbit(pose.translation.z()));
     }
   }
-
-  [[nodiscard]] std::vector<FaceId> touched(const Ball& ball) const {
-    std::vector<FaceId> result;
-    for (const auto& [id, face] : all)
-      if (exact::contact(ball, face)) result.push_back(id);
-    return result;
-  }
-  [[nodiscard]] FaceId nearest(const Ball& ball) const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < all.size(); ++i)
-      if (exact::compare_distances(ball, all[i].second, all[best].second) < 0) best = i;
-    return all[best].first;
-  }
-
-  std::vector<scene::Faces> objects;
-  Scene built;
-  std::vector<std::pair<FaceId, exact::PreparedPolygon>> all;
-};
+  EXPECT_TRUE(seen.center);
+  EXPECT_TRUE(seen.radius);
+  EXPECT_TRUE(seen.vertex);
+  EXPECT_TRUE(turned);
+  EXPECT_TRUE(moved);
+}
 
 /// Calls f(subject, ball, words) for scenes of each kind.
 template <class F>
-void for_each_query(std::uint64_t balls, const F& f) {
-  for (const Kind kind : all_kinds())
-    for (std::uint64_t index = 0; index < 2; ++index) {
-      const Subject subject(kind, index);
-      for (std::uint64_t i = 0; i < balls; ++i)
-        f(subject, draw_ball(subject.objects, 2026, 1000 * index + i),
-          name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i));
-    }
+void for_each_ball(std::uint64_t balls, const F& f) {
+  for_each_query(draw_ball, balls,
+                 [&](const Subject& subject, const Ball& ball, std::uint64_t, const std::string& what) {
+                   f(subject, ball, what);
+                 });
 }
 
 TEST(Scene, FindsExactlyTheFacesThatAreTouched) {
-  for_each_query(TOUCHSTONE_SAMPLES, [](const Subject& subject, const Ball& ball, const std::string& what) {
-    const auto expected = subject.touched(ball);
+  for_each_ball(TOUCHSTONE_SAMPLES, [](const Subject& subject, const Ball& ball, const std::string& what) {
+    const auto expected = subject.faces.touched_by_exact(ball);
     EXPECT_EQ(subject.built.touched(ball), expected) << what;
     EXPECT_EQ(subject.built.touches(ball), !expected.empty()) << what;
   });
@@ -76,35 +66,25 @@ TEST(Scene, AnswersAboutNeedlesInTheLeavesOfOtherTriangles) {
     const Eigen::Vector3d across = i % 2 == 0 ? Eigen::Vector3d(0.5, 0x1p-34, 0) : Eigen::Vector3d(0.25, 0.75, 0);
     faces.triangles.push_back({corner, corner + Eigen::Vector3d(1, 0, 0), corner + across});
   }
-  const Subject subject({faces});
+  const Subject subject({faces}, "needles");
   for (int i = 0; i < 400; ++i) {
     const Ball ball{{i % 10 * 0.4375, i / 10 % 10 * 0.4375, i / 100 * 0.5}, 0.25 + 0.125 * (i % 3)};
-    EXPECT_EQ(subject.built.touched(ball), subject.touched(ball)) << i;
-    EXPECT_EQ(subject.built.nearest(ball)->face, subject.nearest(ball)) << i;
+    EXPECT_EQ(subject.built.touched(ball), subject.faces.touched_by_exact(ball)) << i;
+    EXPECT_EQ(subject.built.nearest(ball), subject.faces.nearest_by_exact(ball)) << i;
   }
 }
 
 TEST(Scene, FindsTheNearestFaceAndTheLowestOfEquals) {
-  for_each_query(TOUCHSTONE_SAMPLES / 5, [](const Subject& subject, const Ball& ball, const std::string& what) {
-    const auto found = subject.built.nearest(ball);
-    ASSERT_TRUE(found) << what;
-    const FaceId expected = subject.nearest(ball);
-    EXPECT_EQ(found->face, expected) << what;
-    for (const auto& [id, face] : subject.all) {
-      if (id != expected) continue;
-      const Answer answer = exact::answer(ball, face);
-      EXPECT_EQ(found->feature, answer.nearest) << what;
-      EXPECT_EQ(found->point, answer.point) << what;
-      EXPECT_EQ(found->distance, answer.distance) << what;
-    }
+  for_each_ball(TOUCHSTONE_SAMPLES / 5, [](const Subject& subject, const Ball& ball, const std::string& what) {
+    EXPECT_EQ(subject.built.nearest(ball), subject.faces.nearest_by_exact(ball)) << what;
   });
 }
 
 TEST(Scene, AnswersAboutChosenObjectsOnly) {
-  for_each_query(TOUCHSTONE_SAMPLES / 10, [](const Subject& subject, const Ball& ball, const std::string& what) {
+  for_each_ball(TOUCHSTONE_SAMPLES / 10, [](const Subject& subject, const Ball& ball, const std::string& what) {
     const Scene::Objects chosen(std::vector<std::uint32_t>{2, 0, 2});  // a set
     std::vector<FaceId> expected;
-    for (const FaceId& id : subject.touched(ball))
+    for (const FaceId& id : subject.faces.touched_by_exact(ball))
       if (id.object != 1) expected.push_back(id);
     EXPECT_EQ(subject.built.touched(ball, chosen), expected) << what;
     EXPECT_EQ(subject.built.touches(ball, chosen), !expected.empty()) << what;
@@ -115,9 +95,9 @@ TEST(Scene, AnswersAboutChosenObjectsOnly) {
 
 TEST(Scene, AnswersBatchesAsSingleQuestions) {
   for (const Kind kind : all_kinds()) {
-    const Subject subject(kind, 7);
+    const Subject subject(draw_objects(kind, 2026, 7), name(kind));
     std::vector<Ball> balls;
-    for (std::uint64_t i = 0; i < 300; ++i) balls.push_back(draw_ball(subject.objects, 2026, i));
+    for (std::uint64_t i = 0; i < 300; ++i) balls.push_back(draw_ball(subject.faces.polygons(), 2026, i));
     const std::unique_ptr<bool[]> touches(new bool[balls.size()]);
     subject.built.touches(balls, {touches.get(), balls.size()});
     const auto touched = subject.built.touched(balls);
@@ -129,23 +109,18 @@ TEST(Scene, AnswersBatchesAsSingleQuestions) {
 }
 
 TEST(Scene, AnswersInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
-  using contact_tests::Environment;
-  for_each_query(TOUCHSTONE_SAMPLES / 20, [](const Subject& subject, const Ball& ball, const std::string& what) {
+  for_each_ball(TOUCHSTONE_SAMPLES / 20, [](const Subject& subject, const Ball& ball, const std::string& what) {
     const auto expected = subject.built.touched(ball);
-    const auto nearest = subject.built.nearest(ball)->face;
-    for (const int mode : contact_tests::kModes)
-      for (const unsigned flush : contact_tests::kFlushes) {
-        const Environment changed(mode, flush);
-        const unsigned before = Environment::modes();
-        std::feclearexcept(FE_ALL_EXCEPT);
-        const auto touched = subject.built.touched(ball);
-        const auto face = subject.built.nearest(ball)->face;
-        const bool raised = std::fetestexcept(contact_tests::kFlags) != 0;
-        const bool left = Environment::modes() == before;
-        EXPECT_EQ(touched, expected) << what << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_EQ(face, nearest) << what << ", rounding mode " << mode << ", flush bits " << flush;
-        EXPECT_TRUE(left && !raised) << what << ", rounding mode " << mode << ", flush bits " << flush;
-      }
+    const auto expected_nearest = subject.built.nearest(ball);
+    for (const contact_tests::State& state : contact_tests::kStates) {
+      const contact_tests::Environment changed(state);
+      const auto touched = subject.built.touched(ball);
+      const auto nearest = subject.built.nearest(ball);
+      const bool left = changed.left_as_found();
+      EXPECT_EQ(touched, expected) << what << ", " << state;
+      EXPECT_EQ(nearest, expected_nearest) << what << ", " << state;
+      EXPECT_TRUE(left) << what << ", " << state;
+    }
   });
 }
 

@@ -88,13 +88,6 @@ std::optional<Case> build(const Recipe& recipe) try {
   return std::nullopt;
 }
 
-/// The value of a generator that knows some draws to be impossible.
-rc::Gen<Case> possible(rc::Gen<std::optional<Case>> gen) {
-  return with_signed_zeros(
-      rc::gen::map(rc::gen::suchThat(std::move(gen), [](const auto& drawn) { return drawn.has_value(); }),
-                   [](std::optional<Case> drawn) { return *std::move(drawn); }));
-}
-
 struct GridPoint {
   int x, y, lift;
 };
@@ -196,6 +189,12 @@ rc::Gen<Case> with_signed_zeros(rc::Gen<Case> gen) {
     sign_zeros(drawn.polygon, random);
     return drawn;
   });
+}
+
+rc::Gen<Case> possible(rc::Gen<std::optional<Case>> gen) {
+  return with_signed_zeros(
+      rc::gen::map(rc::gen::suchThat(std::move(gen), [](const auto& drawn) { return drawn.has_value(); }),
+                   [](std::optional<Case> drawn) { return *std::move(drawn); }));
 }
 
 rc::Gen<Case> samples(const Draw& draw) { return possible(rc::gen::map(recipes(draw), build)); }

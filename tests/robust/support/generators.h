@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ struct Draw {
 
 /// The same cases, but every zero of each has the sign of a random bit.
 [[nodiscard]] rc::Gen<Case> with_signed_zeros(rc::Gen<Case> gen);
+
+/// The values of a generator that knows some draws to be impossible, with signed zeros.
+[[nodiscard]] rc::Gen<Case> possible(rc::Gen<std::optional<Case>> gen);
 
 /// Samples and grid cases.
 [[nodiscard]] rc::Gen<Case> any_case();

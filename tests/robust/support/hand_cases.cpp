@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/robust/support/limits.h"
 #include "tests/robust/support/rearranged.h"
 
 namespace touchstone::contact_tests {
@@ -121,6 +122,35 @@ std::vector<HandCase> hole_cases() {
   };
 }
 
+const Polygon& square() {
+  static const Polygon polygon(square(0, 4));
+  return polygon;
+}
+const Polygon& narrow_u() {
+  static const Polygon polygon(
+      {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}});
+  return polygon;
+}
+/// Edges 4 to 7 bound the hole.
+const Polygon& frame() {
+  static const Polygon polygon(square(0, 4), {square(1, 3)});
+  return polygon;
+}
+/// Lifted onto the plane z = 1 - x/2 + y/2, at heights 1, -1, 1, 3.
+const Polygon& warped() {
+  static const Polygon polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 4}});
+  return polygon;
+}
+
+constexpr bool kMomentary = true, kStays = false;
+
+FirstContact start(Feature feature, const Eigen::Vector3d& point) {
+  return {FirstContactKind::Start, 0, false, feature, point};
+}
+FirstContact way(double time, bool momentary, Feature feature, const Eigen::Vector3d& point) {
+  return {FirstContactKind::Way, time, momentary, feature, point};
+}
+
 }  // namespace
 
 const std::vector<HandCase>& hand_cases() {
@@ -132,6 +162,19 @@ const std::vector<HandCase>& hand_cases() {
   return all;
 }
 
+const std::vector<HandCase>& lifted_cases() {
+  // N = (32, 0, 32), plane x + z = 0: along x vertex 0 comes to (0, 0, 0), along z it would come to (1, 0, -1).
+  static const Polygon tie({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
+  static const Polygon with_hole(square(0, 8), {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
+  static const std::vector<HandCase> cases{
+      {{"a hole is lifted onto the plane of the outer loop, whose mean alone counts", {{3, 2, 1}, 1}, with_hole},
+       {Intersects, kTangent, Boundary, {4}, Touching, edge(4), {3, 2, 0}, 1, 5}},
+      {{"the lowest axis is dropped on a tie", {{0, -3, 0}, 3}, tie},
+       {Intersects, kNotTangent, Outside, {0, 3}, Touching, vertex(0), {0, 0, 0}, 3, 1}},
+  };
+  return cases;
+}
+
 HandCase turned(HandCase original, int times) {
   const PointMap turn = [times](const Eigen::Vector3d& v) {
     Eigen::Vector3d image;
@@ -141,6 +184,75 @@ HandCase turned(HandCase original, int times) {
   original.given = moved(original.given, turn);
   original.expected.point = turn(original.expected.point);
   return original;
+}
+
+const std::vector<MovingHandCase>& moving_hand_cases() {
+  static const std::vector<MovingHandCase> cases{
+      {{"falls on the face", {{{2, 2, 5}, 1}, {2, 2, -5}}, square()}, way(0.4, kStays, kFace, {2, 2, 0})},
+      {{"falls on the back", {{{2, 1, -5}, 1}, {2, 1, 5}}, square()}, way(0.4, kStays, kFace, {2, 1, 0})},
+      {{"stops short of the face", {{{2, 2, 5}, 1}, {2, 2, 1.5}}, square()}, {}},
+      {{"moves away", {{{2, 2, 2}, 1}, {2, 2, 5}}, square()}, {}},
+      {{"falls beside the square", {{{6, 2, 5}, 1}, {6, 2, -5}}, square()}, {}},
+      {{"ends in contact", {{{2, 2, 3}, 1}, {2, 2, 1}}, square()}, way(1, kStays, kFace, {2, 2, 0})},
+      {{"starts in contact and leaves", {{{2, 2, 1}, 1}, {2, 2, 9}}, square()}, start(kFace, {2, 2, 0})},
+      {{"starts inside", {{{2, 2, 0}, 1}, {2, 2, 0}}, square()}, start(kFace, {2, 2, 0})},
+      {{"starts at a vertex", {{{-3, 0, 4}, 5}, {9, 9, 9}}, square()}, start(vertex(0), {0, 0, 0})},
+      {{"rests in contact", {{{2, -1, 0}, 1}, {2, -1, 0}}, square()}, start(edge(0), {2, 0, 0})},
+      {{"rests apart", {{{2, -2, 0}, 1}, {2, -2, 0}}, square()}, {}},
+      {{"a point passes through the face", {{{2, 2, 4}, 0}, {2, 2, -4}}, square()},
+       way(0.5, kMomentary, kFace, {2, 2, 0})},
+      {{"a point passes through an edge", {{{4, 2, 4}, 0}, {4, 2, -4}}, square()},
+       way(0.5, kMomentary, edge(1), {4, 2, 0})},
+      {{"a point passes through a vertex", {{{4, 4, 4}, 0}, {4, 4, -4}}, square()},
+       way(0.5, kMomentary, vertex(2), {4, 4, 0})},
+      {{"a point enters the face in its plane", {{{-4, 2, 0}, 0}, {4, 2, 0}}, square()},
+       way(0.5, kStays, edge(3), {0, 2, 0})},
+      {{"a point enters along an edge", {{{-4, 0, 0}, 0}, {4, 0, 0}}, square()},
+       way(0.5, kStays, vertex(0), {0, 0, 0})},
+      {{"a point passes a corner in its plane", {{{-4, 4, 0}, 0}, {4, -4, 0}}, square()},
+       way(0.5, kMomentary, vertex(0), {0, 0, 0})},
+      {{"a point passes through a reflex vertex", {{{2, 2, 1}, 0}, {2, 2, -3}}, letter_l()},
+       way(0.25, kMomentary, vertex(3), {2, 2, 0})},
+      {{"grazes an edge", {{{-1, 2, -4}, 1}, {-1, 2, 4}}, square()}, way(0.5, kMomentary, edge(3), {0, 2, 0})},
+      {{"grazes an edge at a slant", {{{-1, 1, -4}, 1}, {-1, 3, 4}}, square()},
+       way(0.5, kMomentary, edge(3), {0, 2, 0})},
+      {{"grazes a vertex", {{{-3, -4, -8}, 5}, {-3, -4, 8}}, square()}, way(0.5, kMomentary, vertex(0), {0, 0, 0})},
+      {{"grazes a vertex at the end", {{{-3, -4, -8}, 5}, {-3, -4, 0}}, square()},
+       way(1, kMomentary, vertex(0), {0, 0, 0})},
+      {{"misses a vertex", {{{-3, -4, -8}, 4.999}, {-3, -4, 8}}, square()}, {}},
+      {{"slides over an edge onto the face", {{{-4, 2, 1}, 1}, {4, 2, 1}}, square()},
+       way(0.5, kStays, edge(3), {0, 2, 0})},
+      {{"slides over a vertex onto the face", {{{-4, -4, 1}, 1}, {4, 4, 1}}, square()},
+       way(0.5, kStays, vertex(0), {0, 0, 0})},
+      {{"slides over a reflex vertex onto the face", {{{6, 6, 1}, 1}, {-2, -2, 1}}, letter_l()},
+       way(0.5, kStays, vertex(3), {2, 2, 0})},
+      {{"grazes a corner above it", {{{-4, 4, 1}, 1}, {4, -4, 1}}, square()},
+       way(0.5, kMomentary, vertex(0), {0, 0, 0})},
+      {{"slides along an edge above it", {{{-4, 0, 1}, 1}, {4, 0, 1}}, square()},
+       way(0.5, kStays, vertex(0), {0, 0, 0})},
+      {{"slides along an edge beside it", {{{-4, -1, 0}, 1}, {4, -1, 0}}, square()},
+       way(0.5, kStays, vertex(0), {0, 0, 0})},
+      {{"slides along an edge backwards", {{{8, -1, 0}, 1}, {0, -1, 0}}, square()},
+       way(0.5, kStays, vertex(1), {4, 0, 0})},
+      {{"slides above the face across a hole", {{{2, -2, 1}, 1}, {2, 6, 1}}, frame()},
+       way(0.25, kStays, edge(0), {2, 0, 0})},
+      {{"fits a hole just so", {{{2, 2, 4}, 1}, {2, 2, -4}}, frame()}, way(0.5, kMomentary, edge(4), {2, 1, 0})},
+      {{"passes through a hole", {{{2, 2, 4}, 0.999}, {2, 2, -4}}, frame()}, {}},
+      {{"fits between the fingers just so", {{{1.5, 5, 0}, 0.5}, {1.5, 1, 0}}, narrow_u()},
+       way(0.5, kStays, vertex(3), {2, 3, 0})},
+      {{"passes between the fingers just so", {{{1.5, 2, 4}, 0.5}, {1.5, 2, -4}}, narrow_u()},
+       way(0.5, kMomentary, edge(3), {2, 2, 0})},
+      {{"a point passes through a lifted face", {{{2, 2, 5}, 0}, {2, 2, -3}}, warped()},
+       way(0.5, kMomentary, kFace, {2, 2, 1})},
+      {{"grazes an edge and runs into the next", {{{7, 3, -4}, 1}, {-1, 3, 4}}, letter_l()},
+       way(0.5, kStays, edge(2), {3, 2, 0})},
+      {{"an irrational time", {{{-3, -1, 0}, 2}, {1, -1, 0}}, square()},
+       way(0.3169872981077807, kStays, vertex(0), {0, 0, 0})},  // (3 - sqrt 3) / 4
+      {{"a time that rounds to 0", {{{2, 2, 1 + 0x1p-52}, 1}, {2, 2, -kMax}}, square()},
+       way(0, kStays, kFace, {2, 2, 0})},
+      {{"a time that rounds to 1", {{{2, 2, 0x1p60}, 1}, {2, 2, 0}}, square()}, way(1, kStays, kFace, {2, 2, 0})},
+  };
+  return cases;
 }
 
 }  // namespace touchstone::contact_tests

@@ -14,16 +14,9 @@
 #include "tests/robust/support/rearranged.h"
 #include "tests/robust/support/signed_zeros.h"
 
-namespace touchstone::filtered_tests {
+namespace touchstone::contact_tests {
 namespace {
 
-using contact_tests::any_case;
-using contact_tests::Draw;
-using contact_tests::extent;
-using contact_tests::grid_cases;
-using contact_tests::loops_of;
-using contact_tests::polygon_of;
-using contact_tests::samples;
 using workloads::move_by_doubles;
 using workloads::Random;
 
@@ -31,12 +24,6 @@ using workloads::Random;
 template <class T>
 T in_range(T lowest, T highest) {
   return *rc::gen::resize(100, rc::gen::inRange<T>(lowest, highest + 1));
-}
-
-rc::Gen<Case> possible(rc::Gen<std::optional<Case>> gen) {
-  return contact_tests::with_signed_zeros(
-      rc::gen::map(rc::gen::suchThat(std::move(gen), [](const auto& drawn) { return drawn.has_value(); }),
-                   [](std::optional<Case> drawn) { return *std::move(drawn); }));
 }
 
 Case soak_case(std::uint64_t seed, std::uint64_t index) {
@@ -114,21 +101,21 @@ std::optional<Case> island(std::uint64_t seed, int exponent) {
   const Ball ball{place(x, y, number()), std::abs(number())};
   const auto c = valid("island-" + std::to_string(seed), ball, loops);
   if (!c || exponent == 0) return c;
-  const Case scaled = contact_tests::scaled(*c, exponent);
-  return valid(scaled.id + "-e" + std::to_string(exponent), scaled.ball, loops_of(scaled.polygon));
+  const Case larger = scaled(*c, exponent);
+  return valid(larger.id + "-e" + std::to_string(exponent), larger.ball, loops_of(larger.polygon));
 }
 
 }  // namespace
 
 rc::Gen<Case> soak_cases() {
-  return contact_tests::with_signed_zeros(rc::gen::exec([] {
+  return with_signed_zeros(rc::gen::exec([] {
     const std::uint64_t seed = any_seed();
     return soak_case(seed, in_range<std::uint64_t>(0, 1'000'000));
   }));
 }
 
 rc::Gen<Case> threshold_cases() {
-  return contact_tests::with_signed_zeros(rc::gen::exec([] {
+  return with_signed_zeros(rc::gen::exec([] {
     Case c = *any_case();
     const double distance = exact::answer(c.ball, c.polygon).distance;
     if (!std::isfinite(distance)) return c;
@@ -161,8 +148,8 @@ rc::Gen<Case> scaled_cases() {
     const int exponents[] = {-1074 + in_range(0, 60), -1000, -500, 480, 960, 1000 + in_range(0, 23),
                              in_range(-1074, 1023)};
     const int exponent = exponents[in_range(0, 6)];
-    if (!contact_tests::scales_exactly(c, exponent)) return std::nullopt;
-    Case larger = contact_tests::scaled(c, exponent);
+    if (!scales_exactly(c, exponent)) return std::nullopt;
+    Case larger = scaled(c, exponent);
     larger.id += "-e" + std::to_string(exponent);
     return larger;
   }));
@@ -182,12 +169,10 @@ rc::Gen<Case> hard_cases() {
 }
 
 rc::Gen<Case> hard_triangles() {
-  return contact_tests::with_signed_zeros(rc::gen::exec([] {
+  return with_signed_zeros(rc::gen::exec([] {
     const std::uint64_t seed = any_seed(), index = in_range<std::uint64_t>(0, 1'000'000);
     return soak_case(seed, index % 10 == 9 ? index - 1 : index);
   }));
 }
 
-Triangle triangle_of(const Polygon& polygon) { return {polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}; }
-
-}  // namespace touchstone::filtered_tests
+}  // namespace touchstone::contact_tests

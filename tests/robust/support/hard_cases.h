@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
-#include "geometry/shapes/triangle.h"
 #include "tests/robust/support/generators.h"
 
-namespace touchstone::filtered_tests {
-
-using contact_tests::Case;
+namespace touchstone::contact_tests {
 
 /// The cases of `touchstone soak`, of all its families: what shrinks is the index, its id names seed and index.
 [[nodiscard]] rc::Gen<Case> soak_cases();
@@ -28,12 +23,10 @@ using contact_tests::Case;
 /// An island in a hole in a polygon, on the lattice or rotated, the ball over any rim.
 [[nodiscard]] rc::Gen<Case> islands();
 
-/// All of these, and `contact_tests::any_case`.
+/// All of these, and `any_case`.
 [[nodiscard]] rc::Gen<Case> hard_cases();
 
 /// Those that are triangles.
 [[nodiscard]] rc::Gen<Case> hard_triangles();
 
-[[nodiscard]] Triangle triangle_of(const Polygon& polygon);
-
-}  // namespace touchstone::filtered_tests
+}  // namespace touchstone::contact_tests

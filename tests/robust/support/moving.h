@@ -38,13 +38,6 @@ void showValue(const MovingCase& drawn, std::ostream& out);
 [[nodiscard]] rc::Gen<MovingCase> moving(rc::Gen<Case> gen);
 [[nodiscard]] inline rc::Gen<MovingCase> any_moving_case() { return moving(any_case()); }
 
-/// A first contact in small integers, derived by hand.
-struct MovingHandCase {
-  MovingCase given;  ///< its id says what is special
-  FirstContact expected;
-};
-[[nodiscard]] const std::vector<MovingHandCase>& moving_hand_cases();
-
 /// Returns c(t) if its coordinates are doubles.
 [[nodiscard]] std::optional<Eigen::Vector3d> center_at(const Motion& motion, const mpq_class& time);
 

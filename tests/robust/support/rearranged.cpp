@@ -34,11 +34,21 @@ std::vector<Loop> loops_of(const Polygon& polygon) {
 
 Polygon polygon_of(const std::vector<Loop>& loops) { return Polygon(loops[0], {loops.begin() + 1, loops.end()}); }
 
+Polygon polygon_of(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
+Triangle triangle_of(const Polygon& polygon) { return {polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}; }
+
 double extent(const Polygon& polygon) {
   double largest = 0;
   for (std::size_t i = 1; i < polygon.vertex_count(); ++i)
     largest = std::max(largest, (polygon.vertex(i) - polygon.vertex(0)).cwiseAbs().maxCoeff());
   return largest;
+}
+
+PointMap mirror_along(int axis) {
+  return [axis](Eigen::Vector3d v) {
+    v[axis] = -v[axis];
+    return v;
+  };
 }
 
 Polygon moved(const Polygon& polygon, const PointMap& map) {

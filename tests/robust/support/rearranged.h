@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/contact/answer.h"
+#include "geometry/shapes/triangle.h"
 #include "tests/robust/support/generators.h"
 
 namespace touchstone::contact_tests {
@@ -12,10 +13,15 @@ namespace touchstone::contact_tests {
 /// The outer loop, then the holes.
 [[nodiscard]] std::vector<Loop> loops_of(const Polygon& polygon);
 [[nodiscard]] Polygon polygon_of(const std::vector<Loop>& loops);
+[[nodiscard]] Polygon polygon_of(const Triangle& triangle);
+/// The first three vertices.
+[[nodiscard]] Triangle triangle_of(const Polygon& polygon);
 /// The largest difference between two vertices in one coordinate, from below: measured from vertex 0.
 [[nodiscard]] double extent(const Polygon& polygon);
 
 using PointMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
+/// The mirror image in a coordinate plane.
+[[nodiscard]] PointMap mirror_along(int axis);
 [[nodiscard]] Polygon moved(const Polygon& polygon, const PointMap& map);
 /// The ball's centre moves too; its radius stays.
 [[nodiscard]] Case moved(const Case& original, const PointMap& map);
