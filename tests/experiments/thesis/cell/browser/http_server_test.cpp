@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/thesis/cell/browser/http_client.h"
 #include "tests/experiments/thesis/cell/browser/serving.h"
 
@@ -214,12 +215,9 @@ TEST(Url, LeadsToTheServer) {
 }
 
 TEST_F(Server, NamesTheAddressThatItCannotListenAt) {
-  try {
-    const HttpServer second("127.0.0.1", serving.port(), echo, {});
-    FAIL() << "two servers at one port";
-  } catch (const std::runtime_error& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("cannot listen at 127.0.0.1, port ", 0), 0U) << error.what();
-  }
+  const std::string second =
+      run_tests::message_of([&] { const HttpServer second("127.0.0.1", serving.port(), echo, {}); });
+  EXPECT_TRUE(second.starts_with("cannot listen at 127.0.0.1, port ")) << second;
   EXPECT_THROW(HttpServer("no.such.host.invalid", 0, echo, {}), std::runtime_error);
 }
 

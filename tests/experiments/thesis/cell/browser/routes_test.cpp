@@ -11,6 +11,7 @@
 
 #include "experiments/thesis/cell/model/plant.h"
 #include "experiments/thesis/cell/model/read_cell.h"
+#include "tests/experiments/support/cells.h"
 #include "tests/experiments/thesis/cell/browser/aristo.h"
 #include "tests/experiments/thesis/cell/browser/http_client.h"
 #include "tests/experiments/thesis/cell/browser/serving.h"
@@ -19,8 +20,7 @@ namespace touchstone::cell_browser_tests {
 namespace {
 
 using namespace cell::browser;
-
-const char* const kAristo = TOUCHSTONE_SOURCE_DIR "/experiments/thesis/cell/cells/aristo.json";
+using run_tests::kAristo;
 
 class Page : public testing::Test {
  protected:

@@ -16,6 +16,7 @@
 #include "experiments/cases/workloads/workload.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/validate.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/thesis/cell/kinematics/rational_judge.h"
 
 namespace touchstone::cell_tests {
@@ -294,13 +295,8 @@ TEST(SteppedContact, StopsAtTheFirstStopThatTouchesAndNotBeyondTheEnd) {
 
 TEST(FirstContact, RefusesWhatIsNoMove) {
   const Faces faces = faces_of(sheet(-2, 2, -2, 2, -0.5));
-  const auto message = [&](Arc arc) -> std::string {
-    try {
-      (void)first_contact(arc, 0.125, faces);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+  const auto message = [&](const Arc& arc) {
+    return run_tests::message_of<std::invalid_argument>([&] { return first_contact(arc, 0.125, faces); });
   };
   Arc arc = falling(90);
   arc.axis = {0, 0, 0};

@@ -14,32 +14,18 @@
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/reach.h"
 #include "experiments/thesis/cell/model/read_cell.h"
-#include "tests/experiments/support/melfa_meshes.h"
+#include "tests/experiments/support/cells.h"
+#include "tests/experiments/support/message_of.h"
 
 namespace touchstone::cell_model_tests {
 namespace {
 
-using cell::BadCell;
 using cell::Cell;
 using cell::Label;
 using nlohmann::json;
-
-const std::filesystem::path kCells = std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells";
-
-/// Where each link is, for joint angles in degrees about the joints' axes (couplings apart).
-std::vector<Eigen::Isometry3d> links_at(const cell::Robot& robot, const std::vector<double>& degrees) {
-  const auto isometry = [](const Pose& pose) {
-    Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-    result.linear() = pose.rotation;
-    result.translation() = pose.translation;
-    return result;
-  };
-  std::vector<Eigen::Isometry3d> links{isometry(robot.base)};
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    links.push_back(links.back() * isometry(robot.joints[i].origin) *
-                    Eigen::AngleAxisd(degrees[i] * std::numbers::pi / 180, robot.joints[i].axis));
-  return links;
-}
+using run_tests::kAristo;
+using run_tests::kCells;
+using run_tests::links_at;
 
 /// One link's step of a Denavit-Hartenberg table, in degrees and mm.
 Eigen::Isometry3d step(double theta, double alpha, double a, double d) {
@@ -49,7 +35,7 @@ Eigen::Isometry3d step(double theta, double alpha, double a, double d) {
 }
 
 TEST(Aristo, ItsHomePoseIsThatOfItsDenavitHartenbergTable) {
-  const Cell cell = cell::read_cell(kCells / "aristo.json");
+  const Cell cell = cell::read_cell(kAristo);
   const auto links = links_at(cell.robot, {0, 0, 0, 0, 0, 0});
   EXPECT_EQ(links[5].translation(), Eigen::Vector3d(375, 0, 622));  // the wrist
   EXPECT_EQ(links[6].translation(), Eigen::Vector3d(375, 0, 559));  // the flange
@@ -59,7 +45,7 @@ TEST(Aristo, ItsHomePoseIsThatOfItsDenavitHartenbergTable) {
 // 63), home at theta = 0, 90, 180, 0, 90, 0. Wherever the table's joints are turned from there, the flange is where the
 // cell file's are turned by the same angles, in the cell's directions.
 TEST(Aristo, MovesAsItsDenavitHartenbergTableDoes) {
-  const Cell cell = cell::read_cell(kCells / "aristo.json");
+  const Cell cell = cell::read_cell(kAristo);
   for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES; ++i) {
     workloads::Random random(53, i);
     std::vector<double> q;
@@ -76,7 +62,7 @@ TEST(Aristo, MovesAsItsDenavitHartenbergTableDoes) {
 }
 
 TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
-  const Cell cell = cell::read_cell(kCells / "aristo.json");
+  const Cell cell = cell::read_cell(kAristo);
   EXPECT_EQ(cell.label("storage.angle"), Label::Text);
   EXPECT_EQ(cell.label("storage.home"), Label::Derived);
   EXPECT_EQ(cell.label("storage.slots[1].place[0]"), Label::Chosen);
@@ -107,7 +93,7 @@ TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
 
 // Whatever the joints do that move, the sphere is where the reach says that it can be; and it comes near both bounds.
 TEST(Aristo, ItsReachHoldsForEveryPoseOfTheJointsThatMove) {
-  const Cell cell = cell::read_cell(kCells / "aristo.json");
+  const Cell cell = cell::read_cell(kAristo);
   const cell::Reach reach = cell::reach_of(cell);
   double nearest = reach.outer, furthest = 0;
   constexpr std::uint64_t kPoses = std::max(TOUCHSTONE_SAMPLES, 100);  // fewer may stay away from the bounds
@@ -162,14 +148,9 @@ TEST_F(Melfa, LimitsAreWholeDegreesAndFramesQuarterTurns) {
 
 TEST_F(Melfa, AMissingMeshIsNamed) {
   std::filesystem::remove(scratch.path / "VMC_toolchange/head.stl");
-  try {
-    (void)cell::read_cell(kCells / "melfa.json", scratch.path);
-    FAIL();
-  } catch (const BadCell& error) {
-    EXPECT_EQ(std::string(error.what()), (kCells / "melfa.json").string() +
-                                             ": machine.parts[1].mesh.file: there is no file " +
-                                             (scratch.path / "VMC_toolchange/head.stl").string());
-  }
+  EXPECT_EQ(run_tests::message_of<cell::BadCell>([&] { return cell::read_cell(kCells / "melfa.json", scratch.path); }),
+            (kCells / "melfa.json").string() + ": machine.parts[1].mesh.file: there is no file " +
+                (scratch.path / "VMC_toolchange/head.stl").string());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "experiments/commands.h"
 #include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/link_model.h"
+#include "tests/experiments/support/cells.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 
@@ -25,7 +26,7 @@ class CellCommand : public testing::Test {
  protected:
   [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }
   const run_tests::Scratch scratch;
-  const std::string aristo = std::string(TOUCHSTONE_SOURCE_DIR) + "/experiments/thesis/cell/cells/aristo.json";
+  const std::string aristo = run_tests::kAristo.string();
 };
 
 // As the captions of the thesis have it: one file a link, three parts in Axis1, one in Gripper1.

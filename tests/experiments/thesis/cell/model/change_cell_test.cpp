@@ -4,19 +4,21 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "experiments/thesis/cell/model/cell_entry.h"
-#include "tests/experiments/thesis/cell/simulation/cells.h"
+#include "experiments/thesis/cell/model/read_cell.h"
+#include "tests/experiments/support/cells.h"
+#include "tests/experiments/support/message_of.h"
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell_model_tests {
 namespace {
 
 using cell::Label;
 using nlohmann::json;
+using run_tests::kAristo;
 
 json changed(const std::string& assignment) {
   json cell = json::parse(R"({"a": {"b": 1, "list": [10, 20, 30]},
@@ -25,13 +27,8 @@ json changed(const std::string& assignment) {
   return cell;
 }
 
-std::string fault(const std::string& assignment) {
-  try {
-    changed(assignment);
-  } catch (const cell::BadCell& error) {
-    return error.what();
-  }
-  return "";
+std::string fault_of_change(const std::string& assignment) {
+  return run_tests::message_of<cell::BadCell>([&] { changed(assignment); });
 }
 
 TEST(ChangeCell, SetsAddsAndTakesAway) {
@@ -67,19 +64,19 @@ TEST(ChangeCell, NamesItsKeysAsTheyReadOnceParsed) {
 }
 
 TEST(ChangeCell, NamesThePathThatLeadsNowhere) {
-  EXPECT_EQ(fault("a.b"), "a.b: has no \"=\"");
-  EXPECT_EQ(fault("=1"), ": is not a path of keys");
-  EXPECT_EQ(fault("a..b=1"), "a..b: is not a path of keys");
-  EXPECT_EQ(fault("a.=1"), "a.: is not a path of keys");
-  EXPECT_EQ(fault("a.list[x]=1"), "a.list[x]: is not a path of keys");
-  EXPECT_EQ(fault("a.list[1=1"), "a.list[1: is not a path of keys");
-  EXPECT_EQ(fault("c.b=1"), "c.b: there is no key \"c\"");
-  EXPECT_EQ(fault("a.c=null"), "a.c: there is no key \"c\"");
-  EXPECT_EQ(fault("a.list[4]=1"), "a.list[4]: there is no element 4");
-  EXPECT_EQ(fault("a.list[3]=null"), "a.list[3]: there is no element 3");
-  EXPECT_EQ(fault("a.b[0]=1"), "a.b[0]: there is no element 0");
-  EXPECT_EQ(fault("a.b.c=1"), "a.b.c: there is no key \"c\"");
-  EXPECT_EQ(fault(R"(a.b={"x":1,"x":2})"), "a.b: duplicate key \"x\"");
+  EXPECT_EQ(fault_of_change("a.b"), "a.b: has no \"=\"");
+  EXPECT_EQ(fault_of_change("=1"), ": is not a path of keys");
+  EXPECT_EQ(fault_of_change("a..b=1"), "a..b: is not a path of keys");
+  EXPECT_EQ(fault_of_change("a.=1"), "a.: is not a path of keys");
+  EXPECT_EQ(fault_of_change("a.list[x]=1"), "a.list[x]: is not a path of keys");
+  EXPECT_EQ(fault_of_change("a.list[1=1"), "a.list[1: is not a path of keys");
+  EXPECT_EQ(fault_of_change("c.b=1"), "c.b: there is no key \"c\"");
+  EXPECT_EQ(fault_of_change("a.c=null"), "a.c: there is no key \"c\"");
+  EXPECT_EQ(fault_of_change("a.list[4]=1"), "a.list[4]: there is no element 4");
+  EXPECT_EQ(fault_of_change("a.list[3]=null"), "a.list[3]: there is no element 3");
+  EXPECT_EQ(fault_of_change("a.b[0]=1"), "a.b[0]: there is no element 0");
+  EXPECT_EQ(fault_of_change("a.b.c=1"), "a.b.c: there is no key \"c\"");
+  EXPECT_EQ(fault_of_change(R"(a.b={"x":1,"x":2})"), "a.b: duplicate key \"x\"");
 }
 
 TEST(ChangeCell, AnElementOfTheCellCanBeAddedSwappedAndTakenAway) {
@@ -99,4 +96,4 @@ TEST(ChangeCell, AnElementOfTheCellCanBeAddedSwappedAndTakenAway) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell_model_tests

@@ -6,23 +6,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/poses.h"
 #include "experiments/thesis/cell/model/read_cell.h"
+#include "tests/experiments/support/cells.h"
+#include "tests/experiments/support/message_of.h"
 
 namespace touchstone::cell_model_tests {
 namespace {
 
-using cell::BadCell;
 using cell::Cell;
 using cell::Plant;
-
-const std::filesystem::path kAristo =
-    std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells/aristo.json";
+using run_tests::kAristo;
 
 const std::vector<std::string> kSecondRobot{"robots[0]=@robot", "robots[0].gripper=@gripper", "robots[0].name=second",
                                             "robots[0].place=[-1900, 100]", "robots[0].turn=150"};
@@ -34,14 +32,9 @@ std::vector<std::string> operator+(std::vector<std::string> all, const std::vect
 }
 
 /// What the Aristo's cell is refused for under changes, after the name of the file.
-std::string fault(const std::vector<std::string>& changes) {
-  try {
-    (void)cell::read_plant(kAristo, {}, changes);
-  } catch (const BadCell& error) {
-    const std::string message = error.what(), file = kAristo.string() + ": ";
-    return message.starts_with(file) ? message.substr(file.size()) : message;
-  }
-  return "";
+std::string fault_of_plant(const std::vector<std::string>& changes) {
+  return run_tests::after_file(
+      kAristo, run_tests::message_of<cell::BadCell>([&] { return cell::read_plant(kAristo, {}, changes); }));
 }
 
 std::vector<std::string> names(const std::vector<cell::Part>& parts) {
@@ -125,28 +118,32 @@ TEST(Plant, ThingsAreSeenFromTheRobotThatMoves) {
 }
 
 TEST(Plant, AskedWhichItNamesKeyAndChoice) {
-  EXPECT_EQ(fault(kRack), "");  // the key `storage` says which
-  EXPECT_EQ(fault(kRack + std::vector<std::string>{"material.storage=shelf"}),
+  EXPECT_EQ(fault_of_plant(kRack), "");  // the key `storage` says which
+  EXPECT_EQ(fault_of_plant(kRack + std::vector<std::string>{"material.storage=shelf"}),
             "material.storage: \"shelf\" is not one of storage, rack");
-  EXPECT_EQ(fault(kRack + kRack +
-                  std::vector<std::string>{"storages[1]=@storages[0]", "storages[1].name=third", "storage=null"}),
-            "material: must say by \"storage\" which: there are rack, third");
-  EXPECT_EQ(fault({"storages[0]=@storage"}), "storages[0]: the key \"name\" is missing");
-  EXPECT_EQ(fault({"storages[0]=@storage", "storages[0].name=machine"}),
+  EXPECT_EQ(
+      fault_of_plant(kRack + kRack +
+                     std::vector<std::string>{"storages[1]=@storages[0]", "storages[1].name=third", "storage=null"}),
+      "material: must say by \"storage\" which: there are rack, third");
+  EXPECT_EQ(fault_of_plant({"storages[0]=@storage"}), "storages[0]: the key \"name\" is missing");
+  EXPECT_EQ(fault_of_plant({"storages[0]=@storage", "storages[0].name=machine"}),
             "storages[0].name: a link, or something else, has this name");
-  EXPECT_EQ(fault({"storages[0]=@storage", "storages[0].name=Axis1"}),
+  EXPECT_EQ(fault_of_plant({"storages[0]=@storage", "storages[0].name=Axis1"}),
             "storages[0].name: a link, or something else, has this name");
-  EXPECT_EQ(fault(kRack + std::vector<std::string>{"storages[0].radius=3000"}), "");  // nobody goes there
-  EXPECT_TRUE(fault(kRack + std::vector<std::string>{"storages[0].radius=3000", "material.storage=rack"})
+  EXPECT_EQ(fault_of_plant(kRack + std::vector<std::string>{"storages[0].radius=3000"}), "");  // nobody goes there
+  EXPECT_TRUE(fault_of_plant(kRack + std::vector<std::string>{"storages[0].radius=3000", "material.storage=rack"})
                   .starts_with("storages[0].radius: too far: "));
-  EXPECT_EQ(fault({"materials[0]=@material", "materials[0].name=other"}), "materials[0].slot: \"material\" lies there");
-  EXPECT_EQ(fault({"robots[0]=@robot", "robots[0].name=second"}), "robots[0]: the key \"gripper\" is missing");
-  EXPECT_EQ(fault({"storages[0]=@rack"}), "storages[0]: there is no value at rack");
-  EXPECT_EQ(fault({"storage.about=second"}), "storage.about: \"second\" is not one of robot");
+  EXPECT_EQ(fault_of_plant({"materials[0]=@material", "materials[0].name=other"}),
+            "materials[0].slot: \"material\" lies there");
+  EXPECT_EQ(fault_of_plant({"robots[0]=@robot", "robots[0].name=second"}), "robots[0]: the key \"gripper\" is missing");
+  EXPECT_EQ(fault_of_plant({"storages[0]=@rack"}), "storages[0]: there is no value at rack");
+  EXPECT_EQ(fault_of_plant({"storage.about=second"}), "storage.about: \"second\" is not one of robot");
 }
 
 TEST(Plant, ZonesAreChecked) {
-  const auto zone = [](const std::string& shape) { return fault({"zones[0]={\"name\": \"z\", " + shape + "}"}); };
+  const auto zone = [](const std::string& shape) {
+    return fault_of_plant({"zones[0]={\"name\": \"z\", " + shape + "}"});
+  };
   EXPECT_EQ(zone(R"("sphere": {"at": [0, 0, 0], "radius": 1})"), "");
   EXPECT_EQ(zone(R"("face": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "stops": true)"), "");
   EXPECT_EQ(zone(R"("stops": true)"), "zones[0]: has no shape: face, box, sphere or capsule");

@@ -12,16 +12,18 @@
 #include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/cell/simulation/arm.h"
+#include "tests/experiments/support/cells.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::cell_model_tests {
 namespace {
 
-using cell::BadCell;
 using cell::Cell;
 using nlohmann::json;
-
-const std::filesystem::path kCells = std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells";
+using run_tests::after_file;
+using run_tests::kCells;
+using run_tests::message_of;
 
 class BadCells : public testing::Test {
  protected:
@@ -35,13 +37,7 @@ class BadCells : public testing::Test {
   [[nodiscard]] std::string fault(const std::string& text) const {
     const std::string file = (scratch.path / "cell.json").string();
     run::write_file(file, text);
-    try {
-      (void)cell::read_cell(file);
-    } catch (const BadCell& error) {
-      const std::string message = error.what();
-      return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
-    }
-    return "";
+    return after_file(file, message_of<cell::BadCell>([&] { return cell::read_cell(file); }));
   }
   /// The same of the Aristo's file with one value in place of another; null takes the key out.
   [[nodiscard]] std::string fault(const char* pointer, const json& value) const {
@@ -61,8 +57,7 @@ class BadCells : public testing::Test {
     text.replace(at, old_text.size(), new_text);
     const std::string file = (scratch.path / "aristo.urdf").string();
     run::write_file(file, text);
-    const std::string message = fault(whole.dump());
-    return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
+    return after_file(file, fault(whole.dump()));
   }
 
   const run_tests::Scratch scratch;
@@ -116,12 +111,7 @@ TEST_F(BadCells, TextsAreUtf8WithoutControlCharacters) {
 }
 
 TEST_F(BadCells, AFileWithoutEndIsNotReadToItsEnd) {
-  try {
-    (void)cell::read_cell("/dev/zero");
-    FAIL();
-  } catch (const BadCell& error) {
-    EXPECT_STREQ(error.what(), "/dev/zero: has more than 16 MiB");
-  }
+  EXPECT_EQ(message_of<cell::BadCell>([] { return cell::read_cell("/dev/zero"); }), "/dev/zero: has more than 16 MiB");
   std::filesystem::remove(scratch.path / "aristo.urdf");
   std::filesystem::create_symlink("/dev/zero", scratch.path / "aristo.urdf");
   EXPECT_EQ(fault("/name", "x"), "robot.urdf: there is no file " + (scratch.path / "aristo.urdf").string());
@@ -265,8 +255,7 @@ TEST_F(BadCells, JointsThatSlideStandStill) {
 TEST_F(BadCells, XmlFaultsAreNamedWithTheirLine) {
   const auto text = [&](const std::string& urdf) {
     run::write_file(scratch.path / "aristo.urdf", urdf);
-    const std::string message = fault(whole.dump()), file = (scratch.path / "aristo.urdf").string();
-    return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
+    return after_file(scratch.path / "aristo.urdf", fault(whole.dump()));
   };
   EXPECT_EQ(text(""), "line 1: is not XML in UTF-8: no element found");
   EXPECT_EQ(text("<robot name=\"a\">\n<link name=\"b\">\n</robot>"), "line 3: is not XML in UTF-8: mismatched tag");

@@ -12,25 +12,20 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/scene/scene.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/cell/model/solids.h"
 
 namespace touchstone::cell_model_tests {
 namespace {
 
-using cell::BadSolid;
 using cell::faces_of;
 using cell::Solid;
 using cell::SolidFaces;
 using Operation = cell::Boolean::Operation;
 
 std::string refusal(const Solid& solid) {
-  try {
-    (void)faces_of(solid, "arm/body");
-  } catch (const BadSolid& error) {
-    return error.what();
-  }
-  return "";
+  return run_tests::message_of<cell::BadSolid>([&] { return faces_of(solid, "arm/body"); });
 }
 
 TEST(SolidFaces, AreAcceptedPolygonsWhoseOffPlaneIsThatOfTheExactAnswer) {

@@ -11,6 +11,7 @@
 #include "experiments/thesis/cell/kinematics/aristo.h"
 #include "experiments/thesis/cell/kinematics/layout.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
 namespace touchstone::cell_simulation_tests {
@@ -19,13 +20,7 @@ namespace {
 using cell::Arm;
 using cell::Cell;
 using kinematics::Angles;
-
-Eigen::Isometry3d isometry(const Pose& pose) {
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = pose.rotation;
-  result.translation() = pose.translation;
-  return result;
-}
+using run_tests::isometry;
 
 /// Where the links are by the robot's own description, couplings included.
 std::vector<Eigen::Isometry3d> described(const cell::Robot& robot, const Angles& commanded) {
@@ -35,11 +30,7 @@ std::vector<Eigen::Isometry3d> described(const cell::Robot& robot, const Angles&
     if (robot.joints[i].kind == cell::Joint::Kind::Revolute) turns[i] = by_joint[i] = commanded[next++];
   for (const cell::Coupling& coupling : robot.couplings)
     turns[coupling.joint] += coupling.factor * by_joint[coupling.leader];
-  std::vector<Eigen::Isometry3d> links{isometry(robot.base)};
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    links.push_back(links.back() * isometry(robot.joints[i].origin) *
-                    Eigen::AngleAxisd(turns[i] * std::numbers::pi / 180, robot.joints[i].axis));
-  return links;
+  return run_tests::links_at(robot, turns);
 }
 
 Angles random_angles(std::uint64_t n) {
@@ -113,16 +104,14 @@ TEST(Arm, InverseBringsTheSphereToThePoint) {
 }
 
 TEST(Arm, RefusesWhatWouldNotMoveOnArcs) {
-  const auto fault = [](auto change) -> std::string {
+  const auto fault = [](auto change) {
     Cell cell = cell::read_cell(kAristo);
     change(cell);
-    try {
+    const auto put_together = [&] {
       const Arm arm = cell::arm_of(cell);
       const cell::PlanarArm plane(cell, arm);
-    } catch (const cell::BadCell& error) {
-      return std::string(error.what()).substr(kAristo.string().size() + 2);
-    }
-    return "";
+    };
+    return run_tests::after_file(kAristo, run_tests::message_of<cell::BadCell>(put_together));
   };
   EXPECT_EQ(fault([](Cell&) {}), "");
   EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[0].factor = 0.5; }),

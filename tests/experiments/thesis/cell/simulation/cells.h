@@ -12,11 +12,12 @@
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/cell/simulation/workcell.h"
+#include "tests/experiments/support/cells.h"
 
 namespace touchstone::cell_simulation_tests {
 
-inline const std::filesystem::path kAristo =
-    std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells/aristo.json";
+using run_tests::kAristo;
+
 /// The changes that put the storage where the second case study has it.
 inline const std::vector<std::string> kSecondCase{"storage.angle=-33", "storage.radius=609"};
 

@@ -106,7 +106,7 @@ TEST(Sweep, HeldMaterialRestsOnWhatLiesBelowIt) {
 }
 
 // Things that stand must not overlap; what lies within the box of another thing without touching it does not.
-std::string overlap(const std::vector<std::string>& changes) {
+std::string overlap_under(const std::vector<std::string>& changes) {
   const auto found = cell::overlap_of_things(aristo(changes));
   return found ? found->what : "";
 }
@@ -118,32 +118,33 @@ const std::string
   "move": [-900, 0, 0]})",
     kBlock = R"({"name": "block", "box": {"from": [-50, -50, -1], "to": [50, 50, 100]}, "move": [-900, 0, 0]})";
 
-TEST(Overlap, ThereIsNoneInTheCell) { EXPECT_EQ(overlap({}), ""); }
+TEST(Overlap, ThereIsNoneInTheCell) { EXPECT_EQ(overlap_under({}), ""); }
 
 TEST(Overlap, OfAllThingsIsFound) {
-  EXPECT_EQ(overlap({"obstacles=[" + kPost + "]"}), "");
-  EXPECT_EQ(overlap({"obstacles=[" + kPost + "]", "obstacles[0].move=[-463, -278, 0]"}), "");  // below the deck
-  EXPECT_NE(overlap({"obstacles=[" + kPost + "]", "obstacles[0].move=[-400, -250, 200]"}), "");
-  EXPECT_EQ(overlap({"obstacles=[" + kPost + ", " + kBlock + "]"}), "post and block stand one in the other");
-  EXPECT_EQ(overlap({"obstacles=[" + kBlock + ", " + kPost + "]"}), "block and post stand one in the other");
-  EXPECT_EQ(overlap({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=12"}).find("storage/"), 0U);
-  EXPECT_NE(overlap({"machines[0]=@machine", "machines[0].name=mill", "machines[0].angle=-120"}), "");
-  EXPECT_EQ(
-      overlap({"robots[0]=@robot", "robots[0].gripper=@gripper", "robots[0].name=second", "robots[0].place=[300, 0]"}),
-      "");  // two robots side by side: the one that moves is tested when it moves
+  EXPECT_EQ(overlap_under({"obstacles=[" + kPost + "]"}), "");
+  EXPECT_EQ(overlap_under({"obstacles=[" + kPost + "]", "obstacles[0].move=[-463, -278, 0]"}), "");  // below the deck
+  EXPECT_NE(overlap_under({"obstacles=[" + kPost + "]", "obstacles[0].move=[-400, -250, 200]"}), "");
+  EXPECT_EQ(overlap_under({"obstacles=[" + kPost + ", " + kBlock + "]"}), "post and block stand one in the other");
+  EXPECT_EQ(overlap_under({"obstacles=[" + kBlock + ", " + kPost + "]"}), "block and post stand one in the other");
+  EXPECT_EQ(overlap_under({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=12"}).find("storage/"),
+            0U);
+  EXPECT_NE(overlap_under({"machines[0]=@machine", "machines[0].name=mill", "machines[0].angle=-120"}), "");
+  EXPECT_EQ(overlap_under({"robots[0]=@robot", "robots[0].gripper=@gripper", "robots[0].name=second",
+                           "robots[0].place=[300, 0]"}),
+            "");  // two robots side by side: the one that moves is tested when it moves
 }
 
 // Parts of one thing need not stand next to each other in the list of all parts.
 TEST(Overlap, APieceLiesInItsOwnStorage) {
-  EXPECT_EQ(overlap({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=200", "storages[1]=@storage",
-                     "storages[1].name=shelf", "storages[1].angle=120", "materials[0]=@material",
-                     "materials[0].name=second", "materials[0].storage=rack"}),
+  EXPECT_EQ(overlap_under({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=200",
+                           "storages[1]=@storage", "storages[1].name=shelf", "storages[1].angle=120",
+                           "materials[0]=@material", "materials[0].name=second", "materials[0].storage=rack"}),
             "");
 }
 
 // A post in a pipe lies within the pipe's box.
 TEST(Overlap, WhatIsWithinTheHollowOfAnotherStandsFree) {
-  EXPECT_EQ(overlap({"obstacles=[" + kPipe + ", " + kPost + "]"}), "");
+  EXPECT_EQ(overlap_under({"obstacles=[" + kPipe + ", " + kPost + "]"}), "");
 }
 
 }  // namespace
