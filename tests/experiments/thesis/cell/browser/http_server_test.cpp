@@ -22,12 +22,8 @@
 #include "tests/experiments/thesis/cell/browser/http_client.h"
 #include "tests/experiments/thesis/cell/browser/serving.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 namespace {
-
-using cell::browser::HttpReply;
-using cell::browser::HttpRequest;
-using cell::browser::HttpServer;
 
 std::atomic<bool> no_descriptors = false;  // for connections: see accept
 std::atomic<int> refused_connections = 0;
@@ -64,7 +60,7 @@ TEST_F(Server, RefusesAllButOneHost) {
 }
 
 TEST(Refusal, IsWrittenWhateverItsReason) {
-  EXPECT_EQ(cell::browser::refusal(400, "\xff, \xe9\x41").body, "{\"error\":\"\xef\xbf\xbd, \xef\xbf\xbd\x41\"}");
+  EXPECT_EQ(refusal(400, "\xff, \xe9\x41").body, "{\"error\":\"\xef\xbf\xbd, \xef\xbf\xbd\x41\"}");
 }
 
 // On the same connection, a body after the first reply would be taken for the second one.
@@ -240,4 +236,4 @@ extern "C" int accept(int socket, sockaddr* address, socklen_t* length) {
   return accept_of_the_library(socket, address, length);
 }
 
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -16,10 +16,9 @@
 #include "tests/experiments/thesis/cell/browser/http_client.h"
 #include "tests/experiments/thesis/cell/browser/serving.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 namespace {
 
-using namespace cell::browser;
 using run_tests::kAristo;
 
 class Page : public testing::Test {
@@ -298,4 +297,4 @@ TEST(KnownHosts, IncludeTheUsersOwnName) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -14,10 +14,9 @@
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/thesis/cell/browser/aristo.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 namespace {
 
-using namespace cell::browser;
 using run_tests::message_of;
 
 std::string refusal(const std::string& text) {
@@ -162,4 +161,4 @@ TEST(Setting, IsWithinItsBoundsWhereverItsNumbersComeFrom) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -12,10 +12,9 @@
 #include "experiments/thesis/cell/kinematics/aristo.h"
 #include "tests/experiments/support/message_of.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
 
-using namespace kinematics;
 using run_tests::message_of;
 using workloads::Random;
 
@@ -203,4 +202,4 @@ TEST(Inverse, HasOneSolutionForTheStraightArmAndNoneBeyond) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

@@ -9,10 +9,8 @@
 #include "experiments/cases/workloads/degrees.h"
 #include "experiments/thesis/cell/kinematics/layout_study.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
-
-using namespace kinematics;
 
 std::vector<double> degrees_of(const cell::Process& path) {
   std::vector<double> degrees;
@@ -189,4 +187,4 @@ TEST(SphereArm, AgreesWithTheChain) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

@@ -9,13 +9,9 @@
 
 #include "experiments/cases/workloads/random.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
 
-using kinematics::Dyadic;
-using kinematics::Polynomial;
-using kinematics::real_roots;
-using kinematics::Root;
 using workloads::Random;
 
 Polynomial polynomial(const std::vector<long>& coefficients) {
@@ -83,4 +79,4 @@ TEST(RootSign, IsExactHoweverNearTheRootIs) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

@@ -13,7 +13,7 @@
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
 using run_tests::Ran;
@@ -38,14 +38,14 @@ TEST_F(CellCommand, ShowWritesAModelFileForEveryLink) {
   EXPECT_EQ(std::count(faces.begin(), faces.end(), '\n'), 1 + 576);
   EXPECT_NE(faces.find("\nstorage/deck,storage,20,"), std::string::npos);
   EXPECT_NE(run_tests::text_of(path("out/run.json")).find("touchstone cell show "), std::string::npos);
-  const cell::LinkModel axis1 = cell::read_link_model(path("out/models/Axis1.txt"));
+  const LinkModel axis1 = read_link_model(path("out/models/Axis1.txt"));
   EXPECT_EQ(axis1.name, "Axis1");
   EXPECT_EQ(axis1.parts.size(), 3U);
-  const cell::LinkModel gripper = cell::read_link_model(path("out/models/Gripper1.txt"));
+  const LinkModel gripper = read_link_model(path("out/models/Gripper1.txt"));
   ASSERT_EQ(gripper.parts.size(), 1U);
   EXPECT_EQ(gripper.parts[0].vertices.size(), 16U);
   EXPECT_EQ(gripper.parts[0].polygons.size(), 10U);
-  EXPECT_EQ(cell::read_link_model(path("out/models/machine-bottom.txt")).parts[0].polygons.size(), 11U);
+  EXPECT_EQ(read_link_model(path("out/models/machine-bottom.txt")).parts[0].polygons.size(), 11U);
 }
 
 // The files are those of the page of formats.
@@ -79,4 +79,4 @@ TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

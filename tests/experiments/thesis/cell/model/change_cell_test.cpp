@@ -13,22 +13,21 @@
 #include "tests/experiments/support/cells.h"
 #include "tests/experiments/support/message_of.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::Label;
 using nlohmann::json;
 using run_tests::kAristo;
 
 json changed(const std::string& assignment) {
   json cell = json::parse(R"({"a": {"b": 1, "list": [10, 20, 30]},
                               "labels": {"a": "C", "a.b": "T", "a.list[0]": "S", "a.list[2]": "D"}})");
-  cell::change_cell(cell, assignment);
+  change_cell(cell, assignment);
   return cell;
 }
 
 std::string fault_of_change(const std::string& assignment) {
-  return run_tests::message_of<cell::BadCell>([&] { changed(assignment); });
+  return run_tests::message_of<BadCell>([&] { changed(assignment); });
 }
 
 TEST(ChangeCell, SetsAddsAndTakesAway) {
@@ -47,7 +46,7 @@ TEST(ChangeCell, WhatIsSetIsChosen) {
   EXPECT_EQ(changed("a.list=[1]")["labels"], json::parse(R"({"a": "C", "a.b": "T", "a.list": "C"})"));
   // Elements that move up are other values than their labels speak of.
   EXPECT_EQ(changed("a.list[1]=null")["labels"], json::parse(R"({"a": "C", "a.b": "T"})"));
-  const cell::Cell cell = cell::read_cell(kAristo, std::nullopt, {"storage.angle=-33"});
+  const Cell cell = read_cell(kAristo, std::nullopt, {"storage.angle=-33"});
   EXPECT_EQ(cell.storage.angle, -33);
   EXPECT_EQ(cell.label("storage.angle"), Label::Chosen);
   EXPECT_EQ(cell.label("machine.angle"), Label::Derived);
@@ -55,12 +54,12 @@ TEST(ChangeCell, WhatIsSetIsChosen) {
 
 TEST(ChangeCell, NamesItsKeysAsTheyReadOnceParsed) {
   using Keys = std::set<std::string>;
-  EXPECT_EQ(cell::keys_of_change("a.list[2].b=slot.c"), (Keys{"a", "b", "list"}));
-  EXPECT_EQ(cell::keys_of_change("a[0]=@b.c[1]"), (Keys{"a", "b", "c"}));
-  EXPECT_EQ(cell::keys_of_change(R"(a=[{"\u0062":[[{"c":"d"}]],"e":{"f":null}}])"), (Keys{"a", "b", "c", "e", "f"}));
-  EXPECT_EQ(cell::keys_of_change("a={\"b\":"), (Keys{"a"}));  // not JSON: text
-  EXPECT_THROW((void)cell::keys_of_change("a=@"), cell::BadCell);
-  EXPECT_THROW((void)cell::keys_of_change(R"(a={"b":1,"b":2})"), cell::BadCell);
+  EXPECT_EQ(keys_of_change("a.list[2].b=slot.c"), (Keys{"a", "b", "list"}));
+  EXPECT_EQ(keys_of_change("a[0]=@b.c[1]"), (Keys{"a", "b", "c"}));
+  EXPECT_EQ(keys_of_change(R"(a=[{"\u0062":[[{"c":"d"}]],"e":{"f":null}}])"), (Keys{"a", "b", "c", "e", "f"}));
+  EXPECT_EQ(keys_of_change("a={\"b\":"), (Keys{"a"}));  // not JSON: text
+  EXPECT_THROW((void)keys_of_change("a=@"), BadCell);
+  EXPECT_THROW((void)keys_of_change(R"(a={"b":1,"b":2})"), BadCell);
 }
 
 TEST(ChangeCell, NamesThePathThatLeadsNowhere) {
@@ -82,18 +81,17 @@ TEST(ChangeCell, NamesThePathThatLeadsNowhere) {
 TEST(ChangeCell, AnElementOfTheCellCanBeAddedSwappedAndTakenAway) {
   const auto parts = [](const std::vector<std::string>& changes) {
     std::vector<std::string> names;
-    for (const cell::Part& part : cell::read_cell(kAristo, std::nullopt, changes).machine.parts)
-      names.push_back(part.name);
+    for (const Part& part : read_cell(kAristo, std::nullopt, changes).machine.parts) names.push_back(part.name);
     return names;
   };
   using Names = std::vector<std::string>;
   EXPECT_EQ(parts({"machine.parts[5]=null", "machine.parts[0]=null"}), (Names{"column", "head", "saddle", "table"}));
   EXPECT_EQ(parts({R"(machine.parts[6]={"name":"lamp","box":{"from":[0,0,500],"to":[9,9,510]}})"}),
             (Names{"bottom", "column", "head", "saddle", "table", "vice", "lamp"}));
-  const cell::Cell swapped = cell::read_cell(
+  const Cell swapped = read_cell(
       kAristo, std::nullopt, {R"(material.solid={"cylinder":{"from":[0,0,0],"to":[0,0,40],"radius":20,"sides":16}})"});
-  EXPECT_TRUE(std::holds_alternative<cell::Cylinder>(swapped.material.solid.shape));
+  EXPECT_TRUE(std::holds_alternative<Cylinder>(swapped.material.solid.shape));
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

@@ -14,17 +14,13 @@
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
-
-using cell::LinkModel;
-using cell::LinkPart;
-using cell::LinkPolygon;
 
 LinkModel read(const std::string& text) {
   const run_tests::Scratch scratch;
   run::write_file(scratch.path / "Axis1.txt", text);
-  return cell::read_link_model(scratch.path / "Axis1.txt");
+  return read_link_model(scratch.path / "Axis1.txt");
 }
 
 /// What the text is refused for, from the line on.
@@ -32,7 +28,7 @@ std::string fault_of_model(const std::string& text) {
   const run_tests::Scratch scratch;
   const std::string path = (scratch.path / "Axis1.txt").string();
   run::write_file(path, text);
-  return run_tests::after_file(path, run_tests::message_of<BrokenMesh>([&] { return cell::read_link_model(path); }));
+  return run_tests::after_file(path, run_tests::message_of<BrokenMesh>([&] { return read_link_model(path); }));
 }
 
 rc::Gen<double> finite_doubles() {
@@ -66,10 +62,10 @@ LinkPart random_part() {
 RC_GTEST_PROP(LinkModelFile, IsReadAsItWasWrittenAndWrittenAsItWasRead, ()) {
   LinkModel model{"Axis1", {}};
   for (int i = *rc::gen::inRange(0, 4); i > 0; --i) model.parts.push_back(random_part());
-  const std::string text = cell::link_model_text(model);
+  const std::string text = link_model_text(model);
   const LinkModel again = read(text);
   RC_ASSERT(again == model);
-  RC_ASSERT(cell::link_model_text(again) == text);  // the sign of zero, too
+  RC_ASSERT(link_model_text(again) == text);  // the sign of zero, too
 }
 
 constexpr const char* kPlate =
@@ -129,19 +125,19 @@ TEST(LinkModelFile, EveryFaultIsNamedWithItsLine) {
             "line 10: the file continues after the announced counts");
   EXPECT_EQ(fault_of_model(head + "Polygons 1\n9223372036854775807 0 1 2\n"),
             "line 9: expected 9223372036854775807 vertex numbers, found 3");
-  EXPECT_THROW((void)cell::read_link_model("/nowhere/Axis1.txt"), BrokenMesh);
+  EXPECT_THROW((void)read_link_model("/nowhere/Axis1.txt"), BrokenMesh);
 }
 
 TEST(LinkModelFile, ANameIsOneWord) {
   for (const char* const name : {"", "two words", "a#b", "a\tb", "a\n", "a\x01", "a\x7f", "a\xff", "\xe9"})
-    EXPECT_THROW((void)cell::link_model_text({name, {}}), std::invalid_argument) << name;
+    EXPECT_THROW((void)link_model_text({name, {}}), std::invalid_argument) << name;
   EXPECT_EQ(fault_of_model(std::string("Link A\nParts 1\nPart a") + '\0' + "b\n"),
             "line 3: the name 'a\\x00b' has a control character, or is not UTF-8");
   EXPECT_EQ(fault_of_model("Link \xff\xfe\nParts 0\n"),
             "line 1: the name '\\xff\\xfe' has a control character, or is not UTF-8");
-  EXPECT_THROW((void)cell::link_model_text({"A", {{"b c", {}, {}}}}), std::invalid_argument);
-  EXPECT_EQ(cell::link_model_text({"\xc3\xa9", {}}), "Link \xc3\xa9\nParts 0\n");
+  EXPECT_THROW((void)link_model_text({"A", {{"b c", {}, {}}}}), std::invalid_argument);
+  EXPECT_EQ(link_model_text({"\xc3\xa9", {}}), "Link \xc3\xa9\nParts 0\n");
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

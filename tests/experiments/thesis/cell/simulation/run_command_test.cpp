@@ -15,7 +15,7 @@
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell {
 namespace {
 
 using run_tests::Ran;
@@ -69,4 +69,4 @@ TEST(CellRun, NamesTheKeyThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell
