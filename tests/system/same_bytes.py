@@ -32,6 +32,7 @@ STUDIES = {
                   "--no-pictures", "--threads", "1", "--samples", "60"],
 }
 TIMES = {"timings.csv", "front.csv", "cost.csv"}
+WHOLE = {"front.csv", "cost.csv"}  # of times that an interrupted run has not taken
 PATIENCE = 60  # seconds, for what takes one or two
 
 
@@ -79,6 +80,7 @@ def end_and_resume(what, command, folder, end, share):
     expect(0 < done < share, f"{what}: when {done} of {share} were done")
     if end == signal.SIGINT:
         require_interrupted(what, folder, True)
+        expect(not WHOLE.intersection(os.listdir(folder)), f"{what}: it has a table of whole runs")
     run(*command, "--output", folder, "--resume")
     require_interrupted(f"{what} and resumed", folder, False)
     print(f"{what} at {done} of {share}: resumed")

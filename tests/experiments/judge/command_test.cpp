@@ -5,32 +5,28 @@
 #include <string>
 
 #include "experiments/commands.h"
+#include "tests/experiments/support/message_of.h"
 
-namespace touchstone::commands {
+namespace touchstone::judge {
 namespace {
 
 TEST(JudgeCommand, RefusesAnEngineWhoseNameIsNotUtf8) {
-  EXPECT_THROW(judge_command()({"--engine", "cat # \xff", "/dev/null"}), run::UsageError);
-  EXPECT_NO_THROW(judge_command()({"--engine", "cat # \xc3\xa9", "/dev/null"}));
+  EXPECT_THROW(commands::judge_command()({"--engine", "cat # \xff", "/dev/null"}), run::UsageError);
+  EXPECT_NO_THROW(commands::judge_command()({"--engine", "cat # \xc3\xa9", "/dev/null"}));
 }
 
 TEST(CasesCommand, RefusesNumbersThatMeanNothing) {
-  EXPECT_THROW(cases_command()({"--vertices", "2"}), run::UsageError);
-  EXPECT_THROW(cases_command()({"--vertices", "131073"}), run::UsageError);
+  EXPECT_THROW(commands::cases_command()({"--vertices", "2"}), run::UsageError);
+  EXPECT_THROW(commands::cases_command()({"--vertices", "131073"}), run::UsageError);
   for (const char* option : {"--vertices", "--holes", "--seed", "--first", "--samples"})
     for (const char* number : {"-1", "1.5", "many", "18446744073709551616"})
-      EXPECT_THROW(cases_command()({option, number}), run::UsageError) << option << ' ' << number;
-  EXPECT_NO_THROW(cases_command()({"--samples", "0", "--vertices", "3"}));
+      EXPECT_THROW(commands::cases_command()({option, number}), run::UsageError) << option << ' ' << number;
+  EXPECT_NO_THROW(commands::cases_command()({"--samples", "0", "--vertices", "3"}));
 }
 
 /// Returns what the command says of the option with this value.
 std::string fault(const std::string& option, const std::string& value, const std::string& family = "star") {
-  try {
-    cases_command()({"--family", family, option, value});
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
+  return run_tests::message_of<std::exception>([&] { commands::cases_command()({"--family", family, option, value}); });
 }
 
 // What would take hours, or never end, is told at once, with the option and the limit.
@@ -47,4 +43,4 @@ TEST(CasesCommand, RefusesNumbersThatNoPolygonOrSearchCanHave) {
 }
 
 }  // namespace
-}  // namespace touchstone::commands
+}  // namespace touchstone::judge

@@ -12,10 +12,9 @@
 #include "geometry/io/detail/legible.h"
 #include "tests/experiments/judge/run_judge.h"
 
-namespace touchstone::judge_tests {
+namespace touchstone::judge {
 namespace {
 
-using namespace judge;
 using namespace std::string_literals;
 
 TEST(JudgeEngine, IsComparedWithWhatTheCasesExpect) {
@@ -244,4 +243,4 @@ TEST(JudgeEngine, IsLeftInOrderByAnException) {
 }
 
 }  // namespace
-}  // namespace touchstone::judge_tests
+}  // namespace touchstone::judge

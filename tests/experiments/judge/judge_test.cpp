@@ -10,10 +10,9 @@
 #include "experiments/methods/registry.h"
 #include "tests/experiments/judge/run_judge.h"
 
-namespace touchstone::judge_tests {
+namespace touchstone::judge {
 namespace {
 
-using namespace judge;
 using namespace std::string_literals;
 
 TEST(Judge, PrintsTheVerdictOfTheContract) {
@@ -253,4 +252,4 @@ TEST(Judge, ExplainsTheStageAndTheMarginInDoubles) {
 }
 
 }  // namespace
-}  // namespace touchstone::judge_tests
+}  // namespace touchstone::judge

@@ -6,7 +6,7 @@
 #include "experiments/methods/process/engine.h"
 #include "run_judge.h"
 
-namespace touchstone::judge_tests {
+namespace touchstone::judge {
 namespace {
 
 using nlohmann::json;
@@ -68,7 +68,7 @@ TEST(Tally, TellsWhatIsNotGivenFromWhatIsWrong) {
   EXPECT_EQ(mine.by_key.at("contact").given(), 3U);
 }
 
-TEST(Judge, ComparesOnlyTheKeysOfTheOrder) {
+TEST(JudgeOrder, ComparesOnlyTheKeysOfTheOrder) {
   Order order;
   order.keys = {key_of(&cases::PartialAnswer::relation), key_of(&cases::PartialAnswer::distance)};
   const Collected collected = collect(order);
@@ -78,7 +78,7 @@ TEST(Judge, ComparesOnlyTheKeysOfTheOrder) {
   EXPECT_EQ(collected.tally.methods().front().all.cases, 2U);
 }
 
-TEST(Judge, LeavesOutMovingBallsIfWanted) {
+TEST(JudgeOrder, LeavesOutMovingBallsIfWanted) {
   Order order;
   order.at_rest = true;
   const std::string moving = touching("moving", R"(,"motion":{"to":[0,0,0]},"expected":{"contact":false})");
@@ -89,7 +89,7 @@ TEST(Judge, LeavesOutMovingBallsIfWanted) {
   EXPECT_EQ(run(moving, order).verdicts, "");
 }
 
-TEST(Judge, PrintsNeitherVerdictsNorDifferencesIfNotWanted) {
+TEST(JudgeOrder, PrintsNeitherVerdictsNorDifferencesIfNotWanted) {
   Order order;
   order.prints_verdicts = order.prints_differences = false;
   const Collected collected = collect(order);
@@ -97,7 +97,7 @@ TEST(Judge, PrintsNeitherVerdictsNorDifferencesIfNotWanted) {
   EXPECT_EQ(collected.result.complaints + collected.result.verdicts, "");
 }
 
-TEST(Judge, StopsAtOnceWhereAnEngineCannotBeStarted) {
+TEST(JudgeOrder, StopsAtOnceWhereAnEngineCannotBeStarted) {
   EXPECT_THROW((void)run(kCases, engine("/nowhere/no-such-engine")), methods::EngineNotStarted);
   EXPECT_THROW((void)run(kCases, engine("/dev/null")), methods::EngineNotStarted);  // may not be run
   EXPECT_EQ(run(numbered(1), engine("exit 3")).status, judge::ExpectationNotMet);
@@ -106,7 +106,7 @@ TEST(Judge, StopsAtOnceWhereAnEngineCannotBeStarted) {
             judge::ExpectationNotMet);
 }
 
-TEST(Judge, JudgesSeveralEnginesAtOnce) {
+TEST(JudgeOrder, JudgesSeveralEnginesAtOnce) {
   Order order = engine("cat");  // gives no verdict key
   char right[400];
   std::snprintf(right, sizeof right, kMoody, "pass");
@@ -119,7 +119,7 @@ TEST(Judge, JudgesSeveralEnginesAtOnce) {
   EXPECT_EQ(result.complaints.find("mine"), std::string::npos);
 }
 
-TEST(Judge, TellsHowFarItIs) {
+TEST(JudgeOrder, TellsHowFarItIs) {
   Order order;
   std::uint64_t last = 0;
   order.progress = [&](std::uint64_t bytes) {
@@ -172,4 +172,4 @@ TEST(Report, ShowsTheWorstCases) {
 }
 
 }  // namespace
-}  // namespace touchstone::judge_tests
+}  // namespace touchstone::judge

@@ -16,9 +16,7 @@
 #include "tests/experiments/support/scratch.h"
 
 /// Runs the judge on texts and captures verdicts and complaints.
-namespace touchstone::judge_tests {
-
-using judge::Order;
+namespace touchstone::judge {
 
 inline constexpr auto kTouching =
     R"({"id":"t","ball":{"center":[0.5,0.25,1],"radius":1},"polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]]}%s})";
@@ -101,4 +99,4 @@ inline std::pair<std::string, std::string> answered_and_not(const std::string& v
   return ids;
 }
 
-}  // namespace touchstone::judge_tests
+}  // namespace touchstone::judge

@@ -9,7 +9,7 @@
 namespace touchstone::methods {
 namespace {
 
-TEST(Engine, HasTheNameAfterTheLastSign) {
+TEST(EngineOption, HasTheNameAfterTheLastSign) {
   EXPECT_EQ(engine_of("./engine=mine"), (Engine{"mine", "./engine"}));
   EXPECT_EQ(engine_of("python3 engine.py --fast=mine-2.0"),
             (Engine{"python3 engine.py --fast=mine-2.0", "python3 engine.py --fast=mine-2.0"}));
@@ -20,12 +20,12 @@ TEST(Engine, HasTheNameAfterTheLastSign) {
   EXPECT_EQ(engine_of("cat"), (Engine{"cat", "cat"}));
 }
 
-TEST(Engine, RefusesWhatIsNoCommandOrNoName) {
+TEST(EngineOption, RefusesWhatIsNoCommandOrNoName) {
   for (const char* text : {"", "  ", "=mine", " =mine", "\xff", "\xff=mine"})
     EXPECT_THROW((void)engine_of(text), std::invalid_argument) << text;
 }
 
-TEST(Engine, ThatAShellCannotStartIsNamedAsSuch) {
+TEST(EngineOption, ThatAShellCannotStartIsNamedAsSuch) {
   EXPECT_THROW(require_started("x", "exit status 126"), EngineNotStarted);
   EXPECT_THROW(require_started("x", "exit status 127"), EngineNotStarted);
   for (const char* ending : {"", "exit status 1", "exit status 125", "signal 9"})

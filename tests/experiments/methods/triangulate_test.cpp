@@ -10,7 +10,7 @@
 #include "experiments/cases/workloads/outline.h"
 #include "experiments/cases/workloads/workload.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::methods {
 namespace {
 
 /// Returns twice the area, signed as seen from above; exact for whole coordinates below 2^24.
@@ -32,9 +32,7 @@ TEST(Triangulate, CoversEveryPolygonOnceAndTurnsAsItDoes) {
   using workloads::Family;
   for (const Family family : {Family::Star, Family::Comb, Family::Spiral, Family::RandomSimple, Family::L})
     for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES / 5 + 1; ++i) {
-      workloads::Workload workload;
-      workload.family = family;
-      workload.holes = i % 4;
+      const workloads::Workload workload{.family = family, .holes = i % 4};
       const workloads::Outline outline = workloads::draw_outline(workload, kOutlineSeed, i);
       std::vector<Loop> holes;
       std::int64_t area = std::abs(workloads::twice_area(outline.outer));
@@ -44,7 +42,7 @@ TEST(Triangulate, CoversEveryPolygonOnceAndTurnsAsItDoes) {
       }
       if (workloads::twice_area(outline.outer) < 0) area = -area;
       const Polygon polygon(lifted(outline.outer), holes);
-      const auto triangles = methods::triangulate(polygon);
+      const auto triangles = triangulate(polygon);
       EXPECT_EQ(triangles.size(), polygon.vertex_count() - 2 + 2 * holes.size())
           << "seed " << kOutlineSeed << ", " << i;
       double sum = 0;
@@ -63,10 +61,10 @@ TEST(Triangulate, FillsAnIslandInAHole) {
   };
   const Polygon polygon(square(3), {square(2), square(1)});
   double sum = 0;
-  for (const auto& [a, b, c] : methods::triangulate(polygon))
+  for (const auto& [a, b, c] : triangulate(polygon))
     sum += twice_area(polygon.vertex(a), polygon.vertex(b), polygon.vertex(c));
   EXPECT_EQ(sum, 2 * (36 - 16 + 4));
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::methods

@@ -7,11 +7,10 @@
 #include <limits>
 #include <memory>
 
+#include "tests/experiments/run/light.h"
+
 namespace touchstone::run {
 namespace {
-
-enum class Colour { Red, Green };
-std::string_view to_string(Colour colour) { return colour == Colour::Red ? "red" : "green"; }
 
 /// A command with an option of every kind.
 struct Declared {
@@ -20,7 +19,7 @@ struct Declared {
   int offset = -2;
   double step = 0.5, limit = 0;
   std::string truth = "exact", folder = "results/it", file, mesh = "a.obj";
-  Colour colour = Colour::Green;
+  Light colour = Light::Green;
   std::vector<std::string> methods{"all"}, meshes, changes;
   bool quick = false, force = false, resume = false;
   std::string line;
@@ -39,7 +38,7 @@ struct Declared {
     command.real("--step", step, "A step", 0, 90);
     command.positive("--limit", limit, "A limit");
     command.choice("--oracle", truth, {"exact", "filtered"}, "The truth");
-    command.choice("--colour", colour, std::vector{Colour::Red, Colour::Green}, "A colour");
+    command.choice("--colour", colour, std::vector{Light::Red, Light::Green}, "A colour");
     command.texts("--set", changes, "Changes");
     command.text("--file", file, "A file").needs("--step");
     command.flag("--quick", quick, "Quickly");

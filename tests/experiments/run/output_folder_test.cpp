@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "experiments/run/output.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run {
@@ -25,12 +26,7 @@ namespace fs = std::filesystem;
 using run_tests::Scratch;
 
 std::string refusal(const fs::path& folder, Existing existing = {}) {
-  try {
-    const OutputFolder held(folder, "touchstone second", existing);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return run_tests::message_of([&] { const OutputFolder held(folder, "touchstone second", existing); });
 }
 
 bool is_empty_folder(const fs::path& folder) { return fs::is_directory(folder) && fs::is_empty(folder); }

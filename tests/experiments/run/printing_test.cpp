@@ -12,11 +12,11 @@
 namespace touchstone::run {
 namespace {
 
-struct Row {
+struct Number {
   int x;
 };
 
-const Table<Row> kTable("a.csv", "a row", {{"x", "a number", &Row::x}});
+const Table<Number> kNumbers("a.csv", "a row", {{"x", "a number", &Number::x}});
 
 /// Runs a command that prints a text and a table of 1 and 2. Returns what it prints; `folder`: where it wrote the
 /// table.
@@ -24,10 +24,10 @@ std::string printed(const std::vector<std::string>& arguments, std::filesystem::
   Printing printing;
   Command command("measure", "Measures");
   declare_printing(command, printing);
-  command.writes({kTable.description()});
+  command.writes({kNumbers.description()});
   command.runs([&] {
     printing.print("text\n", [&](const std::filesystem::path& to) {
-      kTable.write(folder = to, {{1}, {2}});
+      kNumbers.write(folder = to, {{1}, {2}});
       EXPECT_TRUE(std::filesystem::exists(folder / "a.csv"));
     });
     return 0;
@@ -74,7 +74,7 @@ bool runs_with(const char* file, int flags, const std::vector<std::string>& argu
   return ran;
 }
 
-TEST(Command, DoesNotRunWhereItCannotPrint) {
+TEST(Printing, IsRefusedBeforeTheCommandRuns) {
   std::string complaint;
   EXPECT_TRUE(runs_with("/dev/null", O_WRONLY, {}, complaint)) << complaint;
   EXPECT_FALSE(runs_with("/dev/full", O_WRONLY, {}, complaint));

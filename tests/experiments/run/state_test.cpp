@@ -8,11 +8,10 @@
 #include <limits>
 
 #include "experiments/cases/workloads/random.h"
+#include "tests/experiments/run/light.h"
 
 namespace touchstone::run {
 namespace {
-
-enum class Colour { Red, Green };
 
 struct Inner {
   double weight = 0;
@@ -26,7 +25,7 @@ struct Outer {
   std::int64_t signed_number = 0;
   std::uint64_t count = 0;
   bool flag = false;
-  Colour colour = Colour::Red;
+  Light colour = Light::Red;
   std::array<std::uint8_t, 2> pair{};
   std::vector<Inner> list;
   std::map<std::tuple<int, std::string>, double> map;
@@ -40,7 +39,7 @@ Outer example() {
   return {.signed_number = std::numeric_limits<std::int64_t>::min(),
           .count = std::numeric_limits<std::uint64_t>::max(),
           .flag = true,
-          .colour = Colour::Green,
+          .colour = Light::Green,
           .pair = {7, 255},
           .list = {{0.1, "a name\nwith 2 lines"}, {-0.0, std::nullopt}, {0x1p-1074, ""}},
           .map = {{{-1, "one two"}, std::numeric_limits<double>::infinity()}, {{3, ""}, -0.5}},
@@ -49,7 +48,7 @@ Outer example() {
 
 TEST(Archive, GivesBackEveryValue) {
   Outer read;
-  read.colour = Colour::Red;
+  read.colour = Light::Red;
   restore(archived(example()), read);
   EXPECT_EQ(read, example());
   EXPECT_TRUE(std::signbit(read.list[1].weight));

@@ -6,6 +6,7 @@
 
 #include "experiments/run/output.h"
 #include "experiments/run/quoting.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run {
@@ -107,12 +108,7 @@ TEST(StudyRun, AddsPartsUpToAllItems) {
 }
 
 std::string fault_of(const StudyOptions& options) {
-  try {
-    (void)run_numbers(options);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return run_tests::message_of([&] { return run_numbers(options); });
 }
 
 TEST(StudyRun, NamesTheFolderOfAPartThatIsNotOfTheStudy) {

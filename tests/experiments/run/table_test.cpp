@@ -6,24 +6,22 @@
 #include <limits>
 
 #include "experiments/run/statistics/shares.h"
+#include "tests/experiments/run/light.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run {
 namespace {
 
-enum class Colour { Red, Green };
-std::string_view to_string(Colour colour) { return colour == Colour::Red ? "red" : "green"; }
-
-struct Part {
+struct Measured {
   double size;
 };
 
 struct Row {
   std::string name;
-  Colour colour;
+  Light colour;
   std::int64_t offset;
   std::optional<double> mean;
-  const Part* part;
+  const Measured* part;
   Rate rate;
 };
 
@@ -33,29 +31,21 @@ const Table<Row>& table() {
                                                    {"colour", "its colour", &Row::colour},
                                                    {"offset", "in doubles", &Row::offset},
                                                    {"mean", "rounded", &Row::mean, "{:.2g}"},
-                                                   {"size", "of the part", path(&Row::part, &Part::size)}},
+                                                   {"size", "of the part", path(&Row::part, &Measured::size)}},
                                                   rate_columns<Row>("names", &Row::rate, "far_")}));
   return table;
 }
 
-const Part kPart{0.1};
-const std::vector<Row> kRows{{"plain", Colour::Red, -3, 2.345, &kPart, rate(0, 0)},
-                             {"with, comma \"and\" quotes",
-                              Colour::Green,
-                              std::numeric_limits<std::int64_t>::min(),
-                              {},
-                              &kPart,
-                              {0.5, 0.25, 1}}};
+const Measured kPart{0.1};
+const std::vector<Row> kRows{
+    {"plain", Light::Red, -3, 2.345, &kPart, rate(0, 0)},
+    {"with, comma \"and\" quotes", Light::Green, std::numeric_limits<std::int64_t>::min(), {}, &kPart, {0.5, 0.25, 1}}};
 
 TEST(Table, PrintsEveryColumnOfEveryRow) {
   EXPECT_EQ(table().csv(kRows),
             "name,colour,offset,mean,size,far_rate,far_lower,far_upper\n"
             "plain,red,-3,2.3,0.1,0,0,1\n"
             "\"with, comma \"\"and\"\" quotes\",green,-9223372036854775808,,0.1,0.5,0.25,1\n");
-}
-
-TEST(Table, OfNoRowsIsItsHeading) {
-  EXPECT_EQ(table().csv({}), "name,colour,offset,mean,size,far_rate,far_lower,far_upper\n");
 }
 
 TEST(Table, DescribesTheColumnsThatItPrints) {

@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <functional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "experiments/run/output.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace {
@@ -36,6 +36,7 @@ namespace touchstone::run {
 namespace {
 
 namespace fs = std::filesystem;
+using run_tests::message_of;
 using run_tests::Scratch;
 using run_tests::text_of;
 
@@ -43,16 +44,6 @@ std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
   return names;
-}
-
-/// Returns the message of the std::runtime_error of the function; "" without one.
-std::string refusal(const std::function<void()>& function) {
-  try {
-    function();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(WriteFile, ReplacesAFileAndLeavesNothingBeside) {
@@ -77,16 +68,16 @@ TEST(WriteFile, LeavesDevicesAndPipesWhereTheyAre) {
   const Scratch scratch;
   const fs::path pipe = scratch.path / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(refusal([&] { write_file(pipe, ""); }), pipe.string() + ": cannot be written: it is not a regular file");
+  EXPECT_EQ(message_of([&] { write_file(pipe, ""); }), pipe.string() + ": cannot be written: it is not a regular file");
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 TEST(WriteFile, SaysWhyItCannotWrite) {
   const Scratch scratch;
-  EXPECT_EQ(refusal([&] { write_file(scratch.path / "no" / "a", ""); }),
+  EXPECT_EQ(message_of([&] { write_file(scratch.path / "no" / "a", ""); }),
             (scratch.path / "no" / "a").string() + ": cannot be written: No such file or directory");
   fs::create_directory(scratch.path / "folder");
-  EXPECT_EQ(refusal([&] { write_file(scratch.path / "folder", ""); }),
+  EXPECT_EQ(message_of([&] { write_file(scratch.path / "folder", ""); }),
             (scratch.path / "folder").string() + ": cannot be written: Is a directory");
   EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"folder"});
 }
@@ -101,7 +92,7 @@ TEST(WriteFile, KeepsTheEarlierFileWhereTheNewOneDoesNotFit) {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit small{100, 100};
     ::setrlimit(RLIMIT_FSIZE, &small);
-    const bool told = refusal([&] { write_file(file, std::string(1000, 'x')); }) ==
+    const bool told = message_of([&] { write_file(file, std::string(1000, 'x')); }) ==
                       file.string() + ": cannot be written: File too large";
     ::_exit(told ? 0 : 1);
   }
@@ -187,7 +178,7 @@ TEST(WriteFile, LeavesAFolderEmptyForTheNextRunWhereTheFirstIsKilledBeforeItsFir
       write_file(scratch.path / "checkpoint.json", "{}\n");
     });
     ASSERT_TRUE(fs::exists(scratch.path / ("checkpoint.json.new-" + std::to_string(killed))));
-    EXPECT_EQ(refusal([&] { const OutputFolder folder(scratch.path, "touchstone second", existing); }), "");
+    EXPECT_EQ(message_of([&] { const OutputFolder folder(scratch.path, "touchstone second", existing); }), "");
     EXPECT_TRUE(fs::is_empty(scratch.path));
   }
 }
@@ -196,24 +187,25 @@ TEST(WriteFile, LeavesAnUnfinishedFileOfAFolderThatIsRefused) {
   const Scratch scratch;
   write_file(scratch.path / "rates.csv", "precious\n");
   write_file(scratch.path / "notes.new-1", "precious\n");
-  EXPECT_NE(refusal([&] { const OutputFolder folder(scratch.path, "touchstone", {}); }), "");
+  EXPECT_NE(message_of([&] { const OutputFolder folder(scratch.path, "touchstone", {}); }), "");
   EXPECT_TRUE(fs::exists(scratch.path / "notes.new-1"));
-  EXPECT_EQ(refusal([&] { const OutputFolder folder(scratch.path, "touchstone", {.force = true}); }), "");
+  EXPECT_EQ(message_of([&] { const OutputFolder folder(scratch.path, "touchstone", {.force = true}); }), "");
   EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"rates.csv"});
 }
 
 TEST(RefuseOverwrite, AllowsWhatIsNotThere) {
   const Scratch scratch;
-  EXPECT_EQ(refusal([&] { refuse_overwrite(scratch.path / "new.json", false); }), "");
-  EXPECT_EQ(refusal([&] { refuse_overwrite(scratch.path / "no" / "new.json", false); }), "");
+  EXPECT_EQ(message_of([&] { refuse_overwrite(scratch.path / "new.json", false); }), "");
+  EXPECT_EQ(message_of([&] { refuse_overwrite(scratch.path / "no" / "new.json", false); }), "");
 }
 
 TEST(RefuseOverwrite, AllowsARegularFileWithForceOnly) {
   const Scratch scratch;
   const fs::path file = scratch.path / "base.json";
   write_file(file, "{}\n");
-  EXPECT_EQ(refusal([&] { refuse_overwrite(file, false); }), file.string() + ": exists already; --force overwrites it");
-  EXPECT_EQ(refusal([&] { refuse_overwrite(file, true); }), "");
+  EXPECT_EQ(message_of([&] { refuse_overwrite(file, false); }),
+            file.string() + ": exists already; --force overwrites it");
+  EXPECT_EQ(message_of([&] { refuse_overwrite(file, true); }), "");
 }
 
 // A file that appeared while the text was computed is detected, too.
@@ -221,7 +213,7 @@ TEST(WriteFile, WritesOverWhatIsThereByNowOnlyWithForce) {
   const Scratch scratch;
   const fs::path file = scratch.path / "base.json";
   write_file(file, "first\n", false);
-  EXPECT_EQ(refusal([&] { write_file(file, "second\n", false); }),
+  EXPECT_EQ(message_of([&] { write_file(file, "second\n", false); }),
             file.string() + ": exists already; --force overwrites it");
   EXPECT_EQ(text_of(file), "first\n");
   write_file(file, "third\n", true);
@@ -235,7 +227,7 @@ TEST(RefuseOverwrite, RefusesAllElseWithForceToo) {
   fs::create_symlink("/dev/null", scratch.path / "device");
   for (const fs::path& what : {scratch.path / "dangling", scratch.path / "device", scratch.path, fs::path("/dev/null")})
     for (const bool force : {false, true})
-      EXPECT_EQ(refusal([&] { refuse_overwrite(what, force); }),
+      EXPECT_EQ(message_of([&] { refuse_overwrite(what, force); }),
                 what.string() + ": exists already, and is not a regular file");
 }
 

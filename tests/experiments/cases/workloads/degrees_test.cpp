@@ -14,8 +14,15 @@ TEST(Degrees, AreExactAtQuarterTurns) {
     EXPECT_EQ(sine(360.0 * turn + 90), 1);
     EXPECT_EQ(cosine(360.0 * turn + 90), 0);
     EXPECT_EQ(sine(360.0 * turn + 30), 0.5);
+    EXPECT_EQ(sine(360.0 * turn + 180), 0);
+    EXPECT_EQ(cosine(360.0 * turn - 120), -0.5);
     EXPECT_FALSE(std::signbit(sine(-180.0)));
   }
+  EXPECT_EQ(arc_sine(0.5), 30);
+  EXPECT_EQ(arc_cosine(-1), 180);
+  EXPECT_EQ(arc_tangent(-1, -1), -135);
+  EXPECT_EQ(arc_tangent(0, -1), 180);
+  EXPECT_EQ(arc_tangent(0, 0), 0);
 }
 
 // More angles than are remembered, each asked twice, among others and at once.

@@ -10,13 +10,11 @@
 
 #include "robust/filtered/detail/numbers/integer.h"
 
-namespace touchstone::scene_tests {
+namespace touchstone::workloads {
 namespace {
 
 // Against integers of 128 bits.
 TEST(Unit, RoundsOnce) {
-  using workloads::converted;
-  using workloads::find_unit;
   const auto mm = find_unit("mm"), m = find_unit("m"), inch = find_unit("inch"), foot = find_unit("foot");
   EXPECT_EQ(converted(0.1, mm, mm), 0.1);
   EXPECT_EQ(converted(3, mm, m), 0.003);
@@ -39,18 +37,18 @@ TEST(Unit, RoundsOnce) {
 
 // Against GMP's rationals: the quotient lies no farther from the result than from either neighbour.
 TEST(Unit, RoundsOnceWhereDoublesEnd) {
-  const auto mm = workloads::find_unit("mm"), m = workloads::find_unit("m"), inch = workloads::find_unit("inch"),
-             foot = workloads::find_unit("foot"), um = workloads::find_unit("um");
-  EXPECT_EQ(workloads::converted(5.043809979959526e-305, mm, m), 5.043809979959527e-308);
-  EXPECT_EQ(workloads::converted(1e308, mm, foot), 1e308 / 304.8);
-  EXPECT_TRUE(std::isinf(workloads::converted(1e308, m, mm)));
+  const auto mm = find_unit("mm"), m = find_unit("m"), inch = find_unit("inch"), foot = find_unit("foot"),
+             um = find_unit("um");
+  EXPECT_EQ(converted(5.043809979959526e-305, mm, m), 5.043809979959527e-308);
+  EXPECT_EQ(converted(1e308, mm, foot), 1e308 / 304.8);
+  EXPECT_TRUE(std::isinf(converted(1e308, m, mm)));
   std::uint64_t bits = 54321;
   for (int i = 0; i < 20'000; ++i) {
     bits = bits * 6364136223846793005U + 1442695040888963407U;
     const double mantissa = 1 + static_cast<double>(bits >> 12) * 0x1p-52;
     const double length = std::ldexp(i % 2 == 0 ? mantissa : -mantissa, i % 4 < 2 ? -1074 + i % 97 : 1023 - i % 29);
     for (const auto& [from, to] : {std::pair{mm, m}, {inch, foot}, {mm, foot}, {um, inch}, {foot, um}}) {
-      const double result = workloads::converted(length, from, to);
+      const double result = converted(length, from, to);
       if (std::isinf(result)) continue;
       const mpq_class exact = mpq_class(length) * from.micrometres / to.micrometres;
       const auto off = [&](double x) -> mpq_class { return abs(mpq_class(x) - exact); };
@@ -66,4 +64,4 @@ TEST(Unit, RoundsOnceWhereDoublesEnd) {
 }
 
 }  // namespace
-}  // namespace touchstone::scene_tests
+}  // namespace touchstone::workloads

@@ -8,11 +8,11 @@
 namespace touchstone::workloads {
 namespace {
 
-constexpr std::uint64_t kSeed = 2026, kSamples = 60;
+constexpr std::uint64_t kWaySeed = 2026, kWays = 60;
 
 Sample drawn(Workload workload, Way way, std::uint64_t index) {
   workload.way = way;
-  return sample(workload, kSeed, index);
+  return sample(workload, kWaySeed, index);
 }
 
 Motion motion_of(const Sample& sample) { return {sample.ball, sample.to.value()}; }
@@ -22,8 +22,8 @@ Eigen::Vector3d middle(const Sample& sample) { return (sample.ball.center + *sam
 // The polygon is that of the static sample, and the ball is at its place at the start, at the end or halfway.
 TEST(Ways, LeadThroughThePlaceOfTheBall) {
   const Workload workload{.family = Family::L, .ball = BallPlace::LatticeTangent, .vertices = 6, .holes = 1};
-  for (std::uint64_t i = 0; i < kSamples; ++i) {
-    const Sample still = sample(workload, kSeed, i);
+  for (std::uint64_t i = 0; i < kWays; ++i) {
+    const Sample still = sample(workload, kWaySeed, i);
     EXPECT_FALSE(still.to);
     for (const Way way : all_ways()) {
       if (way == Way::Static) continue;
@@ -55,7 +55,7 @@ TEST(Ways, LeadThroughThePlaceOfTheBall) {
 TEST(Ways, TangentBallsGrazeOrSlideHalfway) {
   const Workload workload{.family = Family::Convex, .ball = BallPlace::LatticeTangent, .vertices = 6};
   int momentary = 0, lasting = 0, before = 0;
-  for (std::uint64_t i = 0; i < kSamples; ++i) {
+  for (std::uint64_t i = 0; i < kWays; ++i) {
     const Sample moving = drawn(workload, Way::Across, i);
     const FirstContact first = exact::first_contact(motion_of(moving), moving.polygon);
     ASSERT_TRUE(first.contact()) << moving.id;
@@ -72,7 +72,7 @@ TEST(Ways, TangentBallsGrazeOrSlideHalfway) {
 TEST(Ways, BallsPassThroughWhereTheyFit) {
   int passed = 0, stopped = 0;
   for (const int doubles : {-1, 0, 1})
-    for (std::uint64_t i = 0; i < 3 * kSamples; ++i) {
+    for (std::uint64_t i = 0; i < 3 * kWays; ++i) {
       const Workload workload{
           .family = Family::U, .ball = BallPlace::LatticeTangent, .vertices = 8, .holes = 1, .doubles = doubles};
       const Sample moving = drawn(workload, Way::Through, i);

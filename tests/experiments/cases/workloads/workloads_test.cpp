@@ -20,7 +20,7 @@
 namespace touchstone::workloads {
 namespace {
 
-constexpr std::uint64_t kSeed = 2008;
+constexpr std::uint64_t kWorkloadSeed = 2008;
 
 /// FNV-1a over the bits of numbers, byte by byte.
 class Hash {
@@ -57,11 +57,7 @@ std::vector<Workload> all_workloads() {
     for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated})
       for (const BallPlace ball : all_ball_places()) {
         if (ball == BallPlace::LatticeTangent && placement == Placement::Rotated) continue;
-        Workload workload;
-        workload.family = family;
-        workload.placement = placement;
-        workload.ball = ball;
-        workloads.push_back(workload);
+        workloads.push_back({.family = family, .placement = placement, .ball = ball});
       }
   return workloads;
 }
@@ -97,7 +93,7 @@ TEST(Random, DependsOnSeedSampleAndStream) {
 }
 
 TEST(Random, UnitLiesInTheHalfOpenIntervalOnMultiplesOf2ToMinus53) {
-  Random random(kSeed, 0);
+  Random random(kWorkloadSeed, 0);
   double sum = 0;
   for (int i = 0; i < 10000; ++i) {
     const double x = random.unit();
@@ -109,7 +105,7 @@ TEST(Random, UnitLiesInTheHalfOpenIntervalOnMultiplesOf2ToMinus53) {
 }
 
 TEST(Random, IntegerReachesBothBoundsAndNoMore) {
-  Random random(kSeed, 0);
+  Random random(kWorkloadSeed, 0);
   std::map<std::int64_t, int> counts;
   for (int i = 0; i < 10000; ++i) ++counts[random.integer(-2, 2)];
   EXPECT_EQ(counts.begin()->first, -2);
@@ -130,7 +126,7 @@ TEST(Random, IntegerReachesBothBoundsAndNoMore) {
 
 // For 3 * 2^62 values, 2^62 of 2^64 draws are rejected; otherwise the lowest third would occur half of the time.
 TEST(Random, IntegerIsUnbiasedWhereTheRangeDoesNotDivide) {
-  Random random(kSeed, 0);
+  Random random(kWorkloadSeed, 0);
   constexpr std::int64_t kThird = std::int64_t{1} << 62;
   int lowest_third = 0;
   for (int i = 0; i < 9000; ++i) lowest_third += random.integer(-kThird, 2 * (kThird - 1) + 1) < 0;
@@ -138,7 +134,7 @@ TEST(Random, IntegerIsUnbiasedWhereTheRangeDoesNotDivide) {
 }
 
 TEST(Random, LogUniformHasBothSignsAndTheExponentsAskedFor) {
-  Random random(kSeed, 0);
+  Random random(kWorkloadSeed, 0);
   std::map<int, int> exponents;
   int negative = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -170,32 +166,26 @@ TEST(MoveByDoubles, StepsAlongTheFiniteDoubles) {
 TEST(Outline, FamiliesButTriangleAndConvexAreNotConvex) {
   for (const Family family : all_families())
     for (std::uint64_t i = 0; i < 50; ++i) {
-      Workload workload;
-      workload.family = family;
-      workload.vertices = 3 + i;
+      const Workload workload{.family = family, .vertices = 3 + i};
       const bool convex = family == Family::Triangle || family == Family::Convex;
-      EXPECT_EQ(is_convex(draw_outline(workload, kSeed, i).outer), convex) << to_string(family) << " " << i;
+      EXPECT_EQ(is_convex(draw_outline(workload, kWorkloadSeed, i).outer), convex) << to_string(family) << " " << i;
     }
 }
 
 TEST(Outline, StaysWithinTheLattice) {
   for (const Family family : all_families())
     for (std::uint64_t i = 0; i < 50; ++i) {
-      Workload workload;
-      workload.family = family;
-      workload.vertices = 5 * i;
-      workload.koch_dimension = 1.01 + 0.01 * static_cast<double>(i);
-      for (const LatticePoint& p : draw_outline(workload, kSeed, i).outer)
+      const Workload workload{
+          .family = family, .vertices = 5 * i, .koch_dimension = 1.01 + 0.01 * static_cast<double>(i)};
+      for (const LatticePoint& p : draw_outline(workload, kWorkloadSeed, i).outer)
         EXPECT_LE(std::max(std::abs(p.x), std::abs(p.y)), kLatticeRadius) << to_string(family) << " " << i;
     }
 }
 
 TEST(Outline, HasTheVerticesAskedForAsNearlyAsTheFamilyAllows) {
   const auto count = [](Family family, std::size_t vertices, std::uint64_t index) {
-    Workload workload;
-    workload.family = family;
-    workload.vertices = vertices;
-    return draw_outline(workload, kSeed, index).outer.size();
+    const Workload workload{.family = family, .vertices = vertices};
+    return draw_outline(workload, kWorkloadSeed, index).outer.size();
   };
   for (std::uint64_t i = 0; i < 20; ++i)
     for (const std::size_t n : {8u, 24u, 64u, 192u}) {
@@ -213,18 +203,16 @@ TEST(Outline, HasTheVerticesAskedForAsNearlyAsTheFamilyAllows) {
 
 // If the moves were unbounded, this test would not end.
 TEST(Outline, IsFoundThoughTheMovesOfARandomSimplePolygonGoInCircles) {
-  Workload workload;
-  workload.family = Family::RandomSimple;
-  workload.vertices = 24;
+  const Workload workload{.family = Family::RandomSimple, .vertices = 24};
   EXPECT_EQ(draw_outline(workload, 20261122, 949983).outer.size(), 24u);  // points of which three are collinear
 }
 
 TEST(Outline, KochDimensionChangesTheOutlineAndNothingElse) {
-  Workload workload;
-  workload.family = Family::Koch;
+  const Workload workload{.family = Family::Koch};
   Workload rougher = workload;
   rougher.koch_dimension = 1.5;
-  const LatticeLoop a = draw_outline(workload, kSeed, 0).outer, b = draw_outline(rougher, kSeed, 0).outer;
+  const LatticeLoop a = draw_outline(workload, kWorkloadSeed, 0).outer,
+                    b = draw_outline(rougher, kWorkloadSeed, 0).outer;
   ASSERT_EQ(a.size(), b.size());
   std::size_t kept = 0;  // the base's vertices
   for (std::size_t i = 0; i < a.size(); ++i) kept += a[i] == b[i];
@@ -234,22 +222,20 @@ TEST(Outline, KochDimensionChangesTheOutlineAndNothingElse) {
 
 // Holes do not change the outer loop, as long as they fit.
 TEST(Outline, HolesAreDrawnApart) {
-  Workload workload;
-  workload.family = Family::Star;
+  const Workload workload{.family = Family::Star};
   for (std::uint64_t i = 0; i < 20; ++i) {
-    const Outline plain = draw_outline(workload, kSeed, i), holed = draw_outline(with_holes(workload, 2), kSeed, i);
+    const Outline plain = draw_outline(workload, kWorkloadSeed, i),
+                  holed = draw_outline(with_holes(workload, 2), kWorkloadSeed, i);
     EXPECT_EQ(plain.outer, holed.outer);
     EXPECT_EQ(holed.holes.size(), 2u);
   }
 }
 
 TEST(Outline, BothOrientationsOccur) {
-  Workload workload;
-  workload.family = Family::E;
-  workload.holes = 1;
+  const Workload workload{.family = Family::E, .holes = 1};
   int outer = 0, hole = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
-    const Outline outline = draw_outline(workload, kSeed, i);
+    const Outline outline = draw_outline(workload, kWorkloadSeed, i);
     outer += twice_area(outline.outer) > 0;
     hole += twice_area(outline.holes[0]) > 0;
   }
@@ -265,9 +251,10 @@ TEST(Sample, IsAFunctionOfSeedAndIndexInAnyOrder) {
       const Sample s = sample(workload, seed, index);
       return std::pair(s.id, hash(s));
     };
-    const auto first = drawn(kSeed, 0), second = drawn(kSeed, 1), other_seed = drawn(kSeed + 1, 0);
-    EXPECT_EQ(drawn(kSeed, 1), second);
-    EXPECT_EQ(drawn(kSeed, 0), first);
+    const auto first = drawn(kWorkloadSeed, 0), second = drawn(kWorkloadSeed, 1),
+               other_seed = drawn(kWorkloadSeed + 1, 0);
+    EXPECT_EQ(drawn(kWorkloadSeed, 1), second);
+    EXPECT_EQ(drawn(kWorkloadSeed, 0), first);
     EXPECT_NE(first.second, second.second) << first.first;
     EXPECT_NE(first.second, other_seed.second) << first.first;
   }
@@ -279,7 +266,7 @@ TEST(Sample, IsAcceptedByValidate) {
     for (std::size_t holes = 0; holes <= 2; ++holes)
       for (std::uint64_t i = 0; i < 8; ++i) {
         const Workload workload = with_holes(plain, holes);
-        const Sample s = sample(workload, kSeed, i);
+        const Sample s = sample(workload, kWorkloadSeed, i);
         const auto fault = exact::validate(s.polygon);
         EXPECT_FALSE(fault) << s.id << ": " << fault->message;
         EXPECT_FALSE(find_fault(s.ball)) << s.id;
@@ -300,10 +287,10 @@ TEST(Sample, NearBallsHaveTheirFeatureAndTheirDistanceInDoubles) {
     for (std::uint64_t i = 0; i < 8; ++i) {
       workload.holes = i % 2;
       workload.doubles = 0;
-      const Ball at_distance = sample(workload, kSeed, i).ball;
+      const Ball at_distance = sample(workload, kWorkloadSeed, i).ball;
       for (const int doubles : {-1000, -1, 0, 1, 7}) {
         workload.doubles = doubles;
-        const Sample s = sample(workload, kSeed, i);
+        const Sample s = sample(workload, kWorkloadSeed, i);
         const Answer answer = exact::answer(s.ball, s.polygon);
         EXPECT_EQ(answer.nearest.kind, kind->second) << s.id;
         EXPECT_EQ(s.ball.radius, move_by_doubles(answer.distance, doubles)) << s.id;
@@ -322,7 +309,7 @@ TEST(Sample, LatticeTangentBallsTouch) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       workload.holes = i % 2;
       workload.doubles = 0;
-      const Sample s = sample(workload, kSeed, i);
+      const Sample s = sample(workload, kWorkloadSeed, i);
       const Answer answer = exact::answer(s.ball, s.polygon);
       EXPECT_EQ(answer.relation, Relation::Touching) << s.id;
       EXPECT_EQ(answer.distance, s.ball.radius) << s.id;
@@ -331,7 +318,7 @@ TEST(Sample, LatticeTangentBallsTouch) {
       ++seen[{answer.nearest.kind, answer.foot}];
 
       workload.doubles = -1;
-      const Sample below = sample(workload, kSeed, i);
+      const Sample below = sample(workload, kWorkloadSeed, i);
       EXPECT_EQ(exact::relation(below.ball, below.polygon), Relation::Separate) << below.id;
       EXPECT_EQ(std::count(below.tags.begin(), below.tags.end(), "tangent"), 0) << below.id;
     }
@@ -349,7 +336,7 @@ TEST(Sample, FeetNearTheBoundaryFallOnEverySideOfIt) {
   for (Workload workload : all_workloads()) {
     if (workload.ball != BallPlace::FootNearEdge && workload.ball != BallPlace::FootNearVertex) continue;
     for (std::uint64_t i = 0; i < 20; ++i) {
-      const Sample s = sample(workload, kSeed, i);
+      const Sample s = sample(workload, kWorkloadSeed, i);
       const Answer answer = exact::answer(s.ball, s.polygon);
       ++feet[answer.foot];
       EXPECT_EQ(answer.relation, Relation::Overlapping) << s.id;
@@ -362,20 +349,15 @@ TEST(Sample, FeetNearTheBoundaryFallOnEverySideOfIt) {
 
 TEST(Sample, LiesAsFarFromTheOriginAsAskedFor) {
   for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
-    Workload workload;
-    workload.placement = placement;
-    workload.origin_distance = 1e6;
-    const PlacedOutline placed = draw_placed_outline(workload, kSeed, 0);
+    const Workload workload{.placement = placement, .origin_distance = 1e6};
+    const PlacedOutline placed = draw_placed_outline(workload, kWorkloadSeed, 0);
     const double size = static_cast<double>(bounding_box(placed.outline.outer).size()) * placed.frame.unit;
     EXPECT_NEAR(placed.polygon.vertex(0).norm() / size, 1e6, 3);
   }
 }
 
 TEST(Sample, NamesItsSettings) {
-  Workload workload;
-  workload.ball = BallPlace::NearEdge;
-  workload.holes = 1;
-  workload.doubles = -2;
+  Workload workload{.ball = BallPlace::NearEdge, .holes = 1, .doubles = -2};
   EXPECT_EQ(sample(workload, 7, 153).id, "star-lattice-frame-near-edge-n24-h1-k-2-s7-i153");
   workload.family = Family::Koch;
   workload.placement = Placement::Rotated;
@@ -390,7 +372,7 @@ TEST(Sample, RefusesWhatTheFamilyCannotGive) {
   const auto refuses = [](auto change) {
     Workload workload;
     change(workload);
-    EXPECT_THROW((void)sample(workload, kSeed, 0), std::invalid_argument);
+    EXPECT_THROW((void)sample(workload, kWorkloadSeed, 0), std::invalid_argument);
   };
   refuses([](Workload& w) { w.koch_dimension = 1; });
   refuses([](Workload& w) { w.koch_dimension = 2; });
@@ -418,7 +400,8 @@ TEST(Sample, HasTheGoldenBits) {
   };
   std::map<Family, Hash> hashes;
   for (const Workload& workload : all_workloads())
-    for (std::uint64_t i = 0; i < 100; ++i) hashes[workload.family].add(sample(with_holes(workload, i % 2), kSeed, i));
+    for (std::uint64_t i = 0; i < 100; ++i)
+      hashes[workload.family].add(sample(with_holes(workload, i % 2), kWorkloadSeed, i));
   for (const auto& [family, hash] : hashes)
     EXPECT_EQ(hash.value(), golden.at(family)) << to_string(family) << std::hex << " 0x" << hash.value();
 }

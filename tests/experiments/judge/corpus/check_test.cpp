@@ -5,33 +5,28 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "experiments/cases/verdict.h"
 #include "experiments/judge/corpus/rational_answer.h"
+#include "experiments/run/output.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/judge/corpus/stored.h"
+#include "tests/experiments/support/scratch.h"
 
-namespace touchstone {
+namespace touchstone::corpus {
 namespace {
-
-using corpus::is_nearest_double;
-using corpus::is_nearest_root;
 
 constexpr const char* kGood =
     R"({"id":"good","ball":{"center":[1,1,2],"radius":2},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},"expected":{"plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[1,1,0],"distance":2,"off_plane":0}})";
 
 /// Returns the findings about a file of these lines.
-corpus::Findings check(const std::vector<std::string>& lines) {
-  const auto file = std::filesystem::temp_directory_path() /
-                    ("touchstone-check-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-  std::ofstream stream(file);
-  for (const std::string& line : lines) stream << line << "\n";
-  stream.close();
-  auto findings = corpus::check_files({file.string()});
-  std::filesystem::remove(file);
-  return findings;
+Findings check(const std::vector<std::string>& lines) {
+  const run_tests::Scratch scratch;
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  run::write_file(scratch.path / "file.jsonl", text);
+  return check_files({(scratch.path / "file.jsonl").string()});
 }
 
 std::string with(const std::string& part, const std::string& other, const std::string& id = "bad") {
@@ -57,10 +52,8 @@ TEST(Check, NamesFileLineCaseAndKeyOfEveryPlantedFault) {
     const auto findings = check({kGood, with(stands, wrong)});
     EXPECT_EQ(findings.cases, 2u);
     ASSERT_EQ(findings.faults.size(), 2u) << key;  // one by each number type
-    for (const std::string& fault : findings.faults) {
-      EXPECT_NE(fault.find("touchstone-check-"), std::string::npos) << fault;
-      EXPECT_NE(fault.find(": line 2: case bad: " + key + ": "), std::string::npos) << fault;
-    }
+    for (const std::string& fault : findings.faults)
+      EXPECT_NE(fault.find("/file.jsonl: line 2: case bad: " + key + ": "), std::string::npos) << fault;
   }
 }
 
@@ -82,12 +75,11 @@ TEST(Check, NamesLinesThatAreNotCasesAndContinues) {
 }
 
 TEST(Check, NamesAFileThatCannotBeRead) {
-  const auto findings = corpus::check_files({"/nowhere/at-all.jsonl"});
+  const auto findings = check_files({"/nowhere/at-all.jsonl"});
   ASSERT_EQ(findings.faults.size(), 1u);
   EXPECT_EQ(findings.faults[0], "/nowhere/at-all.jsonl: cannot be read: No such file or directory");
   const std::string folder = std::filesystem::temp_directory_path();
-  EXPECT_EQ(corpus::check_files({folder}).faults,
-            std::vector<std::string>{folder + ": cannot be read: Is a directory"});
+  EXPECT_EQ(check_files({folder}).faults, std::vector<std::string>{folder + ": cannot be read: Is a directory"});
 }
 
 TEST(Check, NamesAFileWithoutCases) {
@@ -163,7 +155,7 @@ TEST(RationalFault, IsThatOfTheSweepOnSmallLattices) {
     try {
       const Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
       const auto rejection = exact::validate(polygon);
-      const auto again = corpus::find_rational_fault(polygon);
+      const auto again = find_rational_fault(polygon);
       ASSERT_EQ(again.has_value(), rejection.has_value()) << i;
       if (again) {
         ASSERT_EQ(*again, rejection->code) << i;
@@ -177,4 +169,4 @@ TEST(RationalFault, IsThatOfTheSweepOnSmallLattices) {
 }
 
 }  // namespace
-}  // namespace touchstone
+}  // namespace touchstone::corpus

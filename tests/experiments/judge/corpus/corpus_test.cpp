@@ -21,7 +21,7 @@
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/robust/support/environment.h"
 
-namespace touchstone {
+namespace touchstone::corpus {
 namespace {
 
 const soak::SystemUnderTest filtered_path;
@@ -277,4 +277,4 @@ TEST(Corpus, FilteredMeetsEveryCaseInEveryEnvironment) {
 }
 
 }  // namespace
-}  // namespace touchstone
+}  // namespace touchstone::corpus

@@ -15,11 +15,10 @@
 #include "robust/exact/validate.h"
 #include "tests/experiments/judge/corpus/stored.h"
 
-namespace touchstone {
+namespace touchstone::corpus {
 namespace {
 
 using cases::Shapes;
-using corpus::SameFailure;
 
 const std::atomic<bool> never = false;
 
@@ -34,21 +33,21 @@ std::vector<const Stored*> failed_by(const std::string& method, std::size_t ever
   return some;
 }
 
-corpus::WrongAnswer wrong(const cases::Method& method, const Shapes& shapes) {
-  return corpus::wrong_answer(method, shapes, exact_answer(shapes));
+WrongAnswer wrong(const cases::Method& method, const Shapes& shapes) {
+  return wrong_answer(method, shapes, exact_answer(shapes));
 }
 
 Shapes shrunk(const cases::Method& method, const Shapes& shapes) {
-  return corpus::shrink(SameFailure(method, shapes), shapes, never);
+  return shrink(SameFailure(method, shapes), shapes, never);
 }
 
 void expect_smaller_and_failing(const cases::Method& method, const Stored& stored) {
   const SameFailure failure(method, stored.shapes());
-  const Shapes small = corpus::shrink(failure, stored.shapes(), never);
+  const Shapes small = shrink(failure, stored.shapes(), never);
   EXPECT_EQ(small.question.index(), stored.shapes().question.index()) << stored;
   EXPECT_FALSE(find_fault(small.ball())) << stored;
   EXPECT_FALSE(exact::validate(small.polygon)) << stored;
-  const auto before = corpus::size_of(stored.shapes()), after = corpus::size_of(small);
+  const auto before = size_of(stored.shapes()), after = size_of(small);
   EXPECT_LE(after, before) << stored;
   EXPECT_LE(after.vertices, before.vertices) << stored;
   EXPECT_EQ(exact_answer(small).first, exact_answer(stored.shapes()).first) << stored;
@@ -64,43 +63,34 @@ void expect_shrunk_once(const cases::Method& method, const Stored& stored) {
   EXPECT_EQ(cases::case_line("", once, {}), cases::case_line("", twice, {})) << stored;
 }
 
-class Shrink : public testing::TestWithParam<const char*> {};
+/// A method, and how many of the cases that it fails are shrunk: one in `every` and, twice, one in `every_twice`.
+struct Shrunk {
+  std::string method;
+  std::size_t every = 60, every_twice = 110;
+  bool moving = false;
+};
 
-TEST_P(Shrink, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
-  for (const Stored* stored : failed_by(GetParam(), 60))
-    expect_smaller_and_failing(*methods::find_method(GetParam()), *stored);
+class ShrinkFailures : public testing::TestWithParam<Shrunk> {};
+
+TEST_P(ShrinkFailures, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
+  const auto failed = failed_by(GetParam().method, GetParam().every, GetParam().moving);
+  EXPECT_FALSE(failed.empty());
+  for (const Stored* stored : failed) expect_smaller_and_failing(*methods::find_method(GetParam().method), *stored);
 }
 
-TEST_P(Shrink, ChangesNothingThatItHasShrunk) {
-  for (const Stored* stored : failed_by(GetParam(), 110))
-    expect_shrunk_once(*methods::find_method(GetParam()), *stored);
+TEST_P(ShrinkFailures, ChangesNothingThatItHasShrunk) {
+  for (const Stored* stored : failed_by(GetParam().method, GetParam().every_twice, GetParam().moving))
+    expect_shrunk_once(*methods::find_method(GetParam().method), *stored);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Shrink, testing::Values("fast", "fast-float", "thesis", "cgal-double"),
-                         [](const auto& method) {
-                           std::string name = method.param;
+INSTANTIATE_TEST_SUITE_P(Methods, ShrinkFailures,
+                         testing::Values(Shrunk{"fast"}, Shrunk{"fast-float"}, Shrunk{"thesis"}, Shrunk{"cgal-double"},
+                                         Shrunk{"fast", 12, 40, true}, Shrunk{"fast-float", 12, 40, true}),
+                         [](const auto& shrunk) {
+                           std::string name = shrunk.param.method + (shrunk.param.moving ? "moving" : "");
                            std::erase(name, '-');
                            return name;
                          });
-
-class ShrinkMoving : public testing::TestWithParam<const char*> {};
-
-TEST_P(ShrinkMoving, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
-  const auto failed = failed_by(GetParam(), 12, true);
-  EXPECT_FALSE(failed.empty());
-  for (const Stored* stored : failed) expect_smaller_and_failing(*methods::find_method(GetParam()), *stored);
-}
-
-TEST_P(ShrinkMoving, ChangesNothingThatItHasShrunk) {
-  for (const Stored* stored : failed_by(GetParam(), 40, true))
-    expect_shrunk_once(*methods::find_method(GetParam()), *stored);
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods, ShrinkMoving, testing::Values("fast", "fast-float"), [](const auto& method) {
-  std::string name = method.param;
-  std::erase(name, '-');
-  return name;
-});
 
 // The tests of the thesis are strict: they miss a ball that touches a face. A triangle with coordinates 0 and 1 is all
 // of the U that this failure needs.
@@ -109,9 +99,9 @@ TEST(ShrinkOf, AStrictTestKeepsATriangleOfSmallNumbers) {
       {{10, 20, 5}, {70, 20, 5}, {70, 80, 5}, {50, 80, 5}, {50, 40, 5}, {30, 40, 5}, {30, 80, 5}, {10, 80, 5}});
   const Ball ball{{40, 30, 12}, 7};
   const cases::Method& thesis = *methods::find_method("thesis");
-  const Shapes small = corpus::shrink(SameFailure(thesis, {ball, u}, "contact"), {ball, u}, never);
+  const Shapes small = shrink(SameFailure(thesis, {ball, u}, "contact"), {ball, u}, never);
   EXPECT_EQ(small.polygon.vertex_count(), 3u);
-  EXPECT_LE(corpus::size_of(small).bits, 6u);
+  EXPECT_LE(size_of(small).bits, 6u);
   EXPECT_EQ(exact::relation(small.ball(), small.polygon), Relation::Touching);
 }
 
@@ -146,7 +136,7 @@ TEST(ShrinkOf, NumbersThatAreRoundedWronglyDoNotBecomeAnotherFailure) {
     const Shapes small = shrunk(fast, stored.shapes());
     const auto still = wrong(fast, small);
     EXPECT_FALSE(still.keys.empty()) << stored;
-    EXPECT_FALSE(corpus::any_decisive(still.keys)) << stored;
+    EXPECT_FALSE(any_decisive(still.keys)) << stored;
     ++count;
   }
   EXPECT_EQ(count, 15);
@@ -162,16 +152,16 @@ TEST(ShrinkOf, WhatDoesNotFailIsRefused) {
 
 TEST(SizeOf, CountsBitsSignsAndExponents) {
   const Polygon triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  const auto bits = [&](double radius) { return corpus::size_of({Ball{{0, 0, 0}, radius}, triangle}).bits - 2; };
+  const auto bits = [&](double radius) { return size_of({Ball{{0, 0, 0}, radius}, triangle}).bits - 2; };
   EXPECT_EQ(bits(0), 0u);
   EXPECT_EQ(bits(1), 1u);
   EXPECT_EQ(bits(3), 2u);
   EXPECT_EQ(bits(0.5), 2u);              // 1, and 1 for the exponent
   EXPECT_EQ(bits(0x1p-1074), 1u + 11u);  // 1, and 1074
   EXPECT_EQ(bits(0x1.fffffffffffffp0), 53u + 6u);
-  EXPECT_EQ(corpus::size_of({Ball{{-1, 0, 0}, 0}, triangle}).bits - 2, 2u);
-  EXPECT_EQ(corpus::size_of({Motion({{0, 0, 0}, 0}, {0, 3, 0}), triangle}).bits - 2, 2u);
+  EXPECT_EQ(size_of({Ball{{-1, 0, 0}, 0}, triangle}).bits - 2, 2u);
+  EXPECT_EQ(size_of({Motion({{0, 0, 0}, 0}, {0, 3, 0}), triangle}).bits - 2, 2u);
 }
 
 }  // namespace
-}  // namespace touchstone
+}  // namespace touchstone::corpus

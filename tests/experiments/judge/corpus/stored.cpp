@@ -12,7 +12,7 @@
 
 #include "experiments/judge/corpus/corpus_case.h"
 
-namespace touchstone {
+namespace touchstone::corpus {
 namespace {
 
 /// Throws std::bad_optional_access if a key is missing.
@@ -59,7 +59,7 @@ std::vector<Stored> read_corpus() {
       Stored stored{file.stem().string(), line, read.id.value_or("without id"), std::move(read), {}, {}, {}};
       if (std::holds_alternative<cases::Shapes>(stored.read.content) && stored.read.expected &&
           !stored.read.expected->rejects()) {
-        stored.tags = corpus::labels_of(line).tags;
+        stored.tags = labels_of(line).tags;
         const cases::PartialAnswer& expected = stored.read.expected->values;
         if (stored.shapes().motion())
           stored.first = first_contact_of(expected);
@@ -92,4 +92,4 @@ std::ostream& operator<<(std::ostream& out, const Stored& stored) {
   return out << "case " << stored.id << " of " << stored.file;
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::corpus

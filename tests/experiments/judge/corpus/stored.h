@@ -9,7 +9,7 @@
 #include "geometry/contact/answer.h"
 #include "geometry/contact/first_contact.h"
 
-namespace touchstone {
+namespace touchstone::corpus {
 
 /// A line of the corpus.
 struct Stored {
@@ -42,4 +42,4 @@ class Asked {
 /// Returns `case ID of FILE`, the name of a case in failures.
 std::ostream& operator<<(std::ostream& out, const Stored& stored);
 
-}  // namespace touchstone
+}  // namespace touchstone::corpus

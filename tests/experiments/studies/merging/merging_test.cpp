@@ -23,13 +23,13 @@
 #include "tests/experiments/support/unwatched.h"
 #include "tests/robust/support/random_meshes.h"
 
-namespace touchstone::mesh_tests {
+namespace touchstone::merging {
 namespace {
 
-using merging::Kind;
-using merging::MeshResult;
+using mesh_tests::cube;
+using mesh_tests::grid;
 
-const merging::Settings kQuick{.balls = 60, .least = 3, .repetitions = 1};
+const Settings kQuick{.balls = 60, .least = 3, .repetitions = 1};
 
 Mesh plate_and_cube() {
   Mesh mesh = grid(4, 4, [](int i, int j) { return i != 1 || j != 1; });
@@ -43,7 +43,7 @@ Mesh plate_and_cube() {
   return mesh;
 }
 
-MeshResult studied(const merging::Settings& settings, const char* name, const Mesh& mesh) {
+MeshResult studied(const Settings& settings, const char* name, const Mesh& mesh) {
   return study(settings, name, mesh, run_tests::kNeverStop).value();
 }
 
@@ -68,9 +68,10 @@ TEST(MergeStudy, AsksScenesThatAnswerAlike) {
 
 // A merge that covers more than the faces must be seen.
 TEST(MergeStudy, SeesAnswersThatDiffer) {
-  merging::Settings rough = kQuick;
+  Settings rough = kQuick;
   rough.tolerance = 0.2;
-  const MeshResult result = studied(rough, "dented", shaken(grid(6, 6, [](int, int) { return true; }), 0.1, 1));
+  const MeshResult result =
+      studied(rough, "dented", mesh_tests::shaken(grid(6, 6, [](int, int) { return true; }), 0.1, 1));
   EXPECT_LT(result.counts.polygons, 36U);
   EXPECT_GT(result.differences.differ[2], 0U);
   EXPECT_GT(result.differences.distance, 0);
@@ -83,7 +84,7 @@ TEST(MergeStudy, DrawsBallsOfWhichSomeTouchAndSomeDoNot) {
   scene::Scene scene;
   scene.add("mesh", mesh::scene_faces(mesh, merged).faces);
   int touching = 0;
-  for (std::uint64_t i = 0; i < 100; ++i) touching += scene.touches(merging::draw_ball(mesh, merged, 1, i)) ? 1 : 0;
+  for (std::uint64_t i = 0; i < 100; ++i) touching += scene.touches(draw_ball(mesh, merged, 1, i)) ? 1 : 0;
   EXPECT_GT(touching, 20);
   EXPECT_LT(touching, 95);
 }
@@ -93,7 +94,7 @@ TEST(MergeStudy, DrawsFiniteBallsWhereTheMeshsExtentIsNotFinite) {
   const double far = 1.7e308;
   const Mesh mesh{{{-far, -far, 0}, {far, -far, 0}, {far, far, 1}}, {{0, 1, 2}}};
   const mesh::MergedMesh merged = mesh::merge_faces(mesh);
-  for (std::uint64_t i = 0; i < 1000; ++i) EXPECT_FALSE(find_fault(merging::draw_ball(mesh, merged, 1, i))) << i;
+  for (std::uint64_t i = 0; i < 1000; ++i) EXPECT_FALSE(find_fault(draw_ball(mesh, merged, 1, i))) << i;
 }
 
 TEST(MergeStudy, WritesTheSameCountsAgainAndAsManyFieldsAsNames) {
@@ -120,119 +121,112 @@ TEST(MergeStudy, GivesNothingOnceItIsStopped) {
   EXPECT_FALSE(mesh::merge_faces(plate_and_cube(), 0, stop));
 }
 
-// This number of balls takes far longer than the thread needs to see that interrupts are heeded.
-TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
-  std::signal(SIGINT, SIG_DFL);  // in the background of a shell it is ignored
+constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+class MergeCommand : public testing::Test {
+ protected:
+  [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
+    run::write_file(scratch.path / name, text);
+    return scratch.path / name;
+  }
+  /// Runs the command into the folder `output`.
+  [[nodiscard]] run_tests::Ran run(std::vector<std::string> arguments, const std::string& output = "out") const {
+    arguments.insert(arguments.end(), {"--output", scratch.path / output});
+    return run_tests::run_captured(commands::merging_command, arguments);
+  }
+  [[nodiscard]] std::string text(const std::string& file) const { return run_tests::text_of(scratch.path / file); }
+  /// Two meshes and a bad file.
+  [[nodiscard]] std::vector<std::string> three_files() const {
+    return {write("a.obj", kTriangle), write("none.obj", "v 0 0 0\n"),
+            write("b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"), "--compare", "9"};
+  }
+
   const run_tests::Scratch scratch;
-  const std::string mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+};
+
+// This number of balls takes far longer than the thread needs to see that interrupts are heeded.
+TEST_F(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
+  std::signal(SIGINT, SIG_DFL);  // in the background of a shell it is ignored
   std::atomic<bool> ended = false;
   std::thread interrupting([&ended] {
     struct sigaction now {};
     while (!ended && ::sigaction(SIGINT, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::this_thread::yield();
     if (!ended) ::kill(::getpid(), SIGINT);
   });
-  const auto ran = run_tests::run_captured(
-      commands::merging_command, {mesh, "--compare", "10000000", "--output", (scratch.path / "out").string()});
+  const auto ran = run({write("mesh.obj", kTriangle), "--compare", "10000000"});
   ended = true;
   interrupting.join();
   EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
   EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers 0 of 1 item; --resume"),
             std::string::npos)
       << ran.err;
-  const auto record = nlohmann::json::parse(run_tests::text_of(scratch.path / "out" / "run.json"));
+  const auto record = nlohmann::json::parse(text("out/run.json"));
   EXPECT_EQ(record["interrupted"], true);
   EXPECT_EQ(record["samples_asked"], 1);
   EXPECT_EQ(record["samples_done"], 0);
   EXPECT_EQ(record["samples_missing"], 0);
 }
 
-/// Two meshes and a bad file, and where the run writes.
-std::vector<std::string> three_files(const std::filesystem::path& folder, const std::string& output) {
-  run::write_file(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  run::write_file(folder / "none.obj", "v 0 0 0\n");
-  run::write_file(folder / "b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
-  return {folder / "a.obj", folder / "none.obj", folder / "b.obj", "--compare", "9", "--output", folder / output};
-}
-
-TEST(MergeCommand, PartsAddUpToTheCountsOfOneRun) {
-  const run_tests::Scratch scratch;
-  const auto status = [&](const std::string& output, const std::string& part) {
-    auto arguments = three_files(scratch.path, output);
-    if (!part.empty()) arguments.insert(arguments.end(), {"--part", part});
-    return run_tests::run_captured(commands::merging_command, arguments).status;
-  };
-  EXPECT_EQ(status("whole", ""), 2) << "for the bad file";
-  EXPECT_EQ(status("one", "1/2"), 0) << "merge reports the bad file";
-  EXPECT_EQ(status("two", "2/2"), 0);
-  auto arguments = three_files(scratch.path, "merged");
-  arguments.emplace_back("--quiet");
-  EXPECT_EQ(commands::merging_command().merge({scratch.path / "one", scratch.path / "two"}, arguments), 2);
-  for (const char* file : {"merge.csv", "polygons.csv"})
-    EXPECT_EQ(run_tests::text_of(scratch.path / "merged" / file), run_tests::text_of(scratch.path / "whole" / file));
+TEST_F(MergeCommand, PartsAddUpToTheCountsOfOneRun) {
+  auto part = three_files(), other = three_files(), all = three_files();
+  part.insert(part.end(), {"--part", "1/2"});
+  other.insert(other.end(), {"--part", "2/2"});
+  EXPECT_EQ(run(all, "whole").status, 2) << "for the bad file";
+  EXPECT_EQ(run(part, "one").status, 0) << "merge reports the bad file";
+  EXPECT_EQ(run(other, "two").status, 0);
+  all.insert(all.end(), {"--quiet", "--output", scratch.path / "merged"});
+  EXPECT_EQ(commands::merging_command().merge({scratch.path / "one", scratch.path / "two"}, all), 2);
+  for (const std::string file : {"/merge.csv", "/polygons.csv"}) EXPECT_EQ(text("merged" + file), text("whole" + file));
 }
 
 // What is done is not done again: the times are those of the first run.
-TEST(MergeCommand, ResumesBehindTheFilesThatAreDone) {
-  const run_tests::Scratch scratch;
-  auto arguments = three_files(scratch.path, "out");
-  EXPECT_EQ(run_tests::run_captured(commands::merging_command, arguments).status, 2);
-  const std::string times = run_tests::text_of(scratch.path / "out" / "merge-times.csv");
+TEST_F(MergeCommand, ResumesBehindTheFilesThatAreDone) {
+  auto arguments = three_files();
+  EXPECT_EQ(run(arguments).status, 2);
+  const std::string times = text("out/merge-times.csv");
   arguments.emplace_back("--resume");
-  const auto again = run_tests::run_captured(commands::merging_command, arguments);
+  const auto again = run(arguments);
   EXPECT_EQ(again.status, 2);
   EXPECT_NE(again.err.find("1 of 3 files cannot be read"), std::string::npos) << again.err;
-  EXPECT_EQ(run_tests::text_of(scratch.path / "out" / "merge-times.csv"), times);
+  EXPECT_EQ(text("out/merge-times.csv"), times);
 }
 
-TEST(MergeCommand, DoesNotResumeOverMeshesThatHaveChanged) {
-  const run_tests::Scratch scratch;
-  auto arguments = three_files(scratch.path, "out");
-  (void)run_tests::run_captured(commands::merging_command, arguments);
-  run::write_file(scratch.path / "a.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
+TEST_F(MergeCommand, DoesNotResumeOverMeshesThatHaveChanged) {
+  auto arguments = three_files();
+  (void)run(arguments);
+  (void)write("a.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
   arguments.emplace_back("--resume");
-  const auto again = run_tests::run_captured(commands::merging_command, arguments);
+  const auto again = run(arguments);
   EXPECT_NE(again.status, 0);
   EXPECT_NE(again.err.find("checkpoint.json: is of MESH "), std::string::npos) << again.err;
 }
 
-TEST(MergeCommand, KeepsTheFormerCheckpointIfNoFileCanBeRead) {
-  const run_tests::Scratch scratch;
-  auto arguments = three_files(scratch.path, "out");
-  (void)run_tests::run_captured(commands::merging_command, arguments);
-  const std::string former = run_tests::text_of(scratch.path / "out" / "checkpoint.json");
-  EXPECT_EQ(run_tests::run_captured(commands::merging_command,
-                                    {scratch.path / "nowhere.obj", "--force", "--output", scratch.path / "out"})
-                .status,
-            2);
-  EXPECT_EQ(run_tests::text_of(scratch.path / "out" / "checkpoint.json.previous"), former);
+TEST_F(MergeCommand, KeepsTheFormerCheckpointIfNoFileCanBeRead) {
+  (void)run(three_files());
+  const std::string former = text("out/checkpoint.json");
+  EXPECT_EQ(run({scratch.path / "nowhere.obj", "--force"}).status, 2);
+  EXPECT_EQ(text("out/checkpoint.json.previous"), former);
 }
 
-TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
-  const run_tests::Scratch scratch;
-  const std::string mesh = (scratch.path / "mesh.obj").string();
+TEST_F(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
   std::string bad;
   for (std::size_t i = 0; i < kMostSentences + 500; ++i) bad += "v 0 0 zero\n";
-  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
-  const auto ran = run_tests::run_captured(
-      commands::merging_command, {mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
+  const std::string mesh = write("mesh.obj", kTriangle + bad);
+  const auto ran = run({mesh, "--compare", "0", "--skip-bad"});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.err.find("left out: " + mesh + ": 500 more parts\n"), std::string::npos);
 }
 
-TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
-  const run_tests::Scratch scratch;
-  const std::string mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
+TEST_F(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
+  const std::string mesh =
+      write("mesh.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
   const auto polygons = [&](const char* tolerance) {
-    const auto ran = run_tests::run_captured(
-        commands::merging_command,
-        {mesh, "--compare", "0", "--tolerance", tolerance, "--force", "--output", (scratch.path / "out").string()});
+    const auto ran = run({mesh, "--compare", "0", "--tolerance", tolerance, "--force"});
     EXPECT_EQ(ran.status, 0) << ran.err;
-    std::string text = run_tests::text_of(scratch.path / "out" / "polygons.csv");
+    std::string table = text("out/polygons.csv");
     const std::string name = scratch.path.filename().string() + "/mesh";
-    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;) text.replace(at, name.size(), "m");
-    return text;
+    for (std::size_t at = 0; (at = table.find(name, at)) != std::string::npos;) table.replace(at, name.size(), "m");
+    return table;
   };
   const std::string heading = "mesh,polygon,faces,edges,holes,off_plane\n";
   EXPECT_EQ(polygons("0"), heading + "m,0,1,3,0,0\nm,1,1,3,0,0\nm,2,1,3,0,0\n");
@@ -241,49 +235,38 @@ TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
   EXPECT_TRUE(merged.ends_with("m,1,1,3,0,0\n")) << merged;
 }
 
-TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
-  const run_tests::Scratch scratch;
-  const std::string mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(mesh, "v 0 0 0\nf 1 1 1\n");
-  const auto ran = run_tests::run_captured(commands::merging_command,
-                                           {mesh, "--skip-bad", "--output", (scratch.path / "out").string()});
+TEST_F(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
+  const auto ran = run({write("mesh.obj", "v 0 0 0\nf 1 1 1\n"), "--skip-bad"});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(ran.out.find("nan"), std::string::npos) << ran.out;
   EXPECT_EQ(ran.out.find("0 of 0,"), std::string::npos) << ran.out;
 }
 
-TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
-  const run_tests::Scratch scratch;
-  const std::string none = (scratch.path / "none.obj").string(), mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(none, "V 0 0 0\n");
-  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const auto ran = run_tests::run_captured(commands::merging_command, {none, mesh, "--compare", "0", "--skip-bad",
-                                                                       "--output", (scratch.path / "out").string()});
+TEST_F(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
+  const std::string none = write("none.obj", "V 0 0 0\n");
+  const auto ran = run({none, write("mesh.obj", kTriangle), "--compare", "0", "--skip-bad"});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err, "touchstone: " + none + ": line 1: 'V' is not an OBJ keyword; the file has no face\n");
   EXPECT_NE(ran.out.find("1 of 2 meshes"), std::string::npos) << ran.out;
 }
 
-TEST(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {
-  for (const char* tolerance : {"1e-400", "1e400", "nan", "-1", "0x1p-3", "0.1mm"})
-    EXPECT_EQ(run_tests::run_captured(commands::merging_command, {"absent.obj", "--tolerance", tolerance})
-                  .err.find("--tolerance: \"" + std::string(tolerance) + "\" is no"),
-              0U)
-        << tolerance;
+TEST_F(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {
+  for (const std::string tolerance : {"1e-400", "1e400", "nan", "-1", "0x1p-3", "0.1mm"}) {
+    const auto ran = run({"absent.obj", "--tolerance", tolerance});
+    EXPECT_TRUE(ran.err.starts_with("--tolerance: \"" + tolerance + "\" is no")) << ran.err;
+  }
 }
 
-TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
-  const run_tests::Scratch scratch;
-  const std::string mesh = (scratch.path / "mesh.obj").string(), output = (scratch.path / "out").string();
-  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
-  for (const bool skip : {false, true}) {
-    std::vector<std::string> arguments{mesh, "--compare", "0", "--force", "--output", output};
-    if (skip) arguments.emplace_back("--skip-bad");
-    const auto ran = run_tests::run_captured(commands::merging_command, arguments);
-    EXPECT_EQ(ran.status, skip ? 0 : 2) << ran.err;
+TEST_F(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
+  std::vector<std::string> arguments{write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n"),
+                                     "--compare", "0", "--force"};
+  for (const int status : {2, 0}) {
+    const auto ran = run(arguments);
+    EXPECT_EQ(ran.status, status) << ran.err;
     EXPECT_NE(ran.err.find("mesh.obj: line 6: face 1: zero-normal"), std::string::npos) << ran.err;
+    arguments.emplace_back("--skip-bad");
   }
 }
 
 }  // namespace
-}  // namespace touchstone::mesh_tests
+}  // namespace touchstone::merging

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -12,7 +11,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include "experiments/cases/workloads/ulp.h"
@@ -20,12 +18,16 @@
 #include "experiments/studies/meshes/measure.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
 
 namespace touchstone::meshes {
 namespace {
 
 namespace fs = std::filesystem;
+using run_tests::Ran;
+using run_tests::text_of;
 
 // A cube of quads, then a quad that is off its plane, a face without area and a bow tie.
 constexpr const char* kCube = R"(v 0.1 0.1 0.1
@@ -50,41 +52,29 @@ f 1 10 4 3
 )";
 constexpr std::uint64_t kFaces = 9, kAccepted = 7;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 /// A folder of its own for each test, with the cube in it.
 class MeshContact : public testing::Test {
  protected:
   MeshContact() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder = fs::temp_directory_path() / ("touchstone-" + std::to_string(getpid()) + "-" + test->name());
     fs::create_directories(folder / "model");
     cube = write("model/cube.obj", kCube);
   }
-  ~MeshContact() override { fs::remove_all(folder); }
 
   fs::path write(const std::string& name, const std::string& text) const {
     std::ofstream(folder / name) << text;
     return folder / name;
   }
 
-  struct Run {
-    int status;
-    std::string out, err;
-  };
   /// Runs the program in the folder.
-  Run touchstone(const std::string& arguments) const {
+  Ran touchstone(const std::string& arguments) const {
     const std::string command = "cd '" + folder.string() + "' && '" TOUCHSTONE_PROGRAM "' " + arguments + " >out 2>err";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "out"), text_of(folder / "err")};
   }
 
-  fs::path folder, cube;
+  const run_tests::Scratch scratch;
+  const fs::path folder = scratch.path;
+  fs::path cube;
 };
 
 Result measured(const Settings& settings, const std::vector<NamedMesh>& meshes,
@@ -193,7 +183,7 @@ TEST_F(MeshContact, PartsAddUpToTheBytesOfOneRun) {
   ASSERT_EQ(touchstone(run + "whole").status, 0);
   for (const char* part : {"1", "2", "3"})
     ASSERT_EQ(touchstone(run + "part" + part + " --part " + part + "/3").status, 0) << part;
-  const Run merged = touchstone("merge part1 part2 part3 --output merged");
+  const Ran merged = touchstone("merge part1 part2 part3 --output merged");
   ASSERT_EQ(merged.status, 0) << merged.err;
   for (const char* file : {"meshes.csv", "rejected.csv", "failures.jsonl", "left-out.txt", "checkpoint.json"}) {
     EXPECT_EQ(text_of(folder / "merged" / file), text_of(folder / "whole" / file)) << file;
@@ -210,7 +200,7 @@ TEST_F(MeshContact, AResumedRunIsOfTheSameMeshesMethodsAndFaces) {
   for (const auto& [option, other] : {std::pair("--faces 3", "--faces 4"), std::pair("fast", "exact")}) {
     std::string changed = run;
     changed.replace(changed.find(option), std::string(option).size(), other);
-    const Run refused = touchstone(changed + " --resume");
+    const Ran refused = touchstone(changed + " --resume");
     EXPECT_EQ(refused.status, 2) << changed;
     EXPECT_NE(refused.err.find("checkpoint.json: is of --"), std::string::npos) << refused.err;
   }
@@ -221,7 +211,7 @@ TEST_F(MeshContact, AResumedRunIsNotOfMeshesThatHaveChanged) {
   write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   ASSERT_EQ(touchstone(run).status, 0);
   write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
-  const Run refused = touchstone(run + " --resume");
+  const Ran refused = touchstone(run + " --resume");
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("checkpoint.json: is of MESH one.obj (hash "), std::string::npos) << refused.err;
 }
@@ -243,7 +233,7 @@ TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {
     std::string text;
     for (const auto& failure : failures) text += failure.dump() + "\n";
     write("named.jsonl", text);
-    const Run run = touchstone("judge --methods " + method + " named.jsonl");
+    const Ran run = touchstone("judge --methods " + method + " named.jsonl");
     EXPECT_EQ(run.status, 1) << method;
     for (const auto& failure : failures)
       EXPECT_NE(run.err.find(failure["id"].get<std::string>() + ": "), std::string::npos) << method << failure["id"];
@@ -252,7 +242,7 @@ TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {
 }
 
 TEST_F(MeshContact, AMissingMeshIsAnErrorAndTheOthersGoOn) {
-  const Run run = touchstone("meshes absent.obj model/cube.obj --skip-bad --methods exact,thesis --output o");
+  const Ran run = touchstone("meshes absent.obj model/cube.obj --skip-bad --methods exact,thesis --output o");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("absent.obj"), std::string::npos) << run.err;
   EXPECT_NE(run.out.find("model/cube"), std::string::npos) << run.out;
@@ -261,51 +251,37 @@ TEST_F(MeshContact, AMissingMeshIsAnErrorAndTheOthersGoOn) {
 
 TEST_F(MeshContact, AMeshWithoutAFaceIsAnErrorAndTheOthersGoOn) {
   write("points.obj", "v 0 0 0\nv 1 0 0\n");
-  const Run run = touchstone("meshes points.obj model/cube.obj --skip-bad --methods exact --output o");
+  const Ran run = touchstone("meshes points.obj model/cube.obj --skip-bad --methods exact --output o");
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err, "touchstone: points.obj: the file has no face\n");
   EXPECT_NE(text_of(folder / "o/meshes.csv").find("model/cube,9,"), std::string::npos);
 }
 
 TEST_F(MeshContact, NoMeshAtAllIsAnErrorWithoutATable) {
-  const Run run = touchstone("meshes absent.obj --output o");
+  const Ran run = touchstone("meshes absent.obj --output o");
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
 }
 
 TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
-  const Run refused = touchstone("meshes model/cube.obj --methods exact --output o");
+  const Ran refused = touchstone("meshes model/cube.obj --methods exact --output o");
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("2 rejected faces"), std::string::npos) << refused.err;
-  const Run skipped = touchstone("meshes model/cube.obj --methods exact --output o --skip-bad --force");
+  const Ran skipped = touchstone("meshes model/cube.obj --methods exact --output o --skip-bad --force");
   EXPECT_EQ(skipped.status, 0) << skipped.err;
-  for (const Run& run : {refused, skipped}) EXPECT_NE(run.out.find("zero-normal"), std::string::npos) << run.out;
+  for (const Ran& run : {refused, skipped}) EXPECT_NE(run.out.find("zero-normal"), std::string::npos) << run.out;
   EXPECT_NE(text_of(folder / "o/rejected.csv").find("model/cube,7,zero-normal,"), std::string::npos);
 }
 
 TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
   write("bad.obj", std::string(kCube) + "f 1 2 99\nf 3 4\n");
   EXPECT_EQ(touchstone("meshes bad.obj --methods exact --output o").status, 2);
-  const Run run = touchstone("meshes bad.obj --methods exact --output o --skip-bad --force");
+  const Ran run = touchstone("meshes bad.obj --methods exact --output o --skip-bad --force");
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("left out: bad.obj: line 20"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("left out: bad.obj: line 21"), std::string::npos) << run.err;
   EXPECT_NE(run.out.find("2 parts of files left out"), std::string::npos) << run.out;
   EXPECT_NE(text_of(folder / "o/left-out.txt").find("line 21"), std::string::npos);
-}
-
-TEST_F(MeshContact, TheSidecarSaysHowItWasRun) {
-  ASSERT_EQ(touchstone("meshes model/cube.obj --skip-bad --methods exact --seed 17 --faces 3 --output o").status, 0);
-  const auto record = nlohmann::json::parse(text_of(folder / "o/run.json"));
-  EXPECT_EQ(record["seed"], 17);
-  EXPECT_EQ(record["samples_done"], 3);
-  EXPECT_NE(record["command"].get<std::string>().find("--faces 3"), std::string::npos);
-}
-
-TEST_F(MeshContact, AnUnknownMethodIsNamed) {
-  const Run run = touchstone("meshes model/cube.obj --methods nonesuch --output o");
-  EXPECT_NE(run.status, 0);
-  EXPECT_NE(run.err.find("nonesuch"), std::string::npos) << run.err;
 }
 
 }  // namespace

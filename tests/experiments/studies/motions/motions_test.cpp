@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <limits>
-#include <memory>
 #include <set>
 
 #include "experiments/cases/case.h"
@@ -20,6 +18,8 @@
 #include "experiments/studies/motions/measure.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
+#include "tests/experiments/support/message_of.h"
+#include "tests/experiments/support/planted_method.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
@@ -31,7 +31,6 @@ using cases::PartialAnswer;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 using run_tests::Scratch;
-using run_tests::text_of;
 
 TEST(GrazingRadius, IsTheLeastDoubleThatTouches) {
   const Polygon square({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
@@ -106,35 +105,9 @@ TEST(Threshold, IsMovedBySharesOfTheExtent) {
   EXPECT_FALSE(find_threshold(square, {{{2, 2, 4}, 1}, {2, 2, -4}}));
 }
 
-/// The answers of `exact`, changed.
-class Changed : public cases::Method {
- public:
-  using Change = void (*)(PartialAnswer&, const Motion&);
-  explicit Changed(Change change) : change_(change) {}
-  std::string_view name() const override { return "changed"; }
-  std::string_view summary() const override { return "exact, changed"; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    struct Prepared : cases::PreparedMethod {
-      Prepared(const Polygon& p, Change c) : polygon(p), change(c) {}
-      PartialAnswer ask(const Ball&, cases::QueryKind) const override { return {}; }
-      std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
-        auto answer = PartialAnswer::of(exact::first_contact(motion, polygon), 0, "");
-        change(answer, motion);
-        return answer;
-      }
-      Polygon polygon;
-      Change change;
-    };
-    return std::make_unique<Prepared>(polygon, change_);
-  }
-
- private:
-  Change change_;
-};
-
 /// Returns all results about the changed method.
-MethodErrors measured(Changed::Change change, std::uint64_t samples = 2) {
-  const Changed method(change);
+MethodErrors measured(run_tests::PlantedMethod::MovingChange change, std::uint64_t samples = 2) {
+  const run_tests::PlantedMethod method(std::move(change));
   const Settings settings{.methods = {&method}, .vertices = 6, .samples = samples, .seed = 2};
   Errors errors = no_errors(settings);
   measure_errors(settings, {kNeverStop, kSilent}, errors);
@@ -217,12 +190,12 @@ methods::Selection engine(const std::string& name, const std::string& verdict) {
 
 TEST(MovingMethods, AreNoEnginesThatIgnoreTheMotion) {
   EXPECT_EQ(find_moving_methods(engine("moves", R"(,"contact":true)")).size(), 2U);
-  for (const auto& [name, verdict] : {std::pair("stays", R"(,"contact":false)"), {"silent", ""}}) try {
-      (void)find_moving_methods(engine(name, verdict));
-      FAIL() << name;
-    } catch (const std::invalid_argument& error) {
-      EXPECT_NE(std::string(error.what()).find("it seems to ignore `motion`"), std::string::npos) << error.what();
-    }
+  for (const auto& [name, verdict] : {std::pair("stays", R"(,"contact":false)"), {"silent", ""}}) {
+    const methods::Selection ignoring = engine(name, verdict);
+    const std::string said =
+        run_tests::message_of<std::invalid_argument>([&] { return find_moving_methods(ignoring); });
+    EXPECT_NE(said.find("it seems to ignore `motion`"), std::string::npos) << name << ": " << said;
+  }
 }
 
 TEST(GrazingPass, IsSeenAcrossTheEdge) {
@@ -243,31 +216,28 @@ TEST(GrazingPass, IsSeenAcrossTheEdge) {
   }
 }
 
-/// Runs the study into a folder.
-std::filesystem::path run(const std::filesystem::path& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--methods", "filtered,fast-float", "--vertices", "6", "--no-pictures", "--output",
-                                     folder.string()});
-  EXPECT_EQ(run_tests::run_captured(commands::motions_command, arguments).status, 0);
-  return folder;
-}
+const std::vector<std::string> kSmallRun{"--methods", "filtered,fast-float", "--vertices", "6", "--no-pictures"};
 
 TEST(Motions, TheNumberOfThreadsAndAPauseChangeNothing) {
+  run_tests::expect_that_threads_and_a_pause_change_nothing(
+      commands::motions_command, kSmallRun, "3", "1",
+      {"ways.csv", "thresholds.csv", "furthest.jsonl", "pass.csv", "pass-scene.csv"});
+}
+
+TEST(Motions, AreNotAskedOfAMethodThatKnowsNone) {
   const Scratch scratch;
-  const auto whole = run(scratch.path / "whole", {"--samples", "3", "--threads", "1"});
-  run(scratch.path / "parts", {"--samples", "1", "--threads", "2"});
-  const auto parts = run(scratch.path / "parts", {"--samples", "3", "--threads", "2", "--resume"});
-  for (const char* file : {"ways.csv", "thresholds.csv", "furthest.jsonl", "pass.csv", "pass-scene.csv"})
-    EXPECT_EQ(text_of(whole / file), text_of(parts / file)) << file;
-  EXPECT_EQ(run_tests::run_captured(commands::motions_command,
-                                    {"--methods", "thesis", "--output", (scratch.path / "none").string()})
-                .status,
-            2);
+  const auto ran = run_tests::run_captured(commands::motions_command,
+                                           {"--methods", "thesis", "--output", (scratch.path / "none").string()});
+  EXPECT_EQ(ran.status, 2);
 }
 
 // What is written as wrong is wrong: as a case that the judge takes, with the exact answer.
 TEST(Motions, TheFurthestWrongAnswersAreCases) {
   const Scratch scratch;
-  std::ifstream lines(run(scratch.path / "run", {"--samples", "3"}) / "furthest.jsonl");
+  std::vector<std::string> arguments = kSmallRun;
+  arguments.insert(arguments.end(), {"--samples", "3"});
+  std::ifstream lines(run_tests::run_into(scratch.path / "run", commands::motions_command, arguments) /
+                      "furthest.jsonl");
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
     const cases::Case read = cases::read_case(line);

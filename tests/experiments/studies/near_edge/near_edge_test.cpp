@@ -2,7 +2,6 @@
 // The study of thresholds: what is compared, that its samples stand at thresholds, and that it keeps its promises.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,8 @@
 #include "experiments/run/study.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/measure.h"
+#include "tests/experiments/support/message_of.h"
+#include "tests/experiments/support/planted_method.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
@@ -186,44 +187,6 @@ TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
   EXPECT_EQ(files, 23);
 }
 
-// Stopped after two samples: the same as a run of two.
-TEST(NearEdgeStudy, AStoppedRunIsAShorterOne) {
-  std::atomic<bool> stop = false;
-  const auto longer = settings({"fast"}, 50), shorter = settings({"fast"}, 2);
-  Result stopped = no_result(longer);
-  const std::uint64_t done =
-      run_study(longer, {.stop = stop, .progress = [&](std::uint64_t samples) { stop = samples == 2; }}, stopped);
-  EXPECT_EQ(done, 2U);
-  const Result two = whole(shorter);
-  EXPECT_EQ(stopped.samples, 2U);
-  EXPECT_EQ(stopped, two);
-  EXPECT_EQ(table(longer, stopped.counts), table(shorter, two.counts));
-}
-
-// Killed after its first checkpoint: the work since then is lost, and done again.
-TEST(NearEdgeStudy, AKilledRunGoesOnFromItsLastCheckpoint) {
-  const auto setting = settings({"fast", "thesis"}, 12, 2);
-  std::atomic<bool> stop = false;
-  std::string saved;
-  Result lost = no_result(setting);
-  run_study(setting,
-            {.stop = stop,
-             .progress = kSilent,
-             .save =
-                 [&](const Result& now) {
-                   if (saved.empty()) saved = run::archived(now);
-                   stop = now.samples >= 4;
-                 }},
-            lost);
-  EXPECT_GE(lost.samples, 4U);
-  Result result = no_result(setting);
-  run::restore(saved, result);
-  EXPECT_GT(result.samples, 0U);
-  EXPECT_LT(result.samples, 4U);
-  run_study(setting, {.stop = kNeverStop, .progress = kSilent}, result);
-  EXPECT_EQ(result, whole(setting));
-}
-
 TEST(NearEdgeTruth, FilteredGivesTheSameCountsAsExact) {
   auto setting = settings({"fast", "thesis"}, 3);
   setting.shape.holes = 1;
@@ -237,34 +200,17 @@ TEST(NearEdgeTruth, FilteredGivesTheSameCountsAsExact) {
 }
 
 /// `exact`, but that touching does not count and that no foot is on a boundary.
-class WrongTruth : public cases::Method {
-  class Prepared : public cases::PreparedMethod {
-   public:
-    explicit Prepared(const Polygon& polygon) : exact_(kExact.prepare(polygon)) {}
-    PartialAnswer ask(const Ball& ball, cases::QueryKind kind) const override {
-      PartialAnswer answer = exact_->ask(ball, kind);
-      if (answer.contact)
-        answer.contact = exact_->ask(ball, cases::QueryKind::Relation).relation == Relation::Overlapping;
-      if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
-      return answer;
-    }
-
-   private:
-    std::unique_ptr<cases::PreparedMethod> exact_;
-  };
-
-  std::string_view name() const override { return "wrong"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(polygon);
-  }
-};
+const run_tests::PlantedMethod kWrongTruth([](const auto& exact, const Ball& ball, cases::QueryKind kind) {
+  PartialAnswer answer = exact.ask(ball, kind);
+  if (answer.contact) answer.contact = exact.ask(ball, cases::QueryKind::Relation).relation == Relation::Overlapping;
+  if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
+  return answer;
+});
 
 // Asked about failures, a method that is right shows every error of the truth; the case is told as the judge reads it.
 TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
-  const WrongTruth wrong;
   auto setting = settings({"filtered"}, 4);
-  setting.truth = &wrong;
+  setting.truth = &kWrongTruth;
   const Result result = whole(setting);
   std::uint64_t failed = 0;
   for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
@@ -281,11 +227,10 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
 
 // Where a method makes the same mistake, only the samples chosen by their index show it.
 TEST(NearEdgeTruth, IsHeldAgainstExactOnSomeSamplesThatNobodyFails) {
-  const WrongTruth wrong;
   auto setting = settings({}, 120);
   setting.families = {Family::L};
-  setting.methods = {&wrong};
-  setting.truth = &wrong;
+  setting.methods = {&kWrongTruth};
+  setting.truth = &kWrongTruth;
   const Result result = whole(setting);
   EXPECT_GT(result.disagreements.count(), 0U);
   const std::uint64_t asked = 120 * 11 * kTests.size() * cases::all_offsets().size();
@@ -335,41 +280,26 @@ TEST(NearEdgeCommand, WritesResultsAndASidecar) {
 }
 
 std::string error_of(const std::vector<std::string>& arguments) {
-  try {
-    run_command(arguments);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
+  return run_tests::message_of<std::exception>([&] { run_command(arguments); });
 }
 
-// In two parts, the second with more samples, as in one; and not with other settings, which the error names.
-TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
+// The error names the settings that differ.
+TEST(NearEdgeCommand, GoesOnOnlyWithTheSameSettings) {
   const Scratch scratch;
-  const auto run = [&](const char* folder, std::vector<std::string> more) {
-    more.insert(more.end(), {"--methods", "fast", "--families", "l", "--no-pictures", "--output",
-                             (scratch.path / folder).string()});
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--methods", "fast", "--families", "l", "--search", "1", "--no-pictures", "--output",
+                             (scratch.path / "one").string()});
     return more;
   };
-  ASSERT_EQ(run_command(run("one", {"--samples", "5", "--search", "4", "--oracle", "filtered"})), 0);
-  ASSERT_EQ(run_command(run("parts", {"--samples", "2", "--search", "1", "--oracle", "filtered"})), 0);
-  ASSERT_EQ(run_command(run("parts", {"--samples", "5", "--search", "4", "--oracle", "filtered", "--resume"})), 0);
-  int files = 0;
-  for (const auto& file : fs::directory_iterator(scratch.path / "one")) {
-    if (file.path().filename() == "run.json") continue;
-    EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "parts" / file.path().filename())) << file.path();
-    ++files;
-  }
-  EXPECT_EQ(files, 29);
-
-  EXPECT_NE(error_of(run("one", {"--samples", "5", "--oracle", "filtered", "--resume", "--seed", "2"}))
+  ASSERT_EQ(run_command(run({"--samples", "2", "--oracle", "filtered"})), 0);
+  EXPECT_NE(error_of(run({"--samples", "2", "--oracle", "filtered", "--resume", "--seed", "2"}))
                 .find("is of --seed 1, not of --seed 2"),
             std::string::npos);
-  EXPECT_NE(error_of(run("one", {"--samples", "5", "--holes", "1", "--resume"}))
+  EXPECT_NE(error_of(run({"--samples", "2", "--holes", "1", "--resume"}))
                 .find("is of --holes 0 --oracle filtered, not of --holes 1 --oracle exact"),
             std::string::npos);
-  EXPECT_NE(error_of(run("one", {"--samples", "4", "--oracle", "filtered", "--resume"}))
-                .find("holds 5 items already, more than the 4 asked for"),
+  EXPECT_NE(error_of(run({"--samples", "1", "--oracle", "filtered", "--resume"}))
+                .find("holds 2 items already, more than the 1 asked for"),
             std::string::npos);
 }
 
@@ -393,9 +323,6 @@ TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--samples", "0"}), run::UsageError);
-  EXPECT_THROW(run_command({"--samples", "many"}), run::UsageError);
-  EXPECT_THROW(run_command({"--seed", "-1"}), run::UsageError);
-  EXPECT_THROW(run_command({"--threads", "0"}), run::UsageError);
   EXPECT_THROW(run_command({"--samples", "1099511627777"}), run::UsageError);
   EXPECT_THROW(run_command({"--oracle", "fast"}), run::UsageError);
   EXPECT_THROW(run_command({"--holes", "-1"}), run::UsageError);
@@ -404,7 +331,6 @@ TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_EQ(error_of({"--vertices", "1025", "--output", scratch.path.string()}),
             "--vertices 1025: outlines of the family random-simple have at most 1024");
   EXPECT_THROW(run_command({"--origin-distance", "-1"}), run::UsageError);
-  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }
 
 }  // namespace

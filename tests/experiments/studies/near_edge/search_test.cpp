@@ -15,6 +15,7 @@
 #include "experiments/run/statistics/shares.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/experiments/support/planted_method.h"
 #include "tests/experiments/support/unwatched.h"
 
 namespace touchstone::near_edge {
@@ -28,7 +29,7 @@ using run_tests::kSilent;
 
 const cases::Method& method(const char* name) { return *methods::find_method(name); }
 
-Settings settings(const std::vector<std::string>& names, std::vector<Family> families, unsigned threads = 2) {
+Settings search_settings(const std::vector<std::string>& names, std::vector<Family> families, unsigned threads = 2) {
   return {.methods = methods::find_methods(names), .families = std::move(families), .seed = 11, .threads = threads};
 }
 
@@ -52,45 +53,20 @@ std::size_t stratum(Family family, cases::Threshold threshold) {
   return s;
 }
 
-/// `exact`, but wrong where the radius is from `low` to `high` sizes above the distance.
-class WrongWithin : public cases::Method {
- public:
-  WrongWithin(double low, double high) : low_(low), high_(high) {}
-
- private:
-  class Prepared : public cases::PreparedMethod {
-   public:
-    Prepared(const Polygon& polygon, double low, double high)
-        : polygon_(polygon), size_(AtThreshold{polygon, {}, -1}.size()), low_(low), high_(high) {}
-    cases::PartialAnswer ask(const Ball& ball, cases::QueryKind) const override {
-      const Answer answer = exact::answer(ball, polygon_);
-      const double share = (ball.radius - answer.distance) / size_;
-      cases::PartialAnswer wrong;
-      wrong.contact = answer.contact() != (share >= low_ && share <= high_);
-      return wrong;
-    }
-
-   private:
-    Polygon polygon_;
-    double size_, low_, high_;
-  };
-  std::string_view name() const override { return "wrong-within"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(polygon, low_, high_);
-  }
-
-  double low_, high_;
-};
-
 // Wrong between 2^-41 and 1.7 x 2^-20 of the size, right at the threshold itself: bisection from there finds nothing.
 TEST(WrongReach, IsFoundWhereItDoesNotBeginAtTheThreshold) {
   const auto at = draw_at_threshold({stratum(Family::L, cases::Threshold::Face), {}, 5, 0});
   ASSERT_TRUE(at);
-  const double high = 1.7 * 0x1p-20;
-  const WrongWithin wrong(0x1p-41, high);
-  const WrongReach reach = wrong_reach(*at, *static_cast<const cases::Method&>(wrong).prepare(at->polygon), true,
-                                       *method("filtered").prepare(at->polygon));
+  const double high = 1.7 * 0x1p-20, size = at->size();
+  const run_tests::PlantedMethod wrong([&](const auto& exact, const Ball& ball, cases::QueryKind) {
+    const cases::PartialAnswer answer = exact.ask(ball, cases::QueryKind::Answer);
+    const double share = (ball.radius - answer.distance.value()) / size;
+    cases::PartialAnswer contact;
+    contact.contact = answer.contact.value() != (share >= 0x1p-41 && share <= high);
+    return contact;
+  });
+  const WrongReach reach =
+      wrong_reach(*at, *wrong.prepare(at->polygon), true, *method("filtered").prepare(at->polygon));
   for (std::size_t k = 0; k <= kMostExponent; ++k) {
     if (k == 41) continue;  // rounding decides
     EXPECT_EQ(reach.wrong[k], k >= 20 && k < 41) << k;
@@ -156,7 +132,7 @@ TEST(Climb, KeepsTheKindOfTheNearestFeature) {
 
 // Each case reads as the judge reads it; `exact` meets what is expected, the method that it names does not.
 TEST(Search, ReportsCasesThatAreWrong) {
-  const auto setting = settings({"fast", "thesis"}, {Family::L});
+  const auto setting = search_settings({"fast", "thesis"}, {Family::L});
   const Onsets onsets = onsets_of(setting, 6);
   const WorstCases worst = climbed(setting, onsets);
   EXPECT_EQ(worst.wrong_truths, 0U);
@@ -181,7 +157,8 @@ TEST(Search, ReportsCasesThatAreWrong) {
 }
 
 TEST(Search, TheNumberOfThreadsChangesNothing) {
-  const auto one = settings({"fast", "thesis"}, {Family::U}, 1), three = settings({"fast", "thesis"}, {Family::U}, 3);
+  const auto one = search_settings({"fast", "thesis"}, {Family::U}, 1),
+             three = search_settings({"fast", "thesis"}, {Family::U}, 3);
   const Onsets onsets = onsets_of(one, 7), same = onsets_of(three, 7);
   EXPECT_EQ(run::archived(onsets), run::archived(same));
   EXPECT_EQ(climbed(one, onsets).all, climbed(three, same).all);
@@ -202,7 +179,7 @@ statistics::Limits rate(const Settings& settings, const Onsets& onsets, Family f
 // to `fast`, so that distance costs nothing.
 TEST(Search, DoublesBeginToErrWhereTheyAreKnownTo) {
   constexpr std::size_t kFast = 0, kThesis = 1;
-  const auto setting = settings({"fast", "thesis"}, {Family::Triangle, Family::Star});
+  const auto setting = search_settings({"fast", "thesis"}, {Family::Triangle, Family::Star});
   const Onsets onsets = onsets_of(setting, 100);
   const auto begins = [&](Family family, std::size_t m, double distance, std::size_t rare, std::size_t frequent) {
     EXPECT_LT(rate(setting, onsets, family, m, distance, rare).upper, 0.12) << distance << " 2^-" << rare;

@@ -2,11 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
@@ -18,7 +13,6 @@ namespace touchstone::recorded {
 namespace {
 
 using run_tests::Scratch;
-using run_tests::text_of;
 
 constexpr const char* kWithoutBullet = "this build is without Bullet, which steps the piles";
 
@@ -72,66 +66,34 @@ TEST(Recording, FloatsHoldFloats) {
     for (const double x : question.ball.center) EXPECT_EQ(x, static_cast<double>(static_cast<float>(x)));
 }
 
-std::string table_of(const std::filesystem::path& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--balls", "9", "--output", folder.string()});
-  EXPECT_EQ(run_tests::run_captured(commands::recorded_command, arguments).status, 0);
-  return text_of(folder / "recorded.csv");
-}
-
-/// The fields of each line, by the heading.
-std::vector<std::map<std::string, std::string>> rows_of(const std::string& table) {
-  std::vector<std::map<std::string, std::string>> rows;
-  std::vector<std::string> names;
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream fields(line);
-    std::vector<std::string> row;
-    for (std::string field; std::getline(fields, field, ',');) row.push_back(field);
-    if (names.empty()) {
-      names = row;
-      continue;
-    }
-    rows.emplace_back();
-    for (std::size_t i = 0; i < names.size(); ++i) rows.back()[names[i]] = row[i];
-  }
-  return rows;
-}
-
 TEST(Recorded, RestingBallsLieAtContactWhereDoublesAndTheSimulationErr) {
   if (simulations().empty()) GTEST_SKIP() << kWithoutBullet;
   const Scratch scratch;
   std::size_t seen = 0;
-  for (auto& row : rows_of(table_of(scratch.path / "run", {"--methods", "fast,filtered", "--samples", "3"}))) {
-    EXPECT_GT(std::stoi(row["questions"]), 3000);
-    EXPECT_LE(std::stod(row["lower"]), std::stod(row["rate"]));
-    EXPECT_EQ(row["piles"], "3");
+  const auto folder = run_tests::run_into(scratch.path / "run", commands::recorded_command,
+                                          {"--methods", "fast,filtered", "--samples", "3", "--balls", "9"});
+  for (const auto& row : run_tests::rows_of(folder / "recorded.csv")) {
+    EXPECT_GT(row["questions"], 3000);
+    EXPECT_LE(row["lower"], row["rate"]);
+    EXPECT_EQ(row["piles"], 3);
     if (row["method"] == "filtered") {
-      EXPECT_EQ(row["wrong"], "0");
-      EXPECT_EQ(row["furthest"], "0");
+      EXPECT_EQ(row["wrong"], 0);
+      EXPECT_EQ(row["furthest"], 0);
     }
     if (row["radius"] != "own" || row["method"] != row["simulation"]) continue;
     ++seen;
-    EXPECT_GT(std::stoi(row["wrong"]), 0);
-    EXPECT_EQ(row["failed_piles"], "3");
-    const double furthest = std::stod(row["furthest"]);
-    EXPECT_GT(furthest, 0);
-    EXPECT_LT(furthest, row["simulation"] == "bullet" ? 1e-14 : 1e-5);
+    EXPECT_GT(row["wrong"], 0);
+    EXPECT_EQ(row["failed_piles"], 3);
+    EXPECT_GT(row["furthest"], 0);
+    EXPECT_LT(row["furthest"], row["simulation"] == "bullet" ? 1e-14 : 1e-5);
   }
   EXPECT_EQ(seen, simulations().size());
 }
 
 TEST(Recorded, TheNumberOfThreadsAndAPauseChangeNothing) {
   if (simulations().empty()) GTEST_SKIP() << kWithoutBullet;
-  const Scratch scratch;
-  const auto run = [&](const char* folder, const char* samples, const char* threads, bool resume) {
-    std::vector<std::string> arguments{"--methods", "fast",  "--steps",   "60",
-                                       "--samples", samples, "--threads", threads};
-    if (resume) arguments.emplace_back("--resume");
-    return table_of(scratch.path / folder, arguments);
-  };
-  const std::string whole = run("whole", "4", "1", false);
-  run("parts", "2", "2", false);
-  EXPECT_EQ(run("parts", "4", "2", true), whole);
+  run_tests::expect_that_threads_and_a_pause_change_nothing(
+      commands::recorded_command, {"--methods", "fast", "--steps", "60", "--balls", "9"}, "4", "2", {"recorded.csv"});
 }
 
 }  // namespace

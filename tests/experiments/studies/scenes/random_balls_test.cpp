@@ -9,7 +9,7 @@
 #include "geometry/shapes/ball.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::scene_tests {
+namespace touchstone::scenes {
 namespace {
 
 // Half the balls lie near a face; a fair share touches something and a fair share does not.
@@ -17,7 +17,7 @@ TEST(RandomBalls, TouchAndMiss) {
   const std::vector<scene::Faces> objects{{{{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, {{0, 0, 9}, {8, 0, 9}, {0, 8, 9}}}, {}}};
   scene::Scene scene;
   scene.add("two", objects.front());
-  const scenes::RandomBalls random(objects);
+  const RandomBalls random(objects);
   int touching[2] = {0, 0};
   for (std::uint64_t i = 0; i < 400; ++i) {
     const Ball ball = random.draw(1, i).ball;
@@ -34,10 +34,10 @@ TEST(RandomBalls, TouchAndMiss) {
 TEST(RandomBalls, AreFiniteWhereTheScenesExtentIsNot) {
   const double far = 1.7e308, most = std::numeric_limits<double>::max();
   for (const double x : {far, most}) {
-    const scenes::RandomBalls random({{{{{-x, -x, 0}, {x, -x, 0}, {x, x, 1}}}, {}}});
+    const RandomBalls random({{{{{-x, -x, 0}, {x, -x, 0}, {x, x, 1}}}, {}}});
     for (std::uint64_t i = 0; i < 2000; ++i) EXPECT_FALSE(find_fault(random.draw(1, i).ball)) << i;
   }
 }
 
 }  // namespace
-}  // namespace touchstone::scene_tests
+}  // namespace touchstone::scenes

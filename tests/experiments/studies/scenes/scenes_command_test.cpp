@@ -20,10 +20,11 @@
 #include "experiments/commands.h"
 #include "experiments/run/output.h"
 #include "experiments/run/stop_signal.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::scene_tests {
+namespace touchstone::scenes {
 namespace {
 
 using run_tests::Ran;
@@ -342,12 +343,9 @@ TEST_F(SceneCommand, FailsWhereAnAnswerCannotBeWrittenAndWhateverCameAfterIt) {
   const int kept = ::dup(STDOUT_FILENO), full = ::open("/dev/full", O_WRONLY);
   ASSERT_GE(full, 0);
   ::dup2(full, STDOUT_FILENO);
-  std::string said;
-  try {
-    (void)run_tests::run_command(commands::scenes_command, {mesh, "--balls", balls});
-  } catch (const std::exception& error) {
-    said = error.what();
-  }
+  const std::string said = run_tests::message_of<std::exception>([&] {
+    run_tests::run_command(commands::scenes_command, {mesh, "--balls", balls});
+  });
   ::dup2(kept, STDOUT_FILENO);
   std::clearerr(stdout);
   ::close(kept);
@@ -411,4 +409,4 @@ TEST_F(SceneCommand, RecordsWhatIsMissingWhereItIsInterrupted) {
 }
 
 }  // namespace
-}  // namespace touchstone::scene_tests
+}  // namespace touchstone::scenes

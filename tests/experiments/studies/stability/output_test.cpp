@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +14,7 @@
 #include "experiments/methods/registry.h"
 #include "experiments/studies/stability/summary.h"
 #include "tests/experiments/studies/stability/small_study.h"
+#include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::stability {
@@ -84,41 +83,30 @@ TEST(StabilityWorst, AreRankedByTheFinalAnswer) {
   EXPECT_EQ(wrong, ranked);
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::stringstream rest(line);
-  for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 // A level without failures is told with its number of samples and the limit of their rate.
 TEST(StabilityFirstFailure, TellsHowMuchNoneSeenBeforeMeans) {
   const Scratch scratch;
   const auto setting = settings({"thesis-signed", "filtered"}, {Axis::Origin}, 4);
   const auto& all = levels(Axis::Origin);
   write_failures(scratch.path, setting, whole(setting));
-  std::ifstream lines(scratch.path / "first-failure.csv");
-  std::string line;
-  std::getline(lines, line);
-  const auto names = cells_of(line);
+  const auto number = [](const Level& level) { return nlohmann::json::parse(level.name); };
   int none = 0, failed = 0;
-  while (std::getline(lines, line)) {
-    std::map<std::string, std::string> row;
-    const auto cells = cells_of(line);
-    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = cells.at(i);
+  for (const auto& row : run_tests::rows_of(scratch.path / "first-failure.csv")) {
     if (row["method"] == "filtered") {
       ++none;
-      EXPECT_EQ(row["first_failure"], "");
-      EXPECT_EQ(row["level_before"], all.back().name);
+      EXPECT_TRUE(row["first_failure"].is_null()) << row;
+      EXPECT_EQ(row["level_before"], number(all.back()));
     }
-    const auto first = std::ranges::find(all, row["first_failure"], &Level::name);
-    if (first != all.end()) {
-      EXPECT_EQ(row["level_before"], first == all.begin() ? "" : std::prev(first)->name);
-      failed += first == all.begin() ? 0 : 1;
+    const auto first = std::ranges::find(all, row["first_failure"], number);
+    if (first == all.begin()) {
+      EXPECT_TRUE(row["level_before"].is_null()) << row;
+    } else if (first != all.end()) {
+      EXPECT_EQ(row["level_before"], number(*std::prev(first)));
+      ++failed;
     }
-    if (row["level_before"].empty()) continue;
-    EXPECT_EQ(row["samples_before"], "4");
-    EXPECT_NEAR(std::stod(row["upper_before"]), 1 - std::pow(0.025, 0.25), 1e-6);
+    if (row["level_before"].is_null()) continue;
+    EXPECT_EQ(row["samples_before"], 4);
+    EXPECT_NEAR(row["upper_before"].get<double>(), 1 - std::pow(0.025, 0.25), 1e-6);
   }
   EXPECT_GT(none, 0);
   EXPECT_GT(failed, 0);

@@ -3,7 +3,6 @@
 // keeps its promises.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cfenv>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +16,7 @@
 #include "experiments/methods/registry.h"
 #include "experiments/studies/stability/summary.h"
 #include "tests/experiments/studies/stability/small_study.h"
+#include "tests/experiments/support/planted_method.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
@@ -34,34 +34,14 @@ using Tested = cases::Test;  // within TEST, Test is GoogleTest's
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
-/// `filtered`, except for what a test replaces.
-class Planted : public cases::Method {
- public:
-  using Change = std::function<PartialAnswer(PartialAnswer, QueryKind)>;
-  explicit Planted(Change change) : change_(std::move(change)) {}
-
-  std::string_view name() const override { return "planted"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(methods::find_method("filtered")->prepare(polygon), change_);
-  }
-
- private:
-  class Prepared : public cases::PreparedMethod {
-   public:
-    Prepared(std::unique_ptr<cases::PreparedMethod> right, const Change& change)
-        : right_(std::move(right)), change_(change) {}
-    PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
-      return change_(right_->ask(ball, kind), kind);
-    }
-
-   private:
-    std::unique_ptr<cases::PreparedMethod> right_;
-    const Change& change_;
-  };
-
-  Change change_;
-};
+/// `filtered`, with this change of its answers.
+run_tests::PlantedMethod planted(std::function<PartialAnswer(PartialAnswer, QueryKind)> change) {
+  return run_tests::PlantedMethod(
+      [change = std::move(change)](const auto& right, const Ball& ball, QueryKind kind) {
+        return change(right.ask(ball, kind), kind);
+      },
+      "filtered");
+}
 
 /// The failures of one method with that test, over levels and nearness.
 SampledFailures sum_of(const Summary& summary, Tested test, std::size_t method) {
@@ -124,23 +104,23 @@ TEST(StabilityStudy, AMotionIsNotWhatWasMeant) {
 }
 
 TEST(StabilityStudy, FindsPlantedErrors) {
-  const Planted swapped([](PartialAnswer answer, QueryKind) {
+  const auto swapped = planted([](PartialAnswer answer, QueryKind) {
     if (answer.contact) answer.contact = !*answer.contact;
     return answer;
   });
-  const Planted no_boundary([](PartialAnswer answer, QueryKind) {
+  const auto no_boundary = planted([](PartialAnswer answer, QueryKind) {
     if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
     return answer;
   });
-  const Planted throwing([](PartialAnswer answer, QueryKind kind) {
+  const auto throwing = planted([](PartialAnswer answer, QueryKind kind) {
     if (kind == QueryKind::Relation) throw std::runtime_error("no relations, please");
     return answer;
   });
-  const Planted silent([](PartialAnswer answer, QueryKind) {
+  const auto silent = planted([](PartialAnswer answer, QueryKind) {
     answer.edges_hit.reset();
     return answer;
   });
-  const Planted long_distance([](PartialAnswer answer, QueryKind) {
+  const auto long_distance = planted([](PartialAnswer answer, QueryKind) {
     if (answer.distance) *answer.distance *= 1 + 0x1p-40;
     return answer;
   });
@@ -171,7 +151,7 @@ TEST(StabilityStudy, FindsPlantedErrors) {
 // A method finds the mode that its level names, and the study leaves none behind.
 TEST(StabilityStudy, AsksInTheModeOfTheLevel) {
   std::set<int> seen;
-  const Planted watching([&](PartialAnswer answer, QueryKind) {
+  const auto watching = planted([&](PartialAnswer answer, QueryKind) {
     seen.insert(std::fegetround());
     return answer;
   });
@@ -261,31 +241,6 @@ TEST(StabilityStudy, TheNumberOfThreadsChangesNothing) {
   EXPECT_EQ(files, 9);
 }
 
-// Stopped after two samples of each axis: the same as a run of two.
-TEST(StabilityStudy, AStoppedRunIsAShorterOne) {
-  std::atomic<bool> stop = false;
-  const std::vector<Axis> axes{Axis::Aspect, Axis::Mixed};
-  const auto longer = settings({"fast"}, axes, 50), shorter = settings({"fast"}, axes, 2);
-  Summary stopped = no_summary(longer);
-  run_study(longer, {stop, [&](std::uint64_t done) { stop = done == 4; }}, stopped);
-  EXPECT_EQ(stopped.samples(), 2U);
-  EXPECT_EQ(run::archived(stopped), run::archived(whole(shorter)));
-}
-
-// A summary that was written and read again is the same, to the last bit.
-TEST(StabilityStudy, PassesThroughACheckpoint) {
-  const auto setting = settings({"fast", "thesis"}, {Axis::Aspect, Axis::Mixed, Axis::CollinearExact}, 4);
-  const Summary summary = whole(setting);
-  EXPECT_FALSE(summary.errors.empty());
-  EXPECT_FALSE(summary.points.empty());
-  const std::string text = run::archived(summary);
-  Summary read = no_summary(setting);
-  run::restore(text, read);
-  EXPECT_EQ(run::archived(read), text);
-  EXPECT_EQ(read.errors.size(), summary.errors.size());
-  EXPECT_EQ(read.points.size(), summary.points.size());
-}
-
 // What one axis gives does not depend on which others, and which methods, are asked for.
 TEST(StabilityStudy, AxesAndMethodsStandAlone) {
   const auto alone = settings({"fast"}, {Axis::Origin}, 3),
@@ -323,11 +278,6 @@ TEST(StabilityCommand, WritesResultsAndASidecar) {
 TEST(StabilityCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--axes", "width"}), run::UsageError);
-  EXPECT_THROW(run_command({"--samples", "0"}), run::UsageError);
-  EXPECT_THROW(run_command({"--samples", "many"}), run::UsageError);
-  EXPECT_THROW(run_command({"--seed", "-1"}), run::UsageError);
-  EXPECT_THROW(run_command({"--threads", "0"}), run::UsageError);
-  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }
 
 }  // namespace

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The study of run time and error: what is planted is measured, fronts are fronts, and it keeps its promises.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sched.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <cmath>
 #include <filesystem>
@@ -20,6 +15,8 @@
 #include "experiments/studies/tradeoff/front.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/studies/tradeoff/small_study.h"
+#include "tests/experiments/support/message_of.h"
+#include "tests/experiments/support/planted_method.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
@@ -30,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using cases::PartialAnswer;
 using cases::QueryKind;
+using run_tests::PlantedMethod;
 using run_tests::Scratch;
 using workloads::Family;
 using workloads::Placement;
@@ -38,31 +36,6 @@ using run_tests::kNeverStop;
 using run_tests::kSilent;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// `exact` with something changed in the ball or the answer.
-class Changed final : public cases::Method {
- public:
-  using Change = std::function<PartialAnswer(const cases::PreparedMethod& exact, const Ball&, QueryKind)>;
-  explicit Changed(Change change) : change_(std::move(change)) {}
-  std::string_view name() const override { return "changed"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(methods::find_method("exact")->prepare(polygon), change_);
-  }
-
- private:
-  class Prepared final : public cases::PreparedMethod {
-   public:
-    Prepared(std::unique_ptr<cases::PreparedMethod> exact, Change change)
-        : exact_(std::move(exact)), change_(std::move(change)) {}
-    PartialAnswer ask(const Ball& ball, QueryKind kind) const override { return change_(*exact_, ball, kind); }
-
-   private:
-    std::unique_ptr<cases::PreparedMethod> exact_;
-    Change change_;
-  };
-  Change change_;
-};
 
 /// What one method did in all strata of a placement whose threshold is crossed by the radius.
 MethodErrors errors_of(const cases::Method& method, Placement placement = Placement::Rotated) {
@@ -100,7 +73,7 @@ TEST(TradeoffErrors, OfOnePolygonAtSeveralThresholdsAreOfOnePolygon) {
 }
 
 TEST(TradeoffErrors, OfOneUnitAreMeasuredAsOne) {
-  const Changed method([](const auto& exact, const Ball& ball, QueryKind kind) {
+  const PlantedMethod method([](const auto& exact, const Ball& ball, QueryKind kind) {
     PartialAnswer answer = exact.ask(ball, kind);
     if (kind != QueryKind::Answer) return answer;
     answer.distance = std::nextafter(*answer.distance, kInfinity);
@@ -119,7 +92,7 @@ TEST(TradeoffErrors, OfOneUnitAreMeasuredAsOne) {
 
 // A ball that is taken for three doubles larger than it is: wrong from -3 doubles up to the threshold.
 TEST(TradeoffErrors, AreSeenInTheBandWhereTheyWerePlanted) {
-  const Changed method([](const auto& exact, const Ball& ball, QueryKind kind) {
+  const PlantedMethod method([](const auto& exact, const Ball& ball, QueryKind kind) {
     return exact.ask({ball.center, workloads::move_by_doubles(ball.radius, 3)}, kind);
   });
   const MethodErrors errors = errors_of(method);
@@ -134,7 +107,7 @@ TEST(TradeoffErrors, AreSeenInTheBandWhereTheyWerePlanted) {
 }
 
 TEST(TradeoffErrors, CountWhatIsLeftOpenApart) {
-  const Changed method([](const auto&, const Ball&, QueryKind) {
+  const PlantedMethod method([](const auto&, const Ball&, QueryKind) {
     PartialAnswer answer;
     answer.unsure = true;
     return answer;
@@ -149,7 +122,7 @@ TEST(TradeoffErrors, CountWhatIsLeftOpenApart) {
 // other distances are still told.
 TEST(TradeoffErrors, OfWhatIsNotFiniteAreCountedApart) {
   int number = 0;
-  const Changed method([&number](const auto& exact, const Ball& ball, QueryKind kind) {
+  const PlantedMethod method([&number](const auto& exact, const Ball& ball, QueryKind kind) {
     PartialAnswer answer = exact.ask(ball, kind);
     if (kind != QueryKind::Answer) {
       answer.contact = !*answer.contact;
@@ -211,27 +184,6 @@ TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
   EXPECT_EQ(cases, 4);  // of fast, in either placement; the others are right, or say nothing
 }
 
-// Stopped after two samples: the same as a run of two.
-TEST(Tradeoff, AStoppedRunIsAShorterOne) {
-  std::atomic<bool> stop = false;
-  const auto longer = settings({"fast", "exact"}, 50), shorter = settings({"fast", "exact"}, 2);
-  Errors stopped = no_errors(longer);
-  measure_errors(longer, {stop, [&](std::uint64_t done) { stop = done == 2; }}, stopped);
-  const Errors shorter_one = whole(shorter);
-  EXPECT_EQ(stopped.samples, 2U);
-  EXPECT_EQ(table(longer, stopped, {}), table(shorter, shorter_one, {}));
-}
-
-// Errors that were written and read again are the same, to the last bit.
-TEST(Tradeoff, ErrorsPassThroughACheckpoint) {
-  const auto setting = settings({"fast", "thesis", "interval"}, 3);
-  const std::string text = run::archived(whole(setting));
-  Errors read = no_errors(setting);
-  run::restore(text, read);
-  EXPECT_EQ(run::archived(read), text);
-  EXPECT_EQ(table(setting, read, {}), table(setting, whole(setting), {}));
-}
-
 int run_command(std::vector<std::string> arguments) {
   return run_tests::run_command(commands::tradeoff_command, std::move(arguments));
 }
@@ -250,56 +202,16 @@ TEST(TradeoffCommand, WritesResultsAndASidecar) {
 }
 
 TEST(TradeoffCommand, WrongOptionsAreErrorsThatNameThem) {
-  const auto complaint = [](const std::vector<std::string>& arguments) -> std::string {
-    try {
-      run_command(arguments);
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return "none";
+  const auto complaint = [](const std::vector<std::string>& arguments) {
+    return run_tests::message_of<std::exception>([&] { run_command(arguments); });
   };
   EXPECT_NE(complaint({"--methods", "slow"}).find("\"slow\""), std::string::npos);
   EXPECT_NE(complaint({"--families", "donut"}).find("--families"), std::string::npos);
-  EXPECT_NE(complaint({"--samples", "0"}).find("--samples"), std::string::npos);
-  EXPECT_NE(complaint({"--seed", "-1"}).find("--seed"), std::string::npos);
-  EXPECT_NE(complaint({"--threads", "0"}).find("--threads"), std::string::npos);
   EXPECT_NE(complaint({"--queries", "many"}).find("--queries"), std::string::npos);
   EXPECT_NE(complaint({"--repetitions", "0"}).find("--repetitions"), std::string::npos);
-  EXPECT_NE(complaint({"--output", "/dev/null/folder", "--samples", "1"}).find("/dev/null/folder"), std::string::npos);
   EXPECT_NE(complaint({"--redraw", "--output", "/nowhere"}).find("--redraw"), std::string::npos);
   EXPECT_NE(complaint({"--redraw", "--samples", "5"}).find("--samples excludes --redraw"), std::string::npos);
   EXPECT_NE(complaint({"--redraw", "--no-pictures"}).find("--no-pictures excludes --redraw"), std::string::npos);
-}
-
-// Interrupted once its folder is there: it ends early, says so in words, status and record, and keeps what it has.
-TEST(TradeoffCommand, AnInterruptedRunIsMarked) {
-  signal(SIGINT, SIG_DFL);  // in the background of a shell it is ignored
-  const Scratch scratch;
-  const std::string folder = scratch.path / "run";
-  std::vector<std::string> words{TOUCHSTONE_PROGRAM, "tradeoff",  "--methods", "fast", "--families", "l",
-                                 "--samples",        "100000000", "--output",  folder};
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (scratch.path / "err").c_str(), O_WRONLY | O_CREAT, 0600);
-  pid_t process = 0;
-  ASSERT_EQ(posix_spawn(&process, words[0].c_str(), &actions, nullptr, arguments.data(), environ), 0);
-  posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  while (!fs::exists(folder) && waitpid(process, &status, WNOHANG) == 0) sched_yield();
-  kill(process, SIGINT);
-  waitpid(process, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_NE(run_tests::text_of(scratch.path / "err").find("interrupted"), std::string::npos);
-  const auto record = nlohmann::json::parse(run_tests::text_of(fs::path(folder) / "run.json"));
-  EXPECT_EQ(record["interrupted"], true);
-  EXPECT_LT(record["samples_done"], record["samples_asked"]);
-  EXPECT_TRUE(fs::exists(fs::path(folder) / "errors.csv"));
-  EXPECT_FALSE(fs::exists(fs::path(folder) / "front.csv"));
 }
 
 }  // namespace

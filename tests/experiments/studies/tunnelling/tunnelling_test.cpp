@@ -4,13 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "experiments/commands.h"
 #include "experiments/studies/tunnelling/measure.h"
 #include "robust/exact/motion.h"
 #include "tests/experiments/support/run_command.h"
-#include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
 
 namespace touchstone::tunnelling {
@@ -18,8 +16,6 @@ namespace {
 
 using run_tests::kNeverStop;
 using run_tests::kSilent;
-using run_tests::Scratch;
-using run_tests::text_of;
 
 const Polygon& square() {
   static const Polygon polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
@@ -119,18 +115,9 @@ TEST(Cost, IsThatOfBothSweepsAndOfAllSteps) {
 }
 
 TEST(Tunnelling, TheNumberOfThreadsAndAPauseChangeNoCount) {
-  const Scratch scratch;
-  const auto run = [&](const char* name, std::vector<std::string> arguments) {
-    const std::filesystem::path folder = scratch.path / name;
-    arguments.insert(arguments.end(),
-                     {"--vertices", "8", "--repetitions", "1", "--no-pictures", "--output", folder.string()});
-    EXPECT_EQ(run_tests::run_captured(commands::tunnelling_command, arguments).status, 0);
-    EXPECT_TRUE(std::filesystem::exists(folder / "cost.csv"));
-    return text_of(folder / "misses.csv");
-  };
-  const std::string whole = run("whole", {"--samples", "60", "--threads", "1"});
-  run("parts", {"--samples", "20", "--threads", "2"});
-  EXPECT_EQ(run("parts", {"--samples", "60", "--threads", "2", "--resume"}), whole);
+  run_tests::expect_that_threads_and_a_pause_change_nothing(commands::tunnelling_command,
+                                                            {"--vertices", "8", "--repetitions", "1", "--no-pictures"},
+                                                            "60", "20", {"misses.csv"});
 }
 
 }  // namespace

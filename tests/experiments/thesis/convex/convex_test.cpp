@@ -18,9 +18,7 @@ namespace {
 
 /// An outline in the plane z = x - y, with its holes.
 Polygon drawn(workloads::Family family, std::uint64_t holes, std::uint64_t index) {
-  workloads::Workload workload;
-  workload.family = family;
-  workload.holes = holes;
+  const workloads::Workload workload{.family = family, .holes = holes};
   const workloads::Outline outline = workloads::draw_outline(workload, 63, index);
   const auto lifted = [](const workloads::LatticeLoop& loop) {
     Loop result;

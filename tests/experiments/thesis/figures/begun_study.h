@@ -3,7 +3,7 @@
 
 #include "experiments/thesis/figures/study.h"
 
-namespace touchstone::figures_tests {
+namespace touchstone::figures {
 
 /// The study without what needs samples or time.
 inline const figures::Study& begun() {
@@ -11,4 +11,4 @@ inline const figures::Study& begun() {
   return study;
 }
 
-}  // namespace touchstone::figures_tests
+}  // namespace touchstone::figures

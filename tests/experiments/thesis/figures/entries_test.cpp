@@ -15,13 +15,12 @@
 #include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/figures/entry.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/figures/begun_study.h"
 
-namespace touchstone::figures_tests {
+namespace touchstone::figures {
 namespace {
-
-using namespace figures;
 
 const Entry& entry_of(const std::vector<Entry>& entries, std::string_view id) {
   return *std::ranges::find_if(entries, [&](const Entry& entry) { return entry.id == id; });
@@ -86,14 +85,8 @@ std::string complaint_of(const std::string& text) {
   const run_tests::Scratch scratch;
   const auto file = scratch.path / "figures.json";
   run::write_file(file, text);
-  try {
-    (void)read_entries(file, computed(begun()));
-  } catch (const cell::BadCell& error) {
-    const std::string message = error.what();
-    EXPECT_EQ(message.find(file.string() + ": "), 0U) << message;
-    return message.substr(file.string().size() + 2);
-  }
-  return "";
+  return run_tests::after_file(
+      file, run_tests::message_of<cell::BadCell>([&] { return read_entries(file, computed(begun())); }));
 }
 
 TEST(Figures, RefuseAMalformedFileByEntryAndKey) {
@@ -227,4 +220,4 @@ TEST(Report, HasAPictureForEveryEntryThatShowsOne) {
 }
 
 }  // namespace
-}  // namespace touchstone::figures_tests
+}  // namespace touchstone::figures

@@ -26,12 +26,10 @@
 #define TOUCHSTONE_SAMPLES 100  // percent of the stated sample sizes
 #endif
 
-namespace touchstone::figures_tests {
+namespace touchstone::figures {
 namespace {
 
-using namespace figures;
-
-constexpr std::uint64_t kSeed = 2008;
+constexpr std::uint64_t kStatedSeed = 2008;
 constexpr std::uint64_t kStatedPoints = 1'000'000;
 constexpr std::uint64_t kStatedBalls = 800'000;
 
@@ -39,7 +37,7 @@ constexpr std::uint64_t scaled(std::uint64_t stated) { return stated * TOUCHSTON
 
 // ---- Statistics ----
 
-struct Counts {
+struct BallCounts {
   std::uint64_t samples = 0;
   std::uint64_t right = 0;   ///< yes where the truth is yes
   std::uint64_t wrong = 0;   ///< yes where the truth is no
@@ -63,7 +61,7 @@ struct Stated {
 /// The greatest rate that none in `trials` leaves possible, at a confidence of 99.99 %.
 double upper_limit_of_none(std::uint64_t trials) { return -std::expm1(std::log(1e-4) / static_cast<double>(trials)); }
 
-void expect_share(const std::string& what, const Counts& counts, const Stated& stated) {
+void expect_share(const std::string& what, const BallCounts& counts, const Stated& stated) {
   ASSERT_GT(counts.right, 0U) << what;
   const auto right = static_cast<double>(counts.right);
   const double share = static_cast<double>(counts.wrong) / right;
@@ -93,7 +91,7 @@ class WronglyInside : public testing::TestWithParam<AreaCase> {};
 TEST_P(WronglyInside, SharesOfAreaAreAsStated) {
   const auto& [name, percent, unit] = GetParam();
   const auto& outline = find_outline(name);
-  const auto area = measure_false_area(outline, scaled(kStatedPoints), kSeed);
+  const auto area = measure_false_area(outline, scaled(kStatedPoints), kStatedSeed);
   expect_share(name, {area.points, area.right, area.wrong, area.missed}, {percent, unit, kStatedPoints});
   EXPECT_EQ(area.missed, 0U) << "false outside";
   EXPECT_LE(area.limits().lower, area.share());
@@ -112,13 +110,14 @@ TEST_P(WronglyInside, SharesOfAreaAreAsStated) {
 TEST(WronglyInsideOutlines, HaveRandomPointsOfTheirOwn) {
   auto square = find_outline("square"), other = square;
   other.name = "another square";
-  const auto first = measure_false_area(square, 2000, kSeed), second = measure_false_area(other, 2000, kSeed);
+  const auto first = measure_false_area(square, 2000, kStatedSeed),
+             second = measure_false_area(other, 2000, kStatedSeed);
   EXPECT_NE(std::tie(first.right, first.wrong), std::tie(second.right, second.wrong));
   const auto names = outlines();
   std::set<std::uint64_t> inside;  // of one shape under all names
   for (const auto& outline : names) {
     other.name = outline.name;
-    inside.insert(measure_false_area(other, 20000, kSeed).right);
+    inside.insert(measure_false_area(other, 20000, kStatedSeed).right);
   }
   EXPECT_GT(inside.size(), names.size() / 2) << "a few may agree by chance";
 }
@@ -131,7 +130,7 @@ TEST_P(WronglyInside, NothingIsMissedWithAFactorOfOne) {
   const thesis::PreparedPolygon<> whole_turn(polygon, {.match_factor = 1 - 1e-12, .arc = thesis::Arc::Tangent});
   const auto box = bounds(outline);
   for (std::uint64_t i = 0; i < scaled(kStatedPoints) / 4; ++i) {
-    workloads::Random random(kSeed, i);
+    workloads::Random random(kStatedSeed, i);
     const Ball ball{box.point(random), 1};
     if (fast::foot(ball, truth) != PointLocation::Outside) {
       EXPECT_EQ(thesis::foot(ball, whole_turn), PointLocation::Inside) << ball.center.transpose();
@@ -172,9 +171,9 @@ TEST_P(FalseHits, SharesOfTrueHitsAreAsStated) {
   for (std::size_t k = 0; k < kRadii.size(); ++k) {
     const double radius = kRadii[k] * std::max(outer.width(), outer.height());
     const auto box = outer.enlarged(3 * radius, 3 * radius);
-    Counts counts;
+    BallCounts counts;
     for (std::uint64_t i = 0; i < scaled(kStatedBalls); ++i) {
-      workloads::Random random(kSeed, i, k);
+      workloads::Random random(kStatedSeed, i, k);
       Ball ball{box.point(random), radius};
       ball.center.z() = 1.5 * radius * (2 * random.unit() - 1);
       counts.add(fast::contact(ball, truth), thesis::contact(ball, method));
@@ -192,4 +191,4 @@ INSTANTIATE_TEST_SUITE_P(Thesis, FalseHits,
                          name_of);
 
 }  // namespace
-}  // namespace touchstone::figures_tests
+}  // namespace touchstone::figures

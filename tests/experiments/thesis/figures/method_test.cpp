@@ -15,18 +15,16 @@
 #define TOUCHSTONE_SAMPLES 100
 #endif
 
-namespace touchstone::figures_tests {
+namespace touchstone::figures {
 namespace {
 
-using namespace figures;
-
-constexpr std::uint64_t kSeed = 7, kSamples = 20 * TOUCHSTONE_SAMPLES;
+constexpr std::uint64_t kMethodSeed = 7, kSamples = 20 * TOUCHSTONE_SAMPLES;
 
 /// That of the cell's gripper: its mouth at the bottom.
 const Outline kGripper{"gripper",
                        {{-45, -75}, {-25, -75}, {-25, -30}, {25, -30}, {25, -75}, {45, -75}, {45, 0}, {-45, 0}}};
 
-std::size_t number_of(std::string_view method) {
+std::size_t index_of(std::string_view method) {
   return static_cast<std::size_t>(std::ranges::find(kMethods, method) - kMethods.begin());
 }
 
@@ -49,29 +47,28 @@ TEST(Ends, AreCountedByMethodAndByTruth) {
 }
 
 TEST(Flowchart, HasFalseHitsInTheGapAndNoneWithSignedAngles) {
-  const Flowchart flowchart = measure_flowchart(kGripper, 0.01, kSamples, kSeed, 1);
+  const Flowchart flowchart = measure_flowchart(kGripper, 0.01, kSamples, kMethodSeed, 1);
   for (const Ends& ends : flowchart.methods) {
     EXPECT_EQ(ends.samples(), kSamples);
     EXPECT_EQ(ends.misses(), 0U);
   }
-  const Ends &as_it_is = flowchart.methods[number_of("thesis")], &fast = flowchart.methods[number_of("fast")];
+  const Ends &as_it_is = flowchart.methods[index_of("thesis")], &fast = flowchart.methods[index_of("fast")];
   EXPECT_GT(as_it_is.false_hits(), as_it_is.true_hits() / 3);
   EXPECT_LT(flowchart.culled, as_it_is.false_hits());
-  EXPECT_EQ(flowchart.methods[number_of("thesis-signed")].false_hits(), 0U);
+  EXPECT_EQ(flowchart.methods[index_of("thesis-signed")].false_hits(), 0U);
   EXPECT_EQ(fast.elsewhere(), 0U);
   for (const End end : kEnds) EXPECT_GT(fast.at(end), 0U) << to_string(end);
 }
 
 // The thesis's normal is turned round against the contract's; with Newell's it is not. Neither counts as an error.
 TEST(Flowchart, NamesTheFrontAsTheMethodDoes) {
-  const Flowchart flowchart = measure_flowchart(find_outline("square"), 0.1, kSamples, kSeed, 1);
+  const Flowchart flowchart = measure_flowchart(find_outline("square"), 0.1, kSamples, kMethodSeed, 1);
   for (const char* method : {"thesis", "thesis-newell", "thesis-float"}) {
-    const Ends& ends = flowchart.methods[number_of(method)];
+    const Ends& ends = flowchart.methods[index_of(method)];
     EXPECT_EQ(ends.at(End::InFront), ends.exactly_at(End::InFront)) << method;
     EXPECT_EQ(ends.at(End::Behind), ends.exactly_at(End::Behind)) << method;
   }
-  const Ends &turned = flowchart.methods[number_of("thesis")],
-             &straight = flowchart.methods[number_of("thesis-newell")];
+  const Ends &turned = flowchart.methods[index_of("thesis")], &straight = flowchart.methods[index_of("thesis-newell")];
   EXPECT_EQ(turned.at(End::InFront), straight.at(End::Behind));
 }
 
@@ -80,7 +77,7 @@ TEST(AngleSum, IsWhatTheMethodAddsUp) {
     const thesis::PreparedPolygon<> method(outline.polygon());
     const figures::Box outer = bounds(outline), box = outer.enlarged(outer.width() / 2, outer.height() / 2);
     for (std::uint64_t i = 0; i < kSamples / 4; ++i) {
-      workloads::Random random(kSeed, i);
+      workloads::Random random(kMethodSeed, i);
       const Eigen::Vector3d at = box.point(random);
       const AngleSum sum = angle_sum(outline, at);
       if (std::abs(sum.unsigned_sum - 0.99 * 360) < 1e-6) continue;
@@ -112,7 +109,7 @@ TEST(FactorReach, IsTheDerivedOneOnAConvexOutlineAndMoreOnAGripper) {
 
 TEST(Touching, IsMissedByStrictComparisonsAndByNoClosedOne) {
   for (const Touched what : {Touched::Face, Touched::Edge, Touched::Vertex}) {
-    const Touching touching = measure_touching(kGripper, what, kSamples, kSeed);
+    const Touching touching = measure_touching(kGripper, what, kSamples, kMethodSeed);
     EXPECT_GT(touching.samples, kSamples / 4);
     EXPECT_EQ(touching.missed_signed, touching.samples);
     EXPECT_EQ(touching.missed_closed, 0U);
@@ -123,14 +120,14 @@ TEST(Touching, IsMissedByStrictComparisonsAndByNoClosedOne) {
 }
 
 TEST(Collinear, MissesEveryContact) {
-  const Collinear collinear = measure_collinear(kGripper, kSamples, kSeed);
+  const Collinear collinear = measure_collinear(kGripper, kSamples, kMethodSeed);
   EXPECT_GT(collinear.contacts, kSamples / 10);
   EXPECT_EQ(collinear.missed, collinear.contacts);
   EXPECT_EQ(collinear.missed_newell, 0U);
 }
 
 TEST(NotNumbers, AreAboutAQuarterAndHideNoContact) {
-  const NotNumbers found = measure_not_numbers(kGripper, kSamples, kSeed);
+  const NotNumbers found = measure_not_numbers(kGripper, kSamples, kMethodSeed);
   EXPECT_GT(found.in_floats, kSamples / 5);
   EXPECT_LT(found.in_floats, 3 * kSamples / 10);
   EXPECT_GT(found.called_outside, 0U);
@@ -138,8 +135,8 @@ TEST(NotNumbers, AreAboutAQuarterAndHideNoContact) {
 }
 
 TEST(FarAway, ErrsInFloatsLongBeforeDoubles) {
-  const FarAway near = measure_far_away(kGripper, 1, kSamples, kSeed),
-                far = measure_far_away(kGripper, 1e9, kSamples, kSeed);
+  const FarAway near = measure_far_away(kGripper, 1, kSamples, kMethodSeed),
+                far = measure_far_away(kGripper, 1e9, kSamples, kMethodSeed);
   for (const std::uint64_t wrong : near.wrong) EXPECT_EQ(wrong, 0U);
   EXPECT_EQ(far.wrong[0], 0U);
   EXPECT_GT(far.wrong[1], kSamples / 10);
@@ -147,18 +144,18 @@ TEST(FarAway, ErrsInFloatsLongBeforeDoubles) {
 }
 
 TEST(FootErrors, AreThoseOfTheNumbersTaken) {
-  const FootErrors errors = measure_foot_errors(kGripper.polygon(), 6, kSamples, kSeed);
+  const FootErrors errors = measure_foot_errors(kGripper.polygon(), 6, kSamples, kMethodSeed);
   EXPECT_GT(errors.samples, kSamples / 10);
   EXPECT_LT(errors.in_doubles, 1e-12);
   const Polygon tilted({{0, 0, 100}, {90, 30, 130}, {60, 120, 70}});
-  const FootErrors tilted_errors = measure_foot_errors(tilted, 6, kSamples, kSeed);
+  const FootErrors tilted_errors = measure_foot_errors(tilted, 6, kSamples, kMethodSeed);
   EXPECT_LT(tilted_errors.in_doubles, 1e-12);
   EXPECT_GT(tilted_errors.in_floats, 1e-6);
   EXPECT_LT(tilted_errors.in_floats, 1e-3);
 }
 
 TEST(EdgePlaces, AddUp) {
-  const EdgePlaces places = measure_edge_places(kGripper, 0.05, kSamples, kSeed);
+  const EdgePlaces places = measure_edge_places(kGripper, 0.05, kSamples, kMethodSeed);
   EXPECT_EQ(places.before + places.beside + places.beyond, places.pairs);
   EXPECT_GT(std::min({places.before, places.beside, places.beyond}), places.pairs / 10);
   EXPECT_EQ(places.wrong[0], 0U);
@@ -181,4 +178,4 @@ TEST(StatedShare, IsNotMissedByFewSamples) {
 }
 
 }  // namespace
-}  // namespace touchstone::figures_tests
+}  // namespace touchstone::figures

@@ -3,13 +3,12 @@
 
 #include "experiments/methods/registry.h"
 #include "experiments/thesis/cell/model/read_cell.h"
+#include "tests/experiments/support/cells.h"
 
-namespace touchstone::cell_browser_tests {
-
-using namespace cell::browser;
+namespace touchstone::cell::browser {
 
 const cell::Cell& aristo() {
-  static const cell::Cell cell = cell::read_cell(TOUCHSTONE_SOURCE_DIR "/experiments/thesis/cell/cells/aristo.json");
+  static const cell::Cell cell = cell::read_cell(run_tests::kAristo);
   return cell;
 }
 
@@ -23,4 +22,4 @@ const Recording& recording() {
   return recording;
 }
 
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -3,12 +3,12 @@
 
 #include "experiments/thesis/cell/browser/recording.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 
 /// The default cell as it is read, and coarsely covered; each once a process.
 [[nodiscard]] const cell::Cell& aristo();
-[[nodiscard]] const cell::browser::Simulator& simulator();
+[[nodiscard]] const Simulator& simulator();
 /// Its run as the file has it.
-[[nodiscard]] const cell::browser::Recording& recording();
+[[nodiscard]] const Recording& recording();
 
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -6,10 +6,8 @@
 
 #include <vector>
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 namespace {
-
-using cell::browser::ConnectionSlots;
 
 class Slots : public testing::Test {
  protected:
@@ -57,4 +55,4 @@ TEST_F(Slots, AClosedConnectionLeavesItsSlot) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -16,10 +16,9 @@
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/cell/browser/aristo.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 namespace {
 
-using namespace cell::browser;
 using Json = nlohmann::ordered_json;
 
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {
@@ -97,4 +96,4 @@ TEST_F(ExportCommand, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -7,7 +7,7 @@
 #include <boost/beast/http.hpp>
 #include <sstream>
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
@@ -67,4 +67,4 @@ std::string read_all(std::uint16_t port, const std::string& bytes) {
   return connection.rest();
 }
 
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

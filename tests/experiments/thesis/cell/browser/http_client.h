@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 
 struct Received {
   unsigned status = 0;  ///< 0: the connection was closed without a reply
@@ -38,4 +38,4 @@ class Connection {
 /// Sends these bytes, and reads until the server closes.
 [[nodiscard]] std::string read_all(std::uint16_t port, const std::string& bytes);
 
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -13,16 +13,15 @@
 
 #include "experiments/thesis/cell/model/plant.h"
 #include "experiments/thesis/cell/model/read_cell.h"
+#include "tests/experiments/support/cells.h"
 #include "tests/experiments/thesis/cell/browser/aristo.h"
 #include "tests/experiments/thesis/cell/browser/http_client.h"
 #include "tests/experiments/thesis/cell/browser/serving.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 namespace {
 
-using namespace cell::browser;
-
-const char* const kAristo = TOUCHSTONE_SOURCE_DIR "/experiments/thesis/cell/cells/aristo.json";
+using run_tests::kAristo;
 
 class Page : public testing::Test {
  protected:
@@ -305,4 +304,4 @@ TEST(KnownHosts, IncludeTheUsersOwnName) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -14,10 +14,9 @@
 #include "robust/exact/exact.h"
 #include "tests/experiments/thesis/cell/browser/aristo.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 namespace {
 
-using namespace cell::browser;
 using Json = nlohmann::ordered_json;
 
 TEST(CellJson, HoldsEveryPartWithIndicesInBounds) {
@@ -162,4 +161,4 @@ TEST(RunJson, BuildsTheStandAnew) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -21,7 +21,7 @@
 #include "tests/experiments/thesis/cell/browser/http_client.h"
 #include "tests/experiments/thesis/cell/browser/serving.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 namespace {
 
 run_tests::Ran serve(std::vector<std::string> arguments) {
@@ -41,7 +41,7 @@ TEST(ServeCommand, NamesTheKeyOfABadCellFile) {
 }
 
 TEST(ServeCommand, NamesThePortThatIsTaken) {
-  const Serving other([](const cell::browser::HttpRequest&) { return cell::browser::HttpReply{}; });
+  const Serving other([](const HttpRequest&) { return HttpReply{}; });
   const std::string port = std::to_string(other.port());
   const run_tests::Ran ran = serve({aristo().file.string(), "--port", port});
   EXPECT_EQ(ran.status, 2);
@@ -99,4 +99,4 @@ TEST(ServeCommand, NamesAMethodThatThereIsNot) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

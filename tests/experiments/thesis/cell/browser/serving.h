@@ -8,12 +8,12 @@
 
 #include "experiments/thesis/cell/browser/http_server.h"
 
-namespace touchstone::cell_browser_tests {
+namespace touchstone::cell::browser {
 
 /// A server at a free port of this machine, in a thread, for as long as it lives.
 class Serving {
  public:
-  explicit Serving(cell::browser::HttpServer::Handler handler, cell::browser::HttpServer::Limits limits = {})
+  explicit Serving(HttpServer::Handler handler, HttpServer::Limits limits = {})
       : server_("127.0.0.1", 0, std::move(handler), limits), thread_([this] { server_.run(stop_); }) {}
   Serving(const Serving&) = delete;
   Serving& operator=(const Serving&) = delete;
@@ -26,8 +26,8 @@ class Serving {
 
  private:
   std::atomic<bool> stop_ = false;
-  cell::browser::HttpServer server_;
+  HttpServer server_;
   std::thread thread_;
 };
 
-}  // namespace touchstone::cell_browser_tests
+}  // namespace touchstone::cell::browser

@@ -8,14 +8,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/cases/workloads/degrees.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/thesis/cell/kinematics/aristo.h"
+#include "tests/experiments/support/message_of.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
 
-using namespace kinematics;
+using run_tests::message_of;
 using workloads::Random;
 
 constexpr double kNear = 1e-11;  // mm
@@ -28,30 +28,6 @@ void expect_near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const std::
 Angles random_angles(Random& random) {
   const auto between = [&](double low, double high) { return low + (high - low) * random.unit(); };
   return {between(-200, 60), between(-40, 40), between(-40, 40), between(-90, 90), between(-90, 90), between(-90, 90)};
-}
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
-}
-
-TEST(Degrees, AreExactAtQuarterTurns) {
-  EXPECT_EQ(workloads::cosine(90), 0);
-  EXPECT_EQ(workloads::cosine(-270), 0);
-  EXPECT_EQ(workloads::sine(180), 0);
-  EXPECT_FALSE(std::signbit(workloads::sine(-180)));
-  EXPECT_EQ(workloads::sine(30), 0.5);
-  EXPECT_EQ(workloads::cosine(-120), -0.5);
-  EXPECT_EQ(workloads::arc_sine(0.5), 30);
-  EXPECT_EQ(workloads::arc_cosine(-1), 180);
-  EXPECT_EQ(workloads::arc_tangent(-1, -1), -135);
-  EXPECT_EQ(workloads::arc_tangent(0, -1), 180);
-  EXPECT_EQ(workloads::arc_tangent(0, 0), 0);
 }
 
 // The table of [ghaayathri]: wrist at (375, 0, 622), flange at (375, 0, 559), the hand down.
@@ -144,7 +120,9 @@ TEST(Chain, GoesAlongTheArcThatItNames) {
 
 TEST(Chain, NamesTheJointThatIsBeyondItsLimits) {
   const Chain chain = aristo(Coupling::KeepsElevation);
-  const auto message = [&](const Angles& angles) { return message_of([&] { chain.require_reachable(angles); }); };
+  const auto message = [&](const Angles& angles) {
+    return message_of<std::exception>([&] { chain.require_reachable(angles); });
+  };
   EXPECT_EQ(message({0, 0, 0, 0, 0, 0}), "");
   EXPECT_EQ(message({-271, 0, 0, 0, 0, 0}), "joint base: -271 degrees are beyond its limits, -270 to 90");
   EXPECT_EQ(message({0, 0, 0, 0, NAN, 0}), "joint wrist pitch: nan degrees are beyond its limits, -120 to 120");
@@ -152,7 +130,7 @@ TEST(Chain, NamesTheJointThatIsBeyondItsLimits) {
   EXPECT_EQ(message({0, 60, 70, 0, 0, 0}), "joint elbow: 130 degrees are beyond its limits, -120 to 120");
   EXPECT_NO_THROW(aristo(Coupling::Serial).require_reachable({0, 60, 70, 0, 0, 0}));
   EXPECT_EQ(message({0, 0}), "2 angles for 6 joints");
-  EXPECT_EQ(message_of([&] {
+  EXPECT_EQ(message_of<std::exception>([&] {
               (void)chain.arc({0, 0, 0, 0, 0, 0}, kBase, 91, {0, 0, 0});
             }),
             "joint base: 91 degrees are beyond its limits, -270 to 90");
@@ -177,7 +155,7 @@ TEST(Chain, RefusesWhatIsNoChain) {
   backwards.lowest = 91;
   crooked.axis = {0, 0, 2};
   const auto message = [](std::vector<Joint> joints, const std::vector<Compensation>& compensations) {
-    return message_of([&] { Chain(std::move(joints), {}, compensations); });
+    return message_of<std::exception>([&] { Chain(std::move(joints), {}, compensations); });
   };
   EXPECT_EQ(message({good, good}, {{0, 1}}), "");
   EXPECT_EQ(message({good, across, good}, {{0, 2}}), "");
@@ -224,4 +202,4 @@ TEST(Inverse, HasOneSolutionForTheStraightArmAndNoneBeyond) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

@@ -16,15 +16,12 @@
 #include "experiments/cases/workloads/workload.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/validate.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/thesis/cell/kinematics/rational_judge.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
 
-using kinematics::Arc;
-using kinematics::first_contact;
-using kinematics::FirstContact;
-using kinematics::stepped_contact;
 using scene::Faces;
 using workloads::Random;
 using Kind = FirstContact::Kind;
@@ -91,7 +88,7 @@ BallOnArc draw_move(std::uint64_t index) {
   const Eigen::Vector3d first = corner(), second = random.coin() ? first : corner();
   const Eigen::Vector3d aim = (first + second) / 2 + vector(move.radius);
   move.arc = {aim, aim + vector(0.7 * size), vector(1), 20 + 150 * random.unit()};
-  move.arc.start = kinematics::point_at(move.arc, 360 - move.arc.degrees * random.unit());
+  move.arc.start = point_at(move.arc, 360 - move.arc.degrees * random.unit());
   move.faces.polygons.push_back(polygon);
   if (random.coin()) {  // a triangle across it
     const auto near_a_corner = [&] {
@@ -209,7 +206,7 @@ TEST(FirstContact, IsTheSameForAnAxisOfAnyLength) {
       const std::string replay = move.replay + ", axis times 2^" + std::to_string(exponent);
       Arc arc = move.arc;
       for (double& x : arc.axis) x = std::ldexp(x, exponent);
-      EXPECT_EQ(kinematics::point_at(arc, 37), kinematics::point_at(move.arc, 37)) << replay;
+      EXPECT_EQ(point_at(arc, 37), point_at(move.arc, 37)) << replay;
       const auto contact = first_contact(arc, move.radius, move.faces);
       ASSERT_EQ(contact.has_value(), expected.has_value()) << replay;
       EXPECT_EQ(stepped_contact(arc, move.radius, 1, move.faces).has_value(), stepped.has_value()) << replay;
@@ -236,7 +233,7 @@ TEST(FirstContact, FindsContactAboutTheLongestAndTheShortestAxis) {
 TEST(DirectionOf, HasLengthOneHoweverUnevenTheVector) {
   for (const double x : {1e308, 1.0, 1e-300, 5e-324})
     for (const double y : {0.0, -1.0, 1e-308, 1.7e308}) {
-      const Eigen::Vector3d direction = kinematics::direction_of({x, y, 0});
+      const Eigen::Vector3d direction = direction_of({x, y, 0});
       EXPECT_NEAR(direction.norm(), 1, 1e-15) << x << ' ' << y;
       EXPECT_EQ(std::signbit(direction.y()), std::signbit(y)) << x << ' ' << y;
     }
@@ -294,13 +291,8 @@ TEST(SteppedContact, StopsAtTheFirstStopThatTouchesAndNotBeyondTheEnd) {
 
 TEST(FirstContact, RefusesWhatIsNoMove) {
   const Faces faces = faces_of(sheet(-2, 2, -2, 2, -0.5));
-  const auto message = [&](Arc arc) -> std::string {
-    try {
-      (void)first_contact(arc, 0.125, faces);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+  const auto message = [&](const Arc& arc) {
+    return run_tests::message_of<std::invalid_argument>([&] { return first_contact(arc, 0.125, faces); });
   };
   Arc arc = falling(90);
   arc.axis = {0, 0, 0};
@@ -369,4 +361,4 @@ TEST(FirstContact, LiesWithinTheStepAtWhichSteppingStops) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

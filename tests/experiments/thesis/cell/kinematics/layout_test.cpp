@@ -9,10 +9,8 @@
 #include "experiments/cases/workloads/degrees.h"
 #include "experiments/thesis/cell/kinematics/layout_study.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
-
-using namespace kinematics;
 
 std::vector<double> degrees_of(const cell::Process& path) {
   std::vector<double> degrees;
@@ -145,7 +143,7 @@ TEST(SolveLayout, BringsOutTheCaptionsFromOtherHomesToo) {
 
 // The wrist stands at one height at the storage of both cases on the curves that follow from the lengths alone:
 // sin(s0 + 12.5) = 0.7538 cos(e0 + 4.5), serial: sin(s0 + 12.5) = -0.5033 cos(e0 - 8).
-TEST(Aristo, HasItsWristAtOneHeightInBothCasesOnTheKnownCurves) {
+TEST(Wrist, StandsAtOneHeightInBothCasesOnTheKnownCurves) {
   for (const Coupling coupling : kCouplings) {
     const bool keeps = coupling == Coupling::KeepsElevation;
     const double factor =
@@ -189,4 +187,4 @@ TEST(SphereArm, AgreesWithTheChain) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

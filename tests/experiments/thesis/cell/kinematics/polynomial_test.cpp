@@ -9,20 +9,16 @@
 
 #include "experiments/cases/workloads/random.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
 
-using kinematics::Dyadic;
-using kinematics::Polynomial;
-using kinematics::real_roots;
-using kinematics::Root;
 using workloads::Random;
 
 Polynomial polynomial(const std::vector<long>& coefficients) {
   return Polynomial(std::vector<mpz_class>(coefficients.begin(), coefficients.end()));
 }
 
-mpq_class rational(const Dyadic& x) { return mpq_class(x.numerator) / (mpz_class(1) << x.shift); }
+mpq_class value_of(const Dyadic& x) { return mpq_class(x.numerator) / (mpz_class(1) << x.shift); }
 
 // Planted: a count that takes in the lower end, a half of an interval that is not looked at, (a, b) for (a, b].
 TEST(RealRoots, AreThoseOfTheFactors) {
@@ -48,10 +44,10 @@ TEST(RealRoots, AreThoseOfTheFactors) {
     auto at = different.begin();
     for (Root& root : roots) {
       const mpq_class value = *at++;
-      EXPECT_TRUE(rational(root.low()) <= value && value <= rational(root.high())) << "sample " << index;
+      EXPECT_TRUE(value_of(root.low()) <= value && value <= value_of(root.high())) << "sample " << index;
       root.refine(100);
-      EXPECT_TRUE(rational(root.low()) <= value && value <= rational(root.high())) << "sample " << index;
-      EXPECT_LE(mpq_class(rational(root.high()) - rational(root.low())), mpq_class(1) / (mpz_class(1) << 100));
+      EXPECT_TRUE(value_of(root.low()) <= value && value <= value_of(root.high())) << "sample " << index;
+      EXPECT_LE(mpq_class(value_of(root.high()) - value_of(root.low())), mpq_class(1) / (mpz_class(1) << 100));
       std::size_t times = 0;
       for (mpq_class other : expected) other.canonicalize(), times += other == value ? 1U : 0U;
       EXPECT_EQ(root.multiple(), times > 1) << "sample " << index;
@@ -83,4 +79,4 @@ TEST(RootSign, IsExactHoweverNearTheRootIs) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
 
 RationalPoint rational(const Eigen::Vector3d& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
@@ -35,7 +35,7 @@ mpq_class squared_distance_from_segment(const RationalPoint& p, const RationalPo
 
 }  // namespace
 
-ArcPoint exact_point(const kinematics::Arc& arc, const mpq_class& tangent) {
+ArcPoint exact_point(const Arc& arc, const mpq_class& tangent) {
   const RationalPoint n = rational(arc.axis), v = minus(rational(arc.start), rational(arc.point));
   const mpq_class t = tangent, whole = 1 + t * t * dot(n, n);
   const mpq_class cosine = (2 - whole) / whole, sine_by_length = 2 * t / whole;
@@ -47,7 +47,7 @@ ArcPoint exact_point(const kinematics::Arc& arc, const mpq_class& tangent) {
   return {half * 360 / std::numbers::pi, point};
 }
 
-ArcPoint exact_point_near(const kinematics::Arc& arc, double degrees) {
+ArcPoint exact_point_near(const Arc& arc, double degrees) {
   return exact_point(arc, mpq_class(std::tan(degrees * std::numbers::pi / 360) / arc.axis.norm()));
 }
 
@@ -90,4 +90,4 @@ bool touches(const RationalPoint& center, double radius, const scene::Faces& fac
   return false;
 }
 
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

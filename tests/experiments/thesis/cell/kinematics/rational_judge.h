@@ -9,7 +9,7 @@
 #include "geometry/shapes/polygon.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 
 using RationalPoint = std::array<mpq_class, 3>;
 
@@ -19,9 +19,9 @@ struct ArcPoint {
   double degrees;
   RationalPoint center;
 };
-[[nodiscard]] ArcPoint exact_point(const kinematics::Arc& arc, const mpq_class& tangent);
+[[nodiscard]] ArcPoint exact_point(const Arc& arc, const mpq_class& tangent);
 /// The one with about this angle, which is less than 180 degrees.
-[[nodiscard]] ArcPoint exact_point_near(const kinematics::Arc& arc, double degrees);
+[[nodiscard]] ArcPoint exact_point_near(const Arc& arc, double degrees);
 
 /// The square of the distance of a point from the polygon of the contract, by rationals: written from the contract
 /// alone, with nothing of the library.
@@ -30,4 +30,4 @@ struct ArcPoint {
 /// Does the closed ball about that point touch one of the faces?
 [[nodiscard]] bool touches(const RationalPoint& center, double radius, const scene::Faces& faces);
 
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

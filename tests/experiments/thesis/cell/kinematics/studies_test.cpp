@@ -13,10 +13,9 @@
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::cell_tests {
+namespace touchstone::kinematics {
 namespace {
 
-using namespace kinematics;
 using run_tests::Scratch;
 using run_tests::text_of;
 
@@ -122,4 +121,4 @@ TEST(LayoutOutput, SetsWhatCameOutBesideTheCaptions) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_tests
+}  // namespace touchstone::kinematics

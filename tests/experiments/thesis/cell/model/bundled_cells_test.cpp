@@ -14,32 +14,16 @@
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/reach.h"
 #include "experiments/thesis/cell/model/read_cell.h"
-#include "tests/experiments/support/melfa_meshes.h"
+#include "tests/experiments/support/cells.h"
+#include "tests/experiments/support/message_of.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::BadCell;
-using cell::Cell;
-using cell::Label;
 using nlohmann::json;
-
-const std::filesystem::path kCells = std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells";
-
-/// Where each link is, for joint angles in degrees about the joints' axes (couplings apart).
-std::vector<Eigen::Isometry3d> links_at(const cell::Robot& robot, const std::vector<double>& degrees) {
-  const auto isometry = [](const Pose& pose) {
-    Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-    result.linear() = pose.rotation;
-    result.translation() = pose.translation;
-    return result;
-  };
-  std::vector<Eigen::Isometry3d> links{isometry(robot.base)};
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    links.push_back(links.back() * isometry(robot.joints[i].origin) *
-                    Eigen::AngleAxisd(degrees[i] * std::numbers::pi / 180, robot.joints[i].axis));
-  return links;
-}
+using run_tests::kAristo;
+using run_tests::kCells;
+using run_tests::links_at;
 
 /// One link's step of a Denavit-Hartenberg table, in degrees and mm.
 Eigen::Isometry3d step(double theta, double alpha, double a, double d) {
@@ -49,7 +33,7 @@ Eigen::Isometry3d step(double theta, double alpha, double a, double d) {
 }
 
 TEST(Aristo, ItsHomePoseIsThatOfItsDenavitHartenbergTable) {
-  const Cell cell = cell::read_cell(kCells / "aristo.json");
+  const Cell cell = read_cell(kAristo);
   const auto links = links_at(cell.robot, {0, 0, 0, 0, 0, 0});
   EXPECT_EQ(links[5].translation(), Eigen::Vector3d(375, 0, 622));  // the wrist
   EXPECT_EQ(links[6].translation(), Eigen::Vector3d(375, 0, 559));  // the flange
@@ -59,12 +43,11 @@ TEST(Aristo, ItsHomePoseIsThatOfItsDenavitHartenbergTable) {
 // 63), home at theta = 0, 90, 180, 0, 90, 0. Wherever the table's joints are turned from there, the flange is where the
 // cell file's are turned by the same angles, in the cell's directions.
 TEST(Aristo, MovesAsItsDenavitHartenbergTableDoes) {
-  const Cell cell = cell::read_cell(kCells / "aristo.json");
+  const Cell cell = read_cell(kAristo);
   for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES; ++i) {
     workloads::Random random(53, i);
     std::vector<double> q;
-    for (const cell::Joint& joint : cell.robot.joints)
-      q.push_back(joint.lower + random.unit() * (joint.upper - joint.lower));
+    for (const Joint& joint : cell.robot.joints) q.push_back(joint.lower + random.unit() * (joint.upper - joint.lower));
     const Eigen::Isometry3d table = step(q[0], 90, 0, 322) * step(90 - q[1], 0, 300, 0) * step(180 + q[2], 90, 0, 0) *
                                     step(q[3], 90, 0, -375) * step(90 - q[4], 90, 0, 0) * step(q[5], 0, 0, 63);
     const Eigen::Isometry3d flange = links_at(cell.robot, q).back();
@@ -76,7 +59,7 @@ TEST(Aristo, MovesAsItsDenavitHartenbergTableDoes) {
 }
 
 TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
-  const Cell cell = cell::read_cell(kCells / "aristo.json");
+  const Cell cell = read_cell(kAristo);
   EXPECT_EQ(cell.label("storage.angle"), Label::Text);
   EXPECT_EQ(cell.label("storage.home"), Label::Derived);
   EXPECT_EQ(cell.label("storage.slots[1].place[0]"), Label::Chosen);
@@ -88,11 +71,11 @@ TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
   EXPECT_EQ(cell.machine.azimuth(), -83);
   EXPECT_EQ(cell.robot.couplings.size(), 2U);
 
-  std::map<std::string, cell::SolidFaces> parts;
-  for (cell::ModelPart& part : cell::build_model(cell)) {
+  std::map<std::string, SolidFaces> parts;
+  for (ModelPart& part : build_model(cell)) {
     const std::string owner = part.name.substr(0, part.name.find('/'));
-    EXPECT_EQ(part.carrier == cell::Carrier::Link ? cell.robot.links[part.link].name : to_string(part.carrier), owner);
-    if (part.carrier == cell::Carrier::Gripper) {
+    EXPECT_EQ(part.carrier == Carrier::Link ? cell.robot.links[part.link].name : to_string(part.carrier), owner);
+    if (part.carrier == Carrier::Gripper) {
       EXPECT_EQ(part.link, cell.robot.links.size() - 1);
     }
     parts.emplace(part.name, std::move(part.faces));
@@ -107,8 +90,8 @@ TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
 
 // Whatever the joints do that move, the sphere is where the reach says that it can be; and it comes near both bounds.
 TEST(Aristo, ItsReachHoldsForEveryPoseOfTheJointsThatMove) {
-  const Cell cell = cell::read_cell(kCells / "aristo.json");
-  const cell::Reach reach = cell::reach_of(cell);
+  const Cell cell = read_cell(kAristo);
+  const Reach reach = reach_of(cell);
   double nearest = reach.outer, furthest = 0;
   constexpr std::uint64_t kPoses = std::max(TOUCHSTONE_SAMPLES, 100);  // fewer may stay away from the bounds
   for (std::uint64_t i = 0; i < kPoses; ++i) {
@@ -132,7 +115,7 @@ class Melfa : public testing::Test, public run_tests::MelfaMeshes {};
 // LinuxCNC's modified table (alpha, a, d before each joint): (0, 0, 350), (-90, 85, 0), (0, 380, 0), (-90, 100, 425),
 // (90, 0, 0), (-90, 0, 85), with its angles; the file has its own frames but the same hand.
 TEST_F(Melfa, MovesAsLinuxCncsTableDoes) {
-  const Cell cell = cell::read_cell(kCells / "melfa.json", scratch.path);
+  const Cell cell = read_cell(kCells / "melfa.json", scratch.path);
   const auto before = [](double alpha, double a, double theta, double d) {
     return Eigen::Isometry3d(Eigen::AngleAxisd(alpha * std::numbers::pi / 180, Eigen::Vector3d::UnitX())) *
            Eigen::Translation3d(a, 0, 0) * step(theta, 0, 0, d);
@@ -140,8 +123,7 @@ TEST_F(Melfa, MovesAsLinuxCncsTableDoes) {
   for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES; ++i) {
     workloads::Random random(54, i);
     std::vector<double> q;
-    for (const cell::Joint& joint : cell.robot.joints)
-      q.push_back(joint.lower + random.unit() * (joint.upper - joint.lower));
+    for (const Joint& joint : cell.robot.joints) q.push_back(joint.lower + random.unit() * (joint.upper - joint.lower));
     const Eigen::Isometry3d table = before(0, 0, q[0], 350) * before(-90, 85, q[1], 0) * before(0, 380, q[2], 0) *
                                     before(-90, 100, q[3], 425) * before(90, 0, q[4], 0) * before(-90, 0, q[5], 85);
     EXPECT_LT((links_at(cell.robot, q).back().translation() - table.translation()).norm(), 1e-9) << i;
@@ -149,7 +131,7 @@ TEST_F(Melfa, MovesAsLinuxCncsTableDoes) {
 }
 
 TEST_F(Melfa, LimitsAreWholeDegreesAndFramesQuarterTurns) {
-  const Cell cell = cell::read_cell(kCells / "melfa.json", scratch.path);
+  const Cell cell = read_cell(kCells / "melfa.json", scratch.path);
   EXPECT_EQ(cell.robot.joints[1].lower, -182);
   EXPECT_EQ(cell.robot.joints[1].upper, 45);
   EXPECT_EQ(cell.robot.joints[2].lower, -219);
@@ -157,20 +139,15 @@ TEST_F(Melfa, LimitsAreWholeDegreesAndFramesQuarterTurns) {
   turn << 0, 0, 1, 0, 1, 0, -1, 0, 0;
   EXPECT_EQ(cell.robot.joints[1].origin.rotation, turn);
   EXPECT_EQ(cell.robot.joints[1].origin.translation, Eigen::Vector3d(85, 0, 111));
-  for (const cell::ModelPart& part : cell::build_model(cell)) EXPECT_FALSE(part.faces.faces.empty()) << part.name;
+  for (const ModelPart& part : build_model(cell)) EXPECT_FALSE(part.faces.faces.empty()) << part.name;
 }
 
 TEST_F(Melfa, AMissingMeshIsNamed) {
   std::filesystem::remove(scratch.path / "VMC_toolchange/head.stl");
-  try {
-    (void)cell::read_cell(kCells / "melfa.json", scratch.path);
-    FAIL();
-  } catch (const BadCell& error) {
-    EXPECT_EQ(std::string(error.what()), (kCells / "melfa.json").string() +
-                                             ": machine.parts[1].mesh.file: there is no file " +
-                                             (scratch.path / "VMC_toolchange/head.stl").string());
-  }
+  EXPECT_EQ(run_tests::message_of<BadCell>([&] { return read_cell(kCells / "melfa.json", scratch.path); }),
+            (kCells / "melfa.json").string() + ": machine.parts[1].mesh.file: there is no file " +
+                (scratch.path / "VMC_toolchange/head.stl").string());
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

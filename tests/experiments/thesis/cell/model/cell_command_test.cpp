@@ -9,10 +9,11 @@
 #include "experiments/commands.h"
 #include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/link_model.h"
+#include "tests/experiments/support/cells.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
 using run_tests::Ran;
@@ -25,7 +26,7 @@ class CellCommand : public testing::Test {
  protected:
   [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }
   const run_tests::Scratch scratch;
-  const std::string aristo = std::string(TOUCHSTONE_SOURCE_DIR) + "/experiments/thesis/cell/cells/aristo.json";
+  const std::string aristo = run_tests::kAristo.string();
 };
 
 // As the captions of the thesis have it: one file a link, three parts in Axis1, one in Gripper1.
@@ -37,14 +38,14 @@ TEST_F(CellCommand, ShowWritesAModelFileForEveryLink) {
   EXPECT_EQ(std::count(faces.begin(), faces.end(), '\n'), 1 + 576);
   EXPECT_NE(faces.find("\nstorage/deck,storage,20,"), std::string::npos);
   EXPECT_NE(run_tests::text_of(path("out/run.json")).find("touchstone cell show "), std::string::npos);
-  const cell::LinkModel axis1 = cell::read_link_model(path("out/models/Axis1.txt"));
+  const LinkModel axis1 = read_link_model(path("out/models/Axis1.txt"));
   EXPECT_EQ(axis1.name, "Axis1");
   EXPECT_EQ(axis1.parts.size(), 3U);
-  const cell::LinkModel gripper = cell::read_link_model(path("out/models/Gripper1.txt"));
+  const LinkModel gripper = read_link_model(path("out/models/Gripper1.txt"));
   ASSERT_EQ(gripper.parts.size(), 1U);
   EXPECT_EQ(gripper.parts[0].vertices.size(), 16U);
   EXPECT_EQ(gripper.parts[0].polygons.size(), 10U);
-  EXPECT_EQ(cell::read_link_model(path("out/models/machine-bottom.txt")).parts[0].polygons.size(), 11U);
+  EXPECT_EQ(read_link_model(path("out/models/machine-bottom.txt")).parts[0].polygons.size(), 11U);
 }
 
 // The files are those of the page of formats.
@@ -78,4 +79,4 @@ TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

@@ -14,13 +14,10 @@
 #include "experiments/cases/workloads/random.h"
 #include "tests/experiments/thesis/cell/model/solids.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::Boundary;
-using cell::boundary_of;
-using cell::Solid;
-using Operation = cell::Boolean::Operation;
+using Operation = Boolean::Operation;
 using workloads::Random;
 
 constexpr std::uint64_t kSeed = 51;
@@ -53,7 +50,7 @@ std::size_t unmatched_edges(const Boundary& boundary) {
 // All vertices are on the sphere, with the poles and, for a multiple of four, the equator's axes among them.
 TEST(BoundaryOf, ASphereIsClosedAndWithinIt) {
   for (const int sides : {3, 8, 10}) {
-    const Boundary boundary = boundary_of({cell::Sphere{{1, 2, 3}, 2, sides}});
+    const Boundary boundary = boundary_of({Sphere{{1, 2, 3}, 2, sides}});
     EXPECT_EQ(unmatched_edges(boundary), 0U);
     EXPECT_EQ(holes(boundary), 0U);
     EXPECT_EQ(boundary.faces.size(), static_cast<std::size_t>(sides * ((sides + 3) / 4 * 2)));
@@ -77,7 +74,7 @@ TEST(BoundaryOf, ASphereIsClosedAndWithinIt) {
 
 TEST(CirclePoints, LieOnTheCircleNextToTheRegularPolygon) {
   for (const int sides : {3, 4, 5, 7, 12, 24, 32, 999, 1000}) {
-    const auto points = cell::circle_points(sides);
+    const auto points = circle_points(sides);
     ASSERT_EQ(points.size(), static_cast<std::size_t>(sides));
     for (int k = 0; k < sides; ++k) {
       const auto& [cosine, sine, denominator] = points[static_cast<std::size_t>(k)];
@@ -92,7 +89,7 @@ TEST(CirclePoints, LieOnTheCircleNextToTheRegularPolygon) {
 }
 
 TEST(CirclePoints, AQuarterTurnMapsThemToThemselvesWhereFourDividesTheSides) {
-  const auto points = cell::circle_points(20);
+  const auto points = circle_points(20);
   for (std::size_t k = 0; k < 20; ++k) {
     EXPECT_EQ(points[(k + 5) % 20].cosine, -points[k].sine);
     EXPECT_EQ(points[(k + 5) % 20].sine, points[k].cosine);
@@ -110,7 +107,7 @@ TEST(ExactBoolean, ABoxHasItsSixFacesOrientedOutwards) {
 TEST(ExactBoolean, ACylindersVolumeIsThatOfItsExactPolygonTimesItsLength) {
   for (const int sides : {3, 8, 24}) {
     mpq_class twice_area = 0;
-    const auto points = cell::circle_points(sides);
+    const auto points = circle_points(sides);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto &a = points[i], &b = points[(i + 1) % points.size()];
       twice_area += mpq_class(mpz_class(a.cosine) * b.sine - mpz_class(a.sine) * b.cosine,
@@ -208,4 +205,4 @@ TEST(ExactBoolean, TheInsideIsThatOfThePrimitivesAndTheSurfaceIsClosed) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

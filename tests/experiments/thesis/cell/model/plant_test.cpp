@@ -6,23 +6,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/poses.h"
 #include "experiments/thesis/cell/model/read_cell.h"
+#include "tests/experiments/support/cells.h"
+#include "tests/experiments/support/message_of.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::BadCell;
-using cell::Cell;
-using cell::Plant;
-
-const std::filesystem::path kAristo =
-    std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells/aristo.json";
+using run_tests::kAristo;
 
 const std::vector<std::string> kSecondRobot{"robots[0]=@robot", "robots[0].gripper=@gripper", "robots[0].name=second",
                                             "robots[0].place=[-1900, 100]", "robots[0].turn=150"};
@@ -34,26 +30,21 @@ std::vector<std::string> operator+(std::vector<std::string> all, const std::vect
 }
 
 /// What the Aristo's cell is refused for under changes, after the name of the file.
-std::string fault(const std::vector<std::string>& changes) {
-  try {
-    (void)cell::read_plant(kAristo, {}, changes);
-  } catch (const BadCell& error) {
-    const std::string message = error.what(), file = kAristo.string() + ": ";
-    return message.starts_with(file) ? message.substr(file.size()) : message;
-  }
-  return "";
+std::string fault_of_plant(const std::vector<std::string>& changes) {
+  return run_tests::after_file(kAristo,
+                               run_tests::message_of<BadCell>([&] { return read_plant(kAristo, {}, changes); }));
 }
 
-std::vector<std::string> names(const std::vector<cell::Part>& parts) {
+std::vector<std::string> names(const std::vector<Part>& parts) {
   std::vector<std::string> names;
-  for (const cell::Part& part : parts) names.push_back(part.name);
+  for (const Part& part : parts) names.push_back(part.name);
   return names;
 }
 
 TEST(Plant, AFileOfOneIsAPlantOfOne) {
-  const Plant plant = cell::read_plant(kAristo);
+  const Plant plant = read_plant(kAristo);
   EXPECT_EQ(plant.robots.size() + plant.storages.size() + plant.machines.size() + plant.pieces.size(), 4U);
-  const Cell cell = cell::cell_of(plant, 0);
+  const Cell cell = cell_of(plant, 0);
   EXPECT_TRUE(cell.obstacles.empty());
   EXPECT_EQ(names(cell.storage.parts), std::vector<std::string>{"deck"});  // not the piece that is handled
   EXPECT_TRUE(cell.zones.empty());
@@ -62,13 +53,13 @@ TEST(Plant, AFileOfOneIsAPlantOfOne) {
 }
 
 TEST(Plant, WhatAPieceIsNotHandledByStands) {
-  const Plant plant = cell::read_plant(
+  const Plant plant = read_plant(
       kAristo, {},
       kSecondRobot + kRack +
           std::vector<std::string>{"obstacles[0]={\"name\": \"fence\", \"box\": {\"from\": [0, 0, 0], \"to\": [1, 2, "
                                    "3]}, \"move\": [900, 900, 0]}",
                                    "materials[0]=@material", "materials[0].name=other", "materials[0].storage=rack"});
-  const Cell first = cell::cell_of(plant, 0), second = cell::cell_of(plant, 1);
+  const Cell first = cell_of(plant, 0), second = cell_of(plant, 1);
   const auto has = [](const Cell& cell, const std::string& name) {
     return std::ranges::count(names(cell.obstacles), name);
   };
@@ -83,15 +74,15 @@ TEST(Plant, WhatAPieceIsNotHandledByStands) {
   EXPECT_EQ(has(second, "storage/material"), 1);
   EXPECT_EQ(has(second, "rack/deck"), 0);
   EXPECT_EQ(second.storage.name, "rack");
-  EXPECT_EQ(second.label("storage.radius"), cell::Label::Chosen);
+  EXPECT_EQ(second.label("storage.radius"), Label::Chosen);
 }
 
 /// A piece in the storage that the robot serves stands on it, and goes where it goes.
 TEST(Plant, PiecesStandOnTheirStorage) {
   const Plant plant =
-      cell::read_plant(kAristo, {}, {"materials[0]=@material", "materials[0].name=other", "materials[0].slot=C"});
-  const Cell cell = cell::cell_of(plant, 0);
-  const auto piece = std::ranges::find(cell.storage.parts, "other", &cell::Part::name);
+      read_plant(kAristo, {}, {"materials[0]=@material", "materials[0].name=other", "materials[0].slot=C"});
+  const Cell cell = cell_of(plant, 0);
+  const auto piece = std::ranges::find(cell.storage.parts, "other", &Part::name);
   ASSERT_NE(piece, cell.storage.parts.end());
   EXPECT_EQ(piece->solid.pose.translation, cell.storage.slots[2].place);
 }
@@ -101,22 +92,22 @@ TEST(Plant, PiecesStandOnTheirStorage) {
 TEST(Plant, ThingsAreSeenFromTheRobotThatMoves) {
   const auto moved =
       kSecondRobot + std::vector<std::string>{"material.robot=second", "storage.about=second", "machine.about=second"};
-  const Cell own = cell::read_cell(kAristo, {}, moved), alone = cell::read_cell(kAristo);
-  EXPECT_EQ(cell::pose_of(own.storage), cell::pose_of(alone.storage));
-  EXPECT_EQ(cell::pose_of(own.machine), cell::pose_of(alone.machine));
+  const Cell own = read_cell(kAristo, {}, moved), alone = read_cell(kAristo);
+  EXPECT_EQ(pose_of(own.storage), pose_of(alone.storage));
+  EXPECT_EQ(pose_of(own.machine), pose_of(alone.machine));
 
-  const Plant plant = cell::read_plant(kAristo, {}, kSecondRobot + kRack);
+  const Plant plant = read_plant(kAristo, {}, kSecondRobot + kRack);
   Plant by_second = plant;
   by_second.pieces[0].robot = 1;
-  const Cell first = cell::cell_of(plant, 0), second = cell::cell_of(by_second, 0);
+  const Cell first = cell_of(plant, 0), second = cell_of(by_second, 0);
   const Pose frame = plant.robots[1].frame;
   for (const auto& [one, other] : {std::pair(&first.storage, &second.storage), {&first.machine, &second.machine}}) {
-    const Pose expected = cell::pose_of(*one), found = cell::within(frame, cell::pose_of(*other));
+    const Pose expected = pose_of(*one), found = within(frame, pose_of(*other));
     EXPECT_LT((expected.translation - found.translation).norm(), 1e-9);
     EXPECT_LT((expected.rotation - found.rotation).norm(), 1e-12);
   }
   const auto place = [](const Cell& cell, const std::string& name) {
-    return std::ranges::find(cell.obstacles, name, &cell::Part::name)->solid.pose.translation;
+    return std::ranges::find(cell.obstacles, name, &Part::name)->solid.pose.translation;
   };
   const Eigen::Vector3d rack = frame * place(second, "rack/deck");
   EXPECT_LT((rack - place(first, "rack/deck")).norm(), 1e-9);
@@ -125,28 +116,32 @@ TEST(Plant, ThingsAreSeenFromTheRobotThatMoves) {
 }
 
 TEST(Plant, AskedWhichItNamesKeyAndChoice) {
-  EXPECT_EQ(fault(kRack), "");  // the key `storage` says which
-  EXPECT_EQ(fault(kRack + std::vector<std::string>{"material.storage=shelf"}),
+  EXPECT_EQ(fault_of_plant(kRack), "");  // the key `storage` says which
+  EXPECT_EQ(fault_of_plant(kRack + std::vector<std::string>{"material.storage=shelf"}),
             "material.storage: \"shelf\" is not one of storage, rack");
-  EXPECT_EQ(fault(kRack + kRack +
-                  std::vector<std::string>{"storages[1]=@storages[0]", "storages[1].name=third", "storage=null"}),
-            "material: must say by \"storage\" which: there are rack, third");
-  EXPECT_EQ(fault({"storages[0]=@storage"}), "storages[0]: the key \"name\" is missing");
-  EXPECT_EQ(fault({"storages[0]=@storage", "storages[0].name=machine"}),
+  EXPECT_EQ(
+      fault_of_plant(kRack + kRack +
+                     std::vector<std::string>{"storages[1]=@storages[0]", "storages[1].name=third", "storage=null"}),
+      "material: must say by \"storage\" which: there are rack, third");
+  EXPECT_EQ(fault_of_plant({"storages[0]=@storage"}), "storages[0]: the key \"name\" is missing");
+  EXPECT_EQ(fault_of_plant({"storages[0]=@storage", "storages[0].name=machine"}),
             "storages[0].name: a link, or something else, has this name");
-  EXPECT_EQ(fault({"storages[0]=@storage", "storages[0].name=Axis1"}),
+  EXPECT_EQ(fault_of_plant({"storages[0]=@storage", "storages[0].name=Axis1"}),
             "storages[0].name: a link, or something else, has this name");
-  EXPECT_EQ(fault(kRack + std::vector<std::string>{"storages[0].radius=3000"}), "");  // nobody goes there
-  EXPECT_TRUE(fault(kRack + std::vector<std::string>{"storages[0].radius=3000", "material.storage=rack"})
+  EXPECT_EQ(fault_of_plant(kRack + std::vector<std::string>{"storages[0].radius=3000"}), "");  // nobody goes there
+  EXPECT_TRUE(fault_of_plant(kRack + std::vector<std::string>{"storages[0].radius=3000", "material.storage=rack"})
                   .starts_with("storages[0].radius: too far: "));
-  EXPECT_EQ(fault({"materials[0]=@material", "materials[0].name=other"}), "materials[0].slot: \"material\" lies there");
-  EXPECT_EQ(fault({"robots[0]=@robot", "robots[0].name=second"}), "robots[0]: the key \"gripper\" is missing");
-  EXPECT_EQ(fault({"storages[0]=@rack"}), "storages[0]: there is no value at rack");
-  EXPECT_EQ(fault({"storage.about=second"}), "storage.about: \"second\" is not one of robot");
+  EXPECT_EQ(fault_of_plant({"materials[0]=@material", "materials[0].name=other"}),
+            "materials[0].slot: \"material\" lies there");
+  EXPECT_EQ(fault_of_plant({"robots[0]=@robot", "robots[0].name=second"}), "robots[0]: the key \"gripper\" is missing");
+  EXPECT_EQ(fault_of_plant({"storages[0]=@rack"}), "storages[0]: there is no value at rack");
+  EXPECT_EQ(fault_of_plant({"storage.about=second"}), "storage.about: \"second\" is not one of robot");
 }
 
 TEST(Plant, ZonesAreChecked) {
-  const auto zone = [](const std::string& shape) { return fault({"zones[0]={\"name\": \"z\", " + shape + "}"}); };
+  const auto zone = [](const std::string& shape) {
+    return fault_of_plant({"zones[0]={\"name\": \"z\", " + shape + "}"});
+  };
   EXPECT_EQ(zone(R"("sphere": {"at": [0, 0, 0], "radius": 1})"), "");
   EXPECT_EQ(zone(R"("face": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "stops": true)"), "");
   EXPECT_EQ(zone(R"("stops": true)"), "zones[0]: has no shape: face, box, sphere or capsule");
@@ -161,4 +156,4 @@ TEST(Plant, ZonesAreChecked) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

@@ -12,16 +12,17 @@
 #include "experiments/run/output.h"
 #include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/cell/simulation/arm.h"
+#include "tests/experiments/support/cells.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::BadCell;
-using cell::Cell;
 using nlohmann::json;
-
-const std::filesystem::path kCells = std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells";
+using run_tests::after_file;
+using run_tests::kCells;
+using run_tests::message_of;
 
 class BadCells : public testing::Test {
  protected:
@@ -35,13 +36,7 @@ class BadCells : public testing::Test {
   [[nodiscard]] std::string fault(const std::string& text) const {
     const std::string file = (scratch.path / "cell.json").string();
     run::write_file(file, text);
-    try {
-      (void)cell::read_cell(file);
-    } catch (const BadCell& error) {
-      const std::string message = error.what();
-      return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
-    }
-    return "";
+    return after_file(file, message_of<BadCell>([&] { return read_cell(file); }));
   }
   /// The same of the Aristo's file with one value in place of another; null takes the key out.
   [[nodiscard]] std::string fault(const char* pointer, const json& value) const {
@@ -61,8 +56,7 @@ class BadCells : public testing::Test {
     text.replace(at, old_text.size(), new_text);
     const std::string file = (scratch.path / "aristo.urdf").string();
     run::write_file(file, text);
-    const std::string message = fault(whole.dump());
-    return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
+    return after_file(file, fault(whole.dump()));
   }
 
   const run_tests::Scratch scratch;
@@ -116,12 +110,7 @@ TEST_F(BadCells, TextsAreUtf8WithoutControlCharacters) {
 }
 
 TEST_F(BadCells, AFileWithoutEndIsNotReadToItsEnd) {
-  try {
-    (void)cell::read_cell("/dev/zero");
-    FAIL();
-  } catch (const BadCell& error) {
-    EXPECT_STREQ(error.what(), "/dev/zero: has more than 16 MiB");
-  }
+  EXPECT_EQ(message_of<BadCell>([] { return read_cell("/dev/zero"); }), "/dev/zero: has more than 16 MiB");
   std::filesystem::remove(scratch.path / "aristo.urdf");
   std::filesystem::create_symlink("/dev/zero", scratch.path / "aristo.urdf");
   EXPECT_EQ(fault("/name", "x"), "robot.urdf: there is no file " + (scratch.path / "aristo.urdf").string());
@@ -194,9 +183,9 @@ TEST_F(BadCells, AnAxisMayHaveAnyLength) {
     ASSERT_NE(text, urdf);
     run::write_file(scratch.path / "aristo.urdf", text);
     EXPECT_EQ(fault(whole.dump()), "") << length;
-    const cell::Cell cell = cell::read_cell(scratch.path / "cell.json");
-    for (const cell::Joint& joint : cell.robot.joints) EXPECT_EQ(joint.axis.norm(), 1) << length << ' ' << joint.name;
-    EXPECT_NO_THROW((void)cell::arm_of(cell)) << length;
+    const Cell cell = read_cell(scratch.path / "cell.json");
+    for (const Joint& joint : cell.robot.joints) EXPECT_EQ(joint.axis.norm(), 1) << length << ' ' << joint.name;
+    EXPECT_NO_THROW((void)arm_of(cell)) << length;
   }
   run::write_file(scratch.path / "aristo.urdf", urdf);
   for (const double length : {1e200, 1e-200})
@@ -265,8 +254,7 @@ TEST_F(BadCells, JointsThatSlideStandStill) {
 TEST_F(BadCells, XmlFaultsAreNamedWithTheirLine) {
   const auto text = [&](const std::string& urdf) {
     run::write_file(scratch.path / "aristo.urdf", urdf);
-    const std::string message = fault(whole.dump()), file = (scratch.path / "aristo.urdf").string();
-    return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
+    return after_file(scratch.path / "aristo.urdf", fault(whole.dump()));
   };
   EXPECT_EQ(text(""), "line 1: is not XML in UTF-8: no element found");
   EXPECT_EQ(text("<robot name=\"a\">\n<link name=\"b\">\n</robot>"), "line 3: is not XML in UTF-8: mismatched tag");
@@ -339,17 +327,17 @@ TEST_F(BadCells, UrdfBoxesAndCylindersArePartsOfTheirLink) {
       "");
   whole["robot"]["links"].erase("Base");
   run::write_file(scratch.path / "cell.json", whole.dump());
-  const Cell cell = cell::read_cell(scratch.path / "cell.json");
-  const std::vector<cell::Part>& parts = cell.robot.links[0].parts;
+  const Cell cell = read_cell(scratch.path / "cell.json");
+  const std::vector<Part>& parts = cell.robot.links[0].parts;
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].name, "foot");
   EXPECT_EQ(parts[1].name, "collision1");
-  const Eigen::AlignedBox3d foot = cell::bounds_of(parts[0].solid), rod = cell::bounds_of(parts[1].solid);
+  const Eigen::AlignedBox3d foot = bounds_of(parts[0].solid), rod = bounds_of(parts[1].solid);
   EXPECT_EQ(foot.min(), Eigen::Vector3d(-100, -150, 0));
   EXPECT_EQ(foot.max(), Eigen::Vector3d(100, 150, 100));
   EXPECT_EQ(rod.min(), Eigen::Vector3d(-25, -25, -200));
-  EXPECT_EQ(cell::faces_of(parts[0].solid, "foot").volume, 200.0 * 100 * 300);
-  EXPECT_EQ(cell::faces_of(parts[1].solid, "rod").faces.size(), 26U);
+  EXPECT_EQ(faces_of(parts[0].solid, "foot").volume, 200.0 * 100 * 300);
+  EXPECT_EQ(faces_of(parts[1].solid, "rod").faces.size(), 26U);
 }
 
 TEST_F(BadCells, WhatIsOutOfReachIsNamed) {
@@ -373,4 +361,4 @@ TEST_F(BadCells, LabelsAreOfWhatIsThereAndCoverAllNumbers) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

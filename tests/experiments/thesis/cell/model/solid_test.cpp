@@ -12,25 +12,17 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/scene/scene.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/cell/model/solids.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::BadSolid;
-using cell::faces_of;
-using cell::Solid;
-using cell::SolidFaces;
-using Operation = cell::Boolean::Operation;
+using Operation = Boolean::Operation;
 
 std::string refusal(const Solid& solid) {
-  try {
-    (void)faces_of(solid, "arm/body");
-  } catch (const BadSolid& error) {
-    return error.what();
-  }
-  return "";
+  return run_tests::message_of<BadSolid>([&] { return faces_of(solid, "arm/body"); });
 }
 
 TEST(SolidFaces, AreAcceptedPolygonsWhoseOffPlaneIsThatOfTheExactAnswer) {
@@ -40,7 +32,7 @@ TEST(SolidFaces, AreAcceptedPolygonsWhoseOffPlaneIsThatOfTheExactAnswer) {
   const SolidFaces faces = faces_of(solid, "block");
   EXPECT_EQ(faces.holes(), 4U);
   double largest = 0;
-  for (const cell::Face& face : faces.faces) {
+  for (const Face& face : faces.faces) {
     EXPECT_EQ(exact::validate(face.polygon), std::nullopt);
     EXPECT_EQ(face.off_plane, exact::answer({{0, 0, 0}, 1}, exact::PreparedPolygon(face.polygon)).off_plane);
     largest = std::max(largest, face.off_plane);
@@ -65,14 +57,14 @@ class MeshSolid : public testing::Test {
  protected:
   [[nodiscard]] Solid mesh(const std::string& text, const char* unit) const {
     run::write_file(scratch.path / "part.obj", text);
-    return {cell::MeshFile{scratch.path / "part.obj", workloads::find_unit(unit), workloads::find_unit("mm")}};
+    return {MeshFile{scratch.path / "part.obj", workloads::find_unit(unit), workloads::find_unit("mm")}};
   }
   const run_tests::Scratch scratch;
 };
 
 TEST_F(MeshSolid, IsMergedConvertedAndPosed) {
   Solid solid = mesh("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n", "inch");
-  solid.pose = {cell::quarter_turns(1, 1), {0, 0, 100}};
+  solid.pose = {quarter_turns(1, 1), {0, 0, 100}};
   const SolidFaces faces = faces_of(solid, "arm/body");
   ASSERT_EQ(faces.faces.size(), 1U);
   EXPECT_EQ(faces.merged_from, 2U);
@@ -94,7 +86,7 @@ TEST_F(MeshSolid, IsNoPartOfABoolean) {
 
 TEST(SceneFaces, TrianglesComeFirstAndKnowTheirNumbers) {
   const SolidFaces prism = faces_of(cylinder(2, {0, 0, 0}, 1, 1, 3), "prism");
-  const cell::ModelFaces faces = cell::scene_faces(prism);
+  const ModelFaces faces = scene_faces(prism);
   EXPECT_EQ(faces.faces.triangles.size(), 2U);
   EXPECT_EQ(faces.faces.polygons.size(), 3U);
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(prism.faces[faces.numbers[i]].polygon.vertex_count(), i < 2 ? 3U : 4U);
@@ -105,4 +97,4 @@ TEST(SceneFaces, TrianglesComeFirstAndKnowTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

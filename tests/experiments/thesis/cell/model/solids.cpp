@@ -10,11 +10,9 @@
 #include "experiments/thesis/cell/model/exact_boolean.h"
 #include "experiments/thesis/cell/model/poses.h"
 
-namespace touchstone::cell_model_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::Boolean;
-using cell::Solid;
 using workloads::Random;
 
 Eigen::Vector3d small_point(Random& random) {
@@ -27,17 +25,17 @@ Eigen::Vector3d small_point(Random& random) {
 struct Depth {
   const Eigen::Vector3d& point;
 
-  double operator()(const cell::Box& box) const {
+  double operator()(const Box& box) const {
     return std::min((point - box.lower).minCoeff(), (box.upper - point).minCoeff());
   }
-  double operator()(const cell::Cylinder& cylinder) const {
+  double operator()(const Cylinder& cylinder) const {
     const int u = (cylinder.axis + 1) % 3, v = (cylinder.axis + 2) % 3;
     const double from = cylinder.from[cylinder.axis], to = cylinder.to[cylinder.axis], at = point[cylinder.axis];
     double depth = std::min(at - std::min(from, to), std::max(from, to) - at);
-    const auto corners = cell::circle_points(cylinder.sides);
+    const auto corners = circle_points(cylinder.sides);
     const Eigen::Vector2d p(point[u] - cylinder.from[u], point[v] - cylinder.from[v]);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto corner = [&](const cell::CirclePoint& c) -> Eigen::Vector2d {
+      const auto corner = [&](const CirclePoint& c) -> Eigen::Vector2d {
         return Eigen::Vector2d(static_cast<double>(c.cosine), static_cast<double>(c.sine)) *
                (cylinder.radius / static_cast<double>(c.denominator));
       };
@@ -46,8 +44,8 @@ struct Depth {
     }
     return depth;
   }
-  double operator()(const cell::Sphere&) const { return -1; }
-  double operator()(const cell::MeshFile&) const { return -1; }
+  double operator()(const Sphere&) const { return -1; }
+  double operator()(const MeshFile&) const { return -1; }
   double operator()(const Boolean&) const { return -1; }
 };
 
@@ -56,7 +54,7 @@ struct Depth {
 Solid cylinder(int axis, const Eigen::Vector3d& from, double length, double radius, int sides) {
   Eigen::Vector3d to = from;
   to[axis] += length;
-  return {cell::Cylinder{axis, from, to, radius, sides}};
+  return {Cylinder{axis, from, to, radius, sides}};
 }
 
 Solid combined(Boolean::Operation operation, std::vector<Solid> parts) {
@@ -79,7 +77,7 @@ Solid random_primitive(Random& random) {
 /// Quarter turns about one of the axes.
 static Eigen::Matrix3d random_turns(Random& random, int fewest, int most) {
   const auto turns = static_cast<int>(random.integer(fewest, most));
-  return cell::quarter_turns(static_cast<int>(random.integer(0, 2)), turns);
+  return quarter_turns(static_cast<int>(random.integer(0, 2)), turns);
 }
 
 Solid random_solid(Random& random) {
@@ -119,7 +117,7 @@ Side side_of(const Solid& solid, const Eigen::Vector3d& point) {
   return inside ? Side::Inside : Side::Outside;
 }
 
-double winding_number(const std::vector<cell::Boundary::Loops>& faces, const Eigen::Vector3d& point) {
+double winding_number(const std::vector<Boundary::Loops>& faces, const Eigen::Vector3d& point) {
   double sum = 0;
   for (const auto& face : faces)
     for (const Loop& loop : face)
@@ -132,4 +130,4 @@ double winding_number(const std::vector<cell::Boundary::Loops>& faces, const Eig
   return sum / (4 * std::numbers::pi);
 }
 
-}  // namespace touchstone::cell_model_tests
+}  // namespace touchstone::cell

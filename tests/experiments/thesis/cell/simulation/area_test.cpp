@@ -14,22 +14,20 @@
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::FailureCause;
-
-std::vector<cell::Tried> tried(const cell::Grid& grid, unsigned threads = 1) {
-  static const cell::Cell cell = cell::read_cell(kAristo);
-  static const auto parts = cell::build_model(cell);
+std::vector<Tried> tried(const Grid& grid, unsigned threads = 1) {
+  static const Cell cell = read_cell(kAristo);
+  static const auto parts = build_model(cell);
   const std::atomic<bool> stop = false;
-  return cell::try_places(cell, parts, covered_aristo(), grid, {}, threads, stop, [](std::uint64_t) {}).value();
+  return try_places(cell, parts, covered_aristo(), grid, {}, threads, stop, [](std::uint64_t) {}).value();
 }
 
 TEST(Area, ThePlacesOfBothCaseStudiesAreInIt) {
   const auto places = tried({{1, -33}, {480.2}, {242}});
   ASSERT_EQ(places.size(), 2U);
-  for (const cell::Tried& place : places) EXPECT_EQ(place.reason, "") << place.angle << " " << place.radius;
+  for (const Tried& place : places) EXPECT_EQ(place.reason, "") << place.angle << " " << place.radius;
 }
 
 TEST(Area, SaysWhyThereIsNoPlaceElsewhere) {
@@ -57,15 +55,14 @@ TEST(Area, TheRadiiThatARefusalNamesAreThoseWithinReach) {
         << reason;
     const auto within = tried({{1}, {least, (least + most) / 2, most}, {height}}),
                beyond = tried({{1}, {most + 10}, {height}});
-    for (const cell::Tried& place : within)
-      EXPECT_NE(place.cause, FailureCause::OutOfReach) << height << ' ' << place.reason;
+    for (const Tried& place : within) EXPECT_NE(place.cause, FailureCause::OutOfReach) << height << ' ' << place.reason;
     EXPECT_NE(beyond[0].reason.find("from above: the upper face of the material is out of reach"), std::string::npos)
         << height << ' ' << beyond[0].reason;
   }
 }
 
 TEST(Area, IsTheSameForAnyNumberOfThreads) {
-  const cell::Grid grid{{-40, 60}, {300, 500, 700}, {242}};
+  const Grid grid{{-40, 60}, {300, 500, 700}, {242}};
   const auto one = tried(grid, 1), two = tried(grid, 2);
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].radius, two[i].radius);
@@ -105,4 +102,4 @@ TEST(Area, TheCommandRefusesAGridWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell

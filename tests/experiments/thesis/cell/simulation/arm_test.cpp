@@ -11,35 +11,23 @@
 #include "experiments/thesis/cell/kinematics/aristo.h"
 #include "experiments/thesis/cell/kinematics/layout.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
+#include "tests/experiments/support/message_of.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::Arm;
-using cell::Cell;
 using kinematics::Angles;
-
-Eigen::Isometry3d isometry(const Pose& pose) {
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = pose.rotation;
-  result.translation() = pose.translation;
-  return result;
-}
+using run_tests::isometry;
 
 /// Where the links are by the robot's own description, couplings included.
-std::vector<Eigen::Isometry3d> described(const cell::Robot& robot, const Angles& commanded) {
+std::vector<Eigen::Isometry3d> described(const Robot& robot, const Angles& commanded) {
   std::vector<double> turns(robot.joints.size(), 0);
   std::vector<double> by_joint(robot.joints.size(), 0);
   for (std::size_t i = 0, next = 0; i < robot.joints.size(); ++i)
-    if (robot.joints[i].kind == cell::Joint::Kind::Revolute) turns[i] = by_joint[i] = commanded[next++];
-  for (const cell::Coupling& coupling : robot.couplings)
-    turns[coupling.joint] += coupling.factor * by_joint[coupling.leader];
-  std::vector<Eigen::Isometry3d> links{isometry(robot.base)};
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    links.push_back(links.back() * isometry(robot.joints[i].origin) *
-                    Eigen::AngleAxisd(turns[i] * std::numbers::pi / 180, robot.joints[i].axis));
-  return links;
+    if (robot.joints[i].kind == Joint::Kind::Revolute) turns[i] = by_joint[i] = commanded[next++];
+  for (const Coupling& coupling : robot.couplings) turns[coupling.joint] += coupling.factor * by_joint[coupling.leader];
+  return run_tests::links_at(robot, turns);
 }
 
 Angles random_angles(std::uint64_t n) {
@@ -50,9 +38,9 @@ Angles random_angles(std::uint64_t n) {
 }
 
 TEST(Arm, ItsLinksStandWhereTheRobotsDescriptionPutsThem) {
-  Cell cell = cell::read_cell(kAristo);
+  Cell cell = read_cell(kAristo);
   cell.robot.base.translation.z() = 37;
-  const Arm arm = cell::arm_of(cell);
+  const Arm arm = arm_of(cell);
   for (std::uint64_t n = 0; n < 50; ++n) {
     const Angles angles = random_angles(n);
     const auto expected = described(cell.robot, angles);
@@ -66,9 +54,9 @@ TEST(Arm, ItsLinksStandWhereTheRobotsDescriptionPutsThem) {
 }
 
 TEST(Arm, AFixedJointIsPartOfWhatItsLinkMovesWith) {
-  Cell cell = cell::read_cell(kAristo);
-  cell.robot.joints[3].kind = cell::Joint::Kind::Fixed;
-  const Arm arm = cell::arm_of(cell);
+  Cell cell = read_cell(kAristo);
+  cell.robot.joints[3].kind = Joint::Kind::Fixed;
+  const Arm arm = arm_of(cell);
   ASSERT_EQ(arm.home.size(), 5U);
   const Angles angles{10, 20, -30, 40, 50};
   const auto expected = described(cell.robot, angles);
@@ -78,7 +66,7 @@ TEST(Arm, AFixedJointIsPartOfWhatItsLinkMovesWith) {
 
 // The cell file and the layout that the captions were solved for are two descriptions of one arm.
 TEST(Arm, TheCellsArmHoldsItsSphereWhereTheChosenLayoutDoes) {
-  const Arm arm = cell::arm_of(cell::read_cell(kAristo));
+  const Arm arm = arm_of(read_cell(kAristo));
   const kinematics::Layout layout = kinematics::chosen_layout();
   const kinematics::Chain chain = kinematics::aristo(layout.coupling, layout.hand);
   EXPECT_EQ(arm.home, kinematics::home_pose(layout));
@@ -90,10 +78,10 @@ TEST(Arm, TheCellsArmHoldsItsSphereWhereTheChosenLayoutDoes) {
 
 TEST(Arm, InverseBringsTheSphereToThePoint) {
   for (const bool coupled : {true, false}) {
-    Cell cell = cell::read_cell(kAristo);
+    Cell cell = read_cell(kAristo);
     if (!coupled) cell.robot.couplings.clear();
-    const Arm arm = cell::arm_of(cell);
-    const cell::PlanarArm plane(cell, arm);
+    const Arm arm = arm_of(cell);
+    const PlanarArm plane(cell, arm);
     for (std::uint64_t n = 0; n < 50; ++n) {
       workloads::Random random(7, n);
       const kinematics::Reach point{between(random, 250, 550), between(random, 200, 600)};
@@ -101,9 +89,9 @@ TEST(Arm, InverseBringsTheSphereToThePoint) {
       const auto commands = plane.inverse(point);
       ASSERT_TRUE(commands) << n;
       Angles angles = arm.home;
-      angles[cell::kBase] = plane.base(azimuth);
-      angles[cell::kShoulder] = commands->shoulder;
-      angles[cell::kElbow] = commands->elbow;
+      angles[kBase] = plane.base(azimuth);
+      angles[kShoulder] = commands->shoulder;
+      angles[kElbow] = commands->elbow;
       const Eigen::Vector3d at = arm.sphere_at(angles).center;
       const double a = azimuth * std::numbers::pi / 180;
       EXPECT_LT((at - Eigen::Vector3d(point.out * std::cos(a), point.out * std::sin(a), point.up)).norm(), 1e-8) << n;
@@ -113,16 +101,14 @@ TEST(Arm, InverseBringsTheSphereToThePoint) {
 }
 
 TEST(Arm, RefusesWhatWouldNotMoveOnArcs) {
-  const auto fault = [](auto change) -> std::string {
-    Cell cell = cell::read_cell(kAristo);
+  const auto fault = [](auto change) {
+    Cell cell = read_cell(kAristo);
     change(cell);
-    try {
-      const Arm arm = cell::arm_of(cell);
-      const cell::PlanarArm plane(cell, arm);
-    } catch (const cell::BadCell& error) {
-      return std::string(error.what()).substr(kAristo.string().size() + 2);
-    }
-    return "";
+    const auto put_together = [&] {
+      const Arm arm = arm_of(cell);
+      const PlanarArm plane(cell, arm);
+    };
+    return run_tests::after_file(kAristo, run_tests::message_of<BadCell>(put_together));
   };
   EXPECT_EQ(fault([](Cell&) {}), "");
   EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[0].factor = 0.5; }),
@@ -146,4 +132,4 @@ TEST(Arm, RefusesWhatWouldNotMoveOnArcs) {
 }
 
 }  // namespace
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell

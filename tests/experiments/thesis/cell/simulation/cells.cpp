@@ -4,23 +4,22 @@
 #include <algorithm>
 #include <optional>
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell {
 
-const std::shared_ptr<const std::vector<cell::Covered>>& covered_aristo() {
-  static const auto covered =
-      std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(cell::build_model(cell::read_cell(kAristo))));
+const std::shared_ptr<const std::vector<Covered>>& covered_aristo() {
+  static const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(build_model(read_cell(kAristo))));
   return covered;
 }
 
-cell::Workcell aristo(const std::vector<std::string>& changes) {
-  static const auto parts = cell::build_model(cell::read_cell(kAristo));
-  const cell::Cell cell = cell::read_cell(kAristo, std::nullopt, changes);
+Workcell aristo(const std::vector<std::string>& changes) {
+  static const auto parts = build_model(read_cell(kAristo));
+  const Cell cell = read_cell(kAristo, std::nullopt, changes);
   const bool as_it_was = std::ranges::none_of(changes, [](const std::string& change) {
     for (const char* part : {"solid", "parts", "height", "stand", "obstacles", "storages", "machines", "robots"})
       if (change.find(part) != std::string::npos) return true;
     return false;
   });
-  return {cell, as_it_was ? parts : cell::build_model(cell), covered_aristo()};
+  return {cell, as_it_was ? parts : build_model(cell), covered_aristo()};
 }
 
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell

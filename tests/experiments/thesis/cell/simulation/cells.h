@@ -12,19 +12,20 @@
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/cell/simulation/workcell.h"
+#include "tests/experiments/support/cells.h"
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell {
 
-inline const std::filesystem::path kAristo =
-    std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells/aristo.json";
+using run_tests::kAristo;
+
 /// The changes that put the storage where the second case study has it.
 inline const std::vector<std::string> kSecondCase{"storage.angle=-33", "storage.radius=609"};
 
 /// The default cell's arm, covered coarsely, once for all tests.
-[[nodiscard]] const std::shared_ptr<const std::vector<cell::Covered>>& covered_aristo();
+[[nodiscard]] const std::shared_ptr<const std::vector<Covered>>& covered_aristo();
 
 /// The default cell under changes of what does not belong to the arm.
-[[nodiscard]] cell::Workcell aristo(const std::vector<std::string>& changes = {});
+[[nodiscard]] Workcell aristo(const std::vector<std::string>& changes = {});
 
 inline double between(workloads::Random& random, double lowest, double highest) {
   return lowest + (highest - lowest) * random.unit();
@@ -33,4 +34,4 @@ inline std::size_t below(workloads::Random& random, std::size_t count) {
   return static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(count) - 1));
 }
 
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell

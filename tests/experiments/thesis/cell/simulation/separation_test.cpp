@@ -13,42 +13,37 @@
 #include "experiments/thesis/cell/simulation/process.h"
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell {
 namespace {
-
-using cell::Mover;
-using cell::Process;
-using cell::Separation;
-using cell::StationSlot;
 
 /// The distance of a mover from an element on the way after a stop, by all its parts, with the material where it is in
 /// a state; infinite if one is not there.
-double distance_in(const cell::Workcell& workcell, const Process& process, Mover mover, const std::string& element,
-                   std::size_t stop, double degrees, const cell::MaterialTransfer& state) {
-  const cell::Arm& arm = workcell.arm();
+double distance_in(const Workcell& workcell, const Process& process, Mover mover, const std::string& element,
+                   std::size_t stop, double degrees, const MaterialTransfer& state) {
+  const Arm& arm = workcell.arm();
   kinematics::Angles angles = process.stops[stop].commanded;
-  if (degrees != 0) angles[cell::step_between(process.stops[stop], process.stops[stop + 1]).joint] += degrees;
+  if (degrees != 0) angles[step_between(process.stops[stop], process.stops[stop + 1]).joint] += degrees;
   const auto links = arm.link_poses(angles);
-  std::vector<cell::NamedTriangle> standing;
+  std::vector<NamedTriangle> standing;
   for (const auto& each : workcell.standing_parts())
     if (workcell.names()[each.owner] == element) standing.push_back(each);
-  std::optional<cell::TriangleTree> still;
+  std::optional<TriangleTree> still;
   if (!standing.empty()) still.emplace(standing);
   for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
-    if (element == "the material in the " + std::string(cell::to_string(slot)) && state.slot == slot)
+    if (element == "the material in the " + std::string(to_string(slot)) && state.slot == slot)
       still.emplace(workcell.material_in(slot));
   double least = std::numeric_limits<double>::infinity();
   if (!still) return least;
-  const auto take = [&](const std::vector<cell::NamedTriangle>& triangles, const Pose& pose, double radius) {
-    const auto bounds = cell::distance(cell::TriangleTree(triangles), pose, *still, 1e9);
+  const auto take = [&](const std::vector<NamedTriangle>& triangles, const Pose& pose, double radius) {
+    const auto bounds = distance(TriangleTree(triangles), pose, *still, 1e9);
     least = std::min(least, std::max(0.0, bounds.upper - radius));
   };
   if (mover == Mover::Arm) {
     for (const auto& part : workcell.covered())
-      if (part.carrier == cell::Carrier::Link && arm.links[part.link].frame) take(part.triangles, links[part.link], 0);
+      if (part.carrier == Carrier::Link && arm.links[part.link].frame) take(part.triangles, links[part.link], 0);
     take(workcell.gripper(), links.back(), 0);
   } else if (mover == Mover::Held) {
-    if (state.in_flange) take(workcell.material(), cell::within(links.back(), *state.in_flange), 0);
+    if (state.in_flange) take(workcell.material(), within(links.back(), *state.in_flange), 0);
   } else {
     const Eigen::Vector3d c = arm.sphere.center;
     take({{{c, c, c}, 0}}, links.back(), arm.sphere.radius);
@@ -57,7 +52,7 @@ double distance_in(const cell::Workcell& workcell, const Process& process, Mover
 }
 
 /// The same in the state on that way; at a stop before or after it, whichever is nearer.
-double distance_at(const cell::Workcell& workcell, const Process& process, Mover mover, const std::string& element,
+double distance_at(const Workcell& workcell, const Process& process, Mover mover, const std::string& element,
                    std::size_t stop, double degrees) {
   const auto in = [&](std::size_t number) {
     return distance_in(workcell, process, mover, element, stop, degrees, process.holding(number));
@@ -68,13 +63,13 @@ double distance_at(const cell::Workcell& workcell, const Process& process, Mover
 class Measured : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    workcell = new cell::Workcell(aristo());
-    process = new Process(cell::simulate(*workcell));
-    separation = new Separation(cell::separation_of(*workcell, *process));
+    workcell = new Workcell(aristo());
+    process = new Process(simulate(*workcell));
+    separation = new Separation(separation_of(*workcell, *process));
   }
   static void TearDownTestSuite() { delete separation, delete process, delete workcell; }
 
-  static inline const cell::Workcell* workcell = nullptr;
+  static inline const Workcell* workcell = nullptr;
   static inline const Process* process = nullptr;
   static inline const Separation* separation = nullptr;
 };
@@ -101,9 +96,9 @@ TEST_F(SeparationTest, NothingIsNearerAtAnyAngle) {
   workloads::Random random(7, 0);
   for (int i = 0; i < 150; ++i) {
     const std::size_t stop = below(random, process->stops.size() - 1);
-    const auto step = cell::step_between(process->stops[stop], process->stops[stop + 1]);
+    const auto step = step_between(process->stops[stop], process->stops[stop + 1]);
     const double degrees = step.degrees * between(random, 0.01, 0.99);
-    for (const Mover mover : cell::kMovers) {
+    for (const Mover mover : kMovers) {
       double nearest = std::numeric_limits<double>::infinity();
       for (const std::string& element : separation->elements) {
         const double here = distance_at(*workcell, *process, mover, element, stop, degrees);
@@ -139,43 +134,42 @@ TEST_F(SeparationTest, IsZeroWhereThePlanWantsContactAndNowhereElse) {
 // A part that only the base turns stays as high as it is. Here the shoulder and the elbow take the sphere through the
 // lowest place of its arc, where it is nearer to the floor than at both stops.
 TEST(Separation, KnowsThatWhatIsAboveMayComeDown) {
-  const cell::Workcell workcell = aristo();
-  const Process home = cell::simulate(workcell, {.last = cell::Phase::ToStorage});
-  for (const auto& [joint, from] : {std::pair(cell::kShoulder, 60.0), std::pair(cell::kElbow, -120.0)}) {
+  const Workcell workcell = aristo();
+  const Process home = simulate(workcell, {.last = Phase::ToStorage});
+  for (const auto& [joint, from] : {std::pair(kShoulder, 60.0), std::pair(kElbow, -120.0)}) {
     Process process;
     process.stops = {home.stops.front(), home.stops.front()};
     process.stops.front().commanded[joint] = from;
     process.stops.back().commanded[joint] = from + 60;
     process.transfers = {home.transfers.front()};
-    for (const auto& least : cell::separation_of(workcell, process).least)
+    for (const auto& least : separation_of(workcell, process).least)
       EXPECT_LE(least.bounds.lower, distance_at(workcell, process, least.mover, least.element, 0, 30) + 1e-9)
           << to_string(least.mover) << ' ' << least.element << ", from " << from << " degrees";
   }
 }
 
 TEST(CycleTime, IsThatOfTheSlowestJointThatTurns) {
-  const cell::Workcell workcell =
-      aristo({R"(robot.speeds={"base": 50, "shoulder": 40, "elbow": 20, "wrist_pitch": 10})"});
-  const cell::Arm& arm = workcell.arm();
-  EXPECT_DOUBLE_EQ(cell::seconds(arm, cell::kBase, -100).value(), 2);
+  const Workcell workcell = aristo({R"(robot.speeds={"base": 50, "shoulder": 40, "elbow": 20, "wrist_pitch": 10})"});
+  const Arm& arm = workcell.arm();
+  EXPECT_DOUBLE_EQ(seconds(arm, kBase, -100).value(), 2);
   // The elbow makes up for the shoulder, the wrist for the elbow.
-  EXPECT_DOUBLE_EQ(cell::seconds(arm, cell::kShoulder, 40).value(), 2);
-  EXPECT_DOUBLE_EQ(cell::seconds(arm, cell::kElbow, 40).value(), 4);
-  const Process process = cell::simulate(workcell, {.last = cell::Phase::ToMachine});
-  const auto times = cell::times_of(arm, process);
+  EXPECT_DOUBLE_EQ(seconds(arm, kShoulder, 40).value(), 2);
+  EXPECT_DOUBLE_EQ(seconds(arm, kElbow, 40).value(), 4);
+  const Process process = simulate(workcell, {.last = Phase::ToMachine});
+  const auto times = times_of(arm, process);
   ASSERT_EQ(times.size(), process.stops.size());
   double sum = 0;
-  for (const auto& move : process.moves) sum += cell::seconds(arm, move.joint, move.degrees).value();
+  for (const auto& move : process.moves) sum += seconds(arm, move.joint, move.degrees).value();
   EXPECT_NEAR(times.back(), sum, 1e-9);
   EXPECT_TRUE(std::ranges::is_sorted(times));
 }
 
 TEST(CycleTime, IsUnknownWithoutASpeed) {
-  const cell::Workcell workcell = aristo({"robot.speeds.wrist_pitch=null"});
-  EXPECT_TRUE(cell::seconds(workcell.arm(), cell::kBase, 1));
-  EXPECT_FALSE(cell::seconds(workcell.arm(), cell::kElbow, 1));
-  EXPECT_TRUE(cell::times_of(workcell.arm(), cell::simulate(workcell, {.last = cell::Phase::ToStorage})).empty());
+  const Workcell workcell = aristo({"robot.speeds.wrist_pitch=null"});
+  EXPECT_TRUE(seconds(workcell.arm(), kBase, 1));
+  EXPECT_FALSE(seconds(workcell.arm(), kElbow, 1));
+  EXPECT_TRUE(times_of(workcell.arm(), simulate(workcell, {.last = Phase::ToStorage})).empty());
 }
 
 }  // namespace
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell

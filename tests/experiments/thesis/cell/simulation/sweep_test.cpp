@@ -11,11 +11,8 @@
 
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell {
 namespace {
-
-using cell::StationSlot;
-using cell::Sweep;
 
 /// A post that stands where the gripper passes, at an angle of the cell in degrees, from a radius on.
 std::string post(double degrees, double radius, double half) {
@@ -27,7 +24,7 @@ std::string post(double degrees, double radius, double half) {
 }
 
 /// The first of finely sampled angles at which the arm at rest touches something.
-double sampled(const Sweep& sweep, const kinematics::Angles& from, cell::Moved joint, double degrees,
+double sampled(const Sweep& sweep, const kinematics::Angles& from, Moved joint, double degrees,
                const Sweep::Load& load) {
   std::uint64_t queries = 0;
   for (int i = 0; i <= 2000; ++i) {
@@ -40,46 +37,46 @@ double sampled(const Sweep& sweep, const kinematics::Angles& from, cell::Moved j
 
 TEST(Sweep, FindsWhatIsTouchedBetweenTheStops) {
   for (const double where : {-21.3, -60.6, -100.4}) {
-    const cell::Workcell workcell = aristo({post(where, 500, 4)});
+    const Workcell workcell = aristo({post(where, 500, 4)});
     const Sweep sweep(workcell);
     const Sweep::Load load{{}, StationSlot::Storage};
     std::uint64_t queries = 0;
     kinematics::Angles home = workcell.arm().home;
-    const auto found = sweep.along(home, cell::kBase, -140, load, queries);
+    const auto found = sweep.along(home, kBase, -140, load, queries);
     ASSERT_TRUE(found) << where;
     EXPECT_NE(found->what.find("machine/post"), std::string::npos) << found->what;
-    const double first = sampled(sweep, home, cell::kBase, -140, load);
+    const double first = sampled(sweep, home, kBase, -140, load);
     ASSERT_GE(first, 0);
     EXPECT_LE(found->degrees, first);
     EXPECT_GT(found->degrees, first - 0.3);
-    EXPECT_FALSE(sweep.along(home, cell::kBase, -std::floor(found->degrees), load, queries));
+    EXPECT_FALSE(sweep.along(home, kBase, -std::floor(found->degrees), load, queries));
     EXPECT_GT(queries, 10U);
   }
 }
 
 TEST(Sweep, FindsNothingWhereNothingIs) {
-  const cell::Workcell workcell = aristo();
+  const Workcell workcell = aristo();
   const Sweep sweep(workcell);
   std::uint64_t queries = 0;
   const Sweep::Load load{{}, StationSlot::Storage};
   EXPECT_FALSE(sweep.at_rest(workcell.arm().home, load, queries));
-  EXPECT_FALSE(sweep.along(workcell.arm().home, cell::kBase, 90, load, queries));
-  const auto raised = sweep.along(workcell.arm().home, cell::kElbow, 40, load, queries);
+  EXPECT_FALSE(sweep.along(workcell.arm().home, kBase, 90, load, queries));
+  const auto raised = sweep.along(workcell.arm().home, kElbow, 40, load, queries);
   EXPECT_FALSE(raised) << raised->what;
 }
 
 // The hand stays clear of the floor, and of the robot's own foot.
 TEST(Sweep, KnowsTheFloorAndTheArmItself) {
-  const cell::Workcell workcell = aristo();
+  const Workcell workcell = aristo();
   const Sweep sweep(workcell);
   std::uint64_t queries = 0;
   const Sweep::Load load{{}, StationSlot::Storage};
   kinematics::Angles low = workcell.arm().home;
-  low[cell::kShoulder] += 55;
-  const auto down = sweep.along(low, cell::kElbow, -30, load, queries);
+  low[kShoulder] += 55;
+  const auto down = sweep.along(low, kElbow, -30, load, queries);
   ASSERT_TRUE(down);
   EXPECT_NE(down->what.find("the floor"), std::string::npos) << down->what;
-  const auto folded = sweep.along(workcell.arm().home, cell::kElbow, -90, load, queries);
+  const auto folded = sweep.along(workcell.arm().home, kElbow, -90, load, queries);
   ASSERT_TRUE(folded);
   EXPECT_TRUE(folded->what.find("Base/") != std::string::npos || folded->what.find("Axis1/") != std::string::npos ||
               folded->what.find("the floor") != std::string::npos)
@@ -88,26 +85,25 @@ TEST(Sweep, KnowsTheFloorAndTheArmItself) {
 
 // What rests on a floor leaves it, and does not go through it.
 TEST(Sweep, HeldMaterialRestsOnWhatLiesBelowIt) {
-  const cell::Workcell workcell = aristo();
+  const Workcell workcell = aristo();
   const Sweep sweep(workcell);
   std::uint64_t queries = 0;
   kinematics::Angles there = workcell.arm().home;
-  there[cell::kElbow] -= 3, there[cell::kBase] -= 149;
-  const Pose held =
-      cell::within(cell::inverse(workcell.arm().link_poses(there).back()), workcell.at(StationSlot::Storage).pose);
-  EXPECT_FALSE(sweep.along(there, cell::kElbow, 38, {held, {}}, queries));
-  const auto down = sweep.along(there, cell::kElbow, -5, {held, {}}, queries);
+  there[kElbow] -= 3, there[kBase] -= 149;
+  const Pose held = within(inverse(workcell.arm().link_poses(there).back()), workcell.at(StationSlot::Storage).pose);
+  EXPECT_FALSE(sweep.along(there, kElbow, 38, {held, {}}, queries));
+  const auto down = sweep.along(there, kElbow, -5, {held, {}}, queries);
   ASSERT_TRUE(down);
   EXPECT_EQ(down->degrees, 0);
   EXPECT_NE(down->what.find("material touches storage/deck"), std::string::npos) << down->what;
-  const auto aside = sweep.along(there, cell::kBase, 10, {held, {}}, queries);
+  const auto aside = sweep.along(there, kBase, 10, {held, {}}, queries);
   ASSERT_TRUE(aside);
   EXPECT_NEAR(aside->degrees, 1.2, 0.3);  // 10 mm to the wall of its pocket
 }
 
 // Things that stand must not overlap; what lies within the box of another thing without touching it does not.
-std::string overlap(const std::vector<std::string>& changes) {
-  const auto found = cell::overlap_of_things(aristo(changes));
+std::string overlap_under(const std::vector<std::string>& changes) {
+  const auto found = overlap_of_things(aristo(changes));
   return found ? found->what : "";
 }
 
@@ -118,33 +114,34 @@ const std::string
   "move": [-900, 0, 0]})",
     kBlock = R"({"name": "block", "box": {"from": [-50, -50, -1], "to": [50, 50, 100]}, "move": [-900, 0, 0]})";
 
-TEST(Overlap, ThereIsNoneInTheCell) { EXPECT_EQ(overlap({}), ""); }
+TEST(Overlap, ThereIsNoneInTheCell) { EXPECT_EQ(overlap_under({}), ""); }
 
 TEST(Overlap, OfAllThingsIsFound) {
-  EXPECT_EQ(overlap({"obstacles=[" + kPost + "]"}), "");
-  EXPECT_EQ(overlap({"obstacles=[" + kPost + "]", "obstacles[0].move=[-463, -278, 0]"}), "");  // below the deck
-  EXPECT_NE(overlap({"obstacles=[" + kPost + "]", "obstacles[0].move=[-400, -250, 200]"}), "");
-  EXPECT_EQ(overlap({"obstacles=[" + kPost + ", " + kBlock + "]"}), "post and block stand one in the other");
-  EXPECT_EQ(overlap({"obstacles=[" + kBlock + ", " + kPost + "]"}), "block and post stand one in the other");
-  EXPECT_EQ(overlap({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=12"}).find("storage/"), 0U);
-  EXPECT_NE(overlap({"machines[0]=@machine", "machines[0].name=mill", "machines[0].angle=-120"}), "");
-  EXPECT_EQ(
-      overlap({"robots[0]=@robot", "robots[0].gripper=@gripper", "robots[0].name=second", "robots[0].place=[300, 0]"}),
-      "");  // two robots side by side: the one that moves is tested when it moves
+  EXPECT_EQ(overlap_under({"obstacles=[" + kPost + "]"}), "");
+  EXPECT_EQ(overlap_under({"obstacles=[" + kPost + "]", "obstacles[0].move=[-463, -278, 0]"}), "");  // below the deck
+  EXPECT_NE(overlap_under({"obstacles=[" + kPost + "]", "obstacles[0].move=[-400, -250, 200]"}), "");
+  EXPECT_EQ(overlap_under({"obstacles=[" + kPost + ", " + kBlock + "]"}), "post and block stand one in the other");
+  EXPECT_EQ(overlap_under({"obstacles=[" + kBlock + ", " + kPost + "]"}), "block and post stand one in the other");
+  EXPECT_EQ(overlap_under({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=12"}).find("storage/"),
+            0U);
+  EXPECT_NE(overlap_under({"machines[0]=@machine", "machines[0].name=mill", "machines[0].angle=-120"}), "");
+  EXPECT_EQ(overlap_under({"robots[0]=@robot", "robots[0].gripper=@gripper", "robots[0].name=second",
+                           "robots[0].place=[300, 0]"}),
+            "");  // two robots side by side: the one that moves is tested when it moves
 }
 
 // Parts of one thing need not stand next to each other in the list of all parts.
 TEST(Overlap, APieceLiesInItsOwnStorage) {
-  EXPECT_EQ(overlap({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=200", "storages[1]=@storage",
-                     "storages[1].name=shelf", "storages[1].angle=120", "materials[0]=@material",
-                     "materials[0].name=second", "materials[0].storage=rack"}),
+  EXPECT_EQ(overlap_under({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=200",
+                           "storages[1]=@storage", "storages[1].name=shelf", "storages[1].angle=120",
+                           "materials[0]=@material", "materials[0].name=second", "materials[0].storage=rack"}),
             "");
 }
 
 // A post in a pipe lies within the pipe's box.
 TEST(Overlap, WhatIsWithinTheHollowOfAnotherStandsFree) {
-  EXPECT_EQ(overlap({"obstacles=[" + kPipe + ", " + kPost + "]"}), "");
+  EXPECT_EQ(overlap_under({"obstacles=[" + kPipe + ", " + kPost + "]"}), "");
 }
 
 }  // namespace
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell

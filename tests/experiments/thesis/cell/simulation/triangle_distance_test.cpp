@@ -13,11 +13,9 @@
 
 #include "tests/experiments/thesis/cell/simulation/cells.h"
 
-namespace touchstone::cell_simulation_tests {
+namespace touchstone::cell {
 namespace {
 
-using cell::DistanceBounds;
-using cell::NamedTriangle;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::Vector3d point(workloads::Random& random, double size) {
@@ -41,7 +39,7 @@ TEST(TriangleDistance, EnclosesTheExactDistance) {
     const Triangle s = triangle(random, {0, 0, 0}, 10),
                    t = triangle(random, point(random, 15), between(random, 0.1, 20));
     const double exact = reference(s, t);
-    const DistanceBounds bounds = cell::distance(s, t);
+    const DistanceBounds bounds = distance(s, t);
     EXPECT_LE(bounds.lower, exact + 1e-14);
     EXPECT_GE(bounds.upper, exact - 1e-12);
     EXPECT_LE(bounds.upper - bounds.lower, 1e-11);
@@ -57,14 +55,14 @@ TEST(TriangleDistance, OfPointsSegmentsAndParallelFaces) {
     EXPECT_NEAR(bounds.lower, distance, 1e-12);
     EXPECT_NEAR(bounds.upper, distance, 1e-12);
   };
-  is(cell::distance(flat, above), 3);
-  is(cell::distance(flat, flat), 0);
+  is(distance(flat, above), 3);
+  is(distance(flat, flat), 0);
   const Eigen::Vector3d high{1, 1, 2}, far{-3, 0, 4};
-  is(cell::distance(flat, {high, high, high}), 2);
-  is(cell::distance({far, far, far}, flat), 5);
-  is(cell::distance({{-1, -2, 0}, {-1, -2, 0}, {9, -2, 0}}, flat), 2);
-  is(cell::distance({{1, 1, -1}, {1, 1, 1}, {1, 1, 1}}, flat), 0);  // a needle through it
-  is(cell::distance({high, high, high}, {far, far, far}), (high - far).norm());
+  is(distance(flat, {high, high, high}), 2);
+  is(distance({far, far, far}, flat), 5);
+  is(distance({{-1, -2, 0}, {-1, -2, 0}, {9, -2, 0}}, flat), 2);
+  is(distance({{1, 1, -1}, {1, 1, 1}, {1, 1, 1}}, flat), 0);  // a needle through it
+  is(distance({high, high, high}, {far, far, far}), (high - far).norm());
 }
 
 // With two hierarchies and a pose, as with every pair; a cutoff hides only what is further.
@@ -80,19 +78,18 @@ TEST(TriangleDistance, OfTreesIsTheLeastOfAllPairs) {
     DistanceBounds least{kInfinity, kInfinity};
     for (const auto& m : moving)
       for (const auto& s : still) {
-        const auto here =
-            cell::distance(Triangle{pose * m.triangle.a, pose * m.triangle.b, pose * m.triangle.c}, s.triangle);
+        const auto here = distance(Triangle{pose * m.triangle.a, pose * m.triangle.b, pose * m.triangle.c}, s.triangle);
         least = {std::min(least.lower, here.lower), std::min(least.upper, here.upper)};
       }
-    const cell::TriangleTree one(moving), other(still);
-    const DistanceBounds bounds = cell::distance(one, pose, other, kInfinity);
+    const TriangleTree one(moving), other(still);
+    const DistanceBounds bounds = distance(one, pose, other, kInfinity);
     EXPECT_NEAR(bounds.upper, least.upper, 1e-10);
     EXPECT_LE(bounds.lower, least.upper);
     EXPECT_NEAR(bounds.lower, least.lower, 1e-10);
-    EXPECT_EQ(cell::distance(one, pose, other, least.lower / 2).lower, least.lower / 2);
-    EXPECT_NEAR(cell::distance(one, pose, other, least.upper + 1).upper, least.upper, 1e-10);
+    EXPECT_EQ(distance(one, pose, other, least.lower / 2).lower, least.lower / 2);
+    EXPECT_NEAR(distance(one, pose, other, least.upper + 1).upper, least.upper, 1e-10);
   }
 }
 
 }  // namespace
-}  // namespace touchstone::cell_simulation_tests
+}  // namespace touchstone::cell

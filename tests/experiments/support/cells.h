@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "experiments/run/output.h"
+#include "experiments/thesis/cell/model/cell.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run_tests {
+
+/// The cells that come with the program, and the default one.
+inline const std::filesystem::path kCells =
+    std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/thesis/cell/cells";
+inline const std::filesystem::path kAristo = kCells / "aristo.json";
 
 /// A folder with the meshes that melfa.json names, as tetrahedra.
 struct MelfaMeshes {
@@ -32,5 +40,21 @@ struct MelfaMeshes {
   }
   const Scratch scratch;
 };
+
+inline Eigen::Isometry3d isometry(const Pose& pose) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = pose.rotation;
+  result.translation() = pose.translation;
+  return result;
+}
+
+/// Where each link is, for joint angles in degrees about the joints' axes (couplings apart).
+inline std::vector<Eigen::Isometry3d> links_at(const cell::Robot& robot, const std::vector<double>& degrees) {
+  std::vector<Eigen::Isometry3d> links{isometry(robot.base)};
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    links.push_back(links.back() * isometry(robot.joints[i].origin) *
+                    Eigen::AngleAxisd(degrees[i] * std::numbers::pi / 180, robot.joints[i].axis));
+  return links;
+}
 
 }  // namespace touchstone::run_tests
