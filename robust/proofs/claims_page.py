@@ -161,7 +161,7 @@ Of the claims that Coq checks:
 - Coq's kernel, and what its library assumes of real numbers and of logic. The stage fails if a theorem assumes anything
   but
   {axioms}.
-- [recording.h](recording.h) records the operations of the source templates, over a type in place of doubles.
+- [record.cpp](record.cpp) records the operations of the source templates, over a type in place of doubles.
   [statement.py](statement.py) and [signs.py](signs.py) state what was recorded. Object code is not looked at.
 - The lanes of doubles, the first stage, add in [another order](README.md#assumptions) than the record; an argument on paper
   covers them, no proof. Constant, maxima and expression are paired by hand where a filter uses them.

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "geometry/io/read_mesh.h"
-#include "geometry/io/source_location.h"
 
 namespace touchstone::io {
 

@@ -15,7 +15,7 @@
 
 #include "geometry/io/detail/byte_reader.h"
 #include "geometry/io/detail/legible.h"
-#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/mesh_builder.h"
 #include "geometry/io/detail/text_reader.h"
 
 namespace touchstone::io {

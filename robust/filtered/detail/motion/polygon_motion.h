@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "robust/exact/motion.h"
-#include "robust/filtered/detail/motion/first_candidate.h"
-#include "robust/filtered/detail/motion/frame_motion.h"
-#include "robust/filtered/detail/motion/polygon_doubles.h"
+#include "robust/filtered/detail/motion/moving_edge.h"
+#include "robust/filtered/detail/motion/polygon_events.h"
 #include "robust/filtered/detail/motion/touched_point.h"
 #include "robust/filtered/detail/polygon/polygon_query.h"
 

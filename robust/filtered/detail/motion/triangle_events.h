@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
 #include "robust/filtered/detail/motion/touched_point.h"
 #include "robust/filtered/detail/numbers/length_unit.h"

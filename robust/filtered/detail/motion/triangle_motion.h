@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "robust/filtered/detail/motion/capsule.h"
-#include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
 #include "robust/filtered/detail/triangle/exact_triangle.h"
 #include "robust/filtered/detail/triangle/scaled_triangle.h"
