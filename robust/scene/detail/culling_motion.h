@@ -11,8 +11,7 @@
 #include "robust/scene/detail/culling_ball.h"
 
 /// Finds the boxes of a tree that a moving ball may touch.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
 /// Returns a moving centre, or one of its coordinates, after some time; over any number type, as in culling_ball.h.
 template <class T, class Time>
@@ -144,6 +143,4 @@ class CullingMotion {
   double squared_, margin_, end_;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

@@ -11,8 +11,7 @@
 #include "robust/scene/detail/shared_vertices.h"
 
 /// The space that a moving ball sweeps. Requires round to nearest, without flush-to-zero.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
 namespace swept {
 
@@ -71,5 +70,4 @@ class Swept {
   double low_[3], high_[3];
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

@@ -8,8 +8,7 @@
 
 /// The events of a moving ball at edges and their starts, over lanes of doubles and over double-doubles alike, and the
 /// first of them.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 // The time at which a moving centre comes within distance r of a plane, a line or a point, from the certain signs of
 // numbers that carry their error.
@@ -163,6 +162,4 @@ class FirstCandidate {
   Time earliest_ = kNever, latest_ = kNever, earliest_of_others_ = kNever;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

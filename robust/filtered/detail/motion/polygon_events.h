@@ -11,8 +11,7 @@
 
 /// A moving ball and a prepared polygon: in the polygon's frame, in doubles, for the first stage; in double-doubles for
 /// the second.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// A motion in a polygon's frame.
 ///
@@ -211,5 +210,4 @@ class PolygonMotionDoubles {
   int planar_axis_;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -11,8 +11,7 @@
 #include "robust/filtered/detail/polygon/polygon_query.h"
 
 /// All stages for a moving ball and a prepared polygon.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// Calls visit(leaf) for all leaves with edges that the swept disc may touch. The visitor may shorten the disc's way.
 template <class Visit>
@@ -279,5 +278,4 @@ bool polygon_motion_contact(const Motion& motion, const PreparedPolygon::Parts& 
   return later_motion_contact(motion, parts, in_frame ? &*in_frame : nullptr, known, counts);
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

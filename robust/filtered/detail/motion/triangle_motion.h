@@ -11,8 +11,7 @@
 #include "robust/filtered/detail/triangle/triangle_closest.h"
 
 /// All stages for a moving ball and a triangle.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// Returns the first contact of a ball that touches at its start. Requires round to nearest.
 template <class Counts>
@@ -210,5 +209,4 @@ bool triangle_motion_contact(MotionTriangleView view, Counts& counts) {
   return result == FilterResult::Yes;
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET
