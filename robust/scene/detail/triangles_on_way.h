@@ -6,8 +6,8 @@
 
 #include "robust/filtered/detail/motion/triangle_motion.h"
 #include "robust/scene/detail/asked_triangles.h"
+#include "robust/scene/detail/culling_motion.h"
 #include "robust/scene/detail/first_contact_search.h"
-#include "robust/scene/detail/swept.h"
 #include "robust/scene/detail/tree_walk.h"
 
 /// The triangles of a set, where they stand or in their own frame, and a moving ball that asks about them.
