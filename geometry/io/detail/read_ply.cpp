@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/io/detail/byte_reader.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/detail/mesh_builder.h"
 #include "geometry/io/detail/text_reader.h"

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/io/detail/byte_reader.h"
 #include "geometry/io/detail/mesh_builder.h"
 #include "geometry/io/detail/text_reader.h"
 
