@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "geometry/detail/floating_point_state.h"
-#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/mesh/detail/face_plane.h"
 
 namespace touchstone::methods {

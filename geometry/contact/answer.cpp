@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/contact/answer.h"
 
+#include "geometry/contact/first_contact.h"
+
 namespace touchstone {
 
 std::string_view to_string(PlaneSide side) {
@@ -35,6 +37,15 @@ std::string_view to_string(Feature::Kind kind) {
     case Feature::Kind::Face: return "face";
     case Feature::Kind::Edge: return "edge";
     case Feature::Kind::Vertex: return "vertex";
+  }
+  return {};
+}
+
+std::string_view to_string(FirstContactKind kind) {
+  switch (kind) {
+    case FirstContactKind::Start: return "start";
+    case FirstContactKind::Way: return "way";
+    case FirstContactKind::None: return "none";
   }
   return {};
 }

@@ -1,7 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/contact/detail/fast_definitions.h"
+#include <Eigen/Geometry>
+#include <array>
+
+#include "geometry/contact/detail/fast_motion_definitions.h"
+#include "geometry/contact/fast_triangle.h"
 
 namespace touchstone::fast {
+namespace {
+
+/// A triangle with the members of a prepared polygon that passages need.
+class TriangleFace {
+ public:
+  using Edge = PreparedPolygon<double>::Edge;
+
+  explicit TriangleFace(const Triangle& triangle)
+      : edges_{edge(required(triangle).a, triangle.b), edge(triangle.b, triangle.c), edge(triangle.c, triangle.a)},
+        plane_{edges_[0].direction.cross(edges_[1].direction), triangle.a},
+        normal_squared_(plane_.normal.squaredNorm()) {}
+
+  [[nodiscard]] const Plane<double>& plane() const { return plane_; }
+  [[nodiscard]] double normal_squared() const { return normal_squared_; }
+  [[nodiscard]] int dropped_axis() const { return touchstone::dropped_axis(plane_.normal); }
+  [[nodiscard]] const std::array<Edge, 3>& edges() const { return edges_; }
+  [[nodiscard]] std::size_t next(std::size_t i) const { return i == 2 ? 0 : i + 1; }
+
+ private:
+  static Edge edge(const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
+    const Eigen::Vector3d direction = end - start;
+    return {start, direction, direction.squaredNorm()};
+  }
+
+  std::array<Edge, 3> edges_;
+  Plane<double> plane_;
+  double normal_squared_;
+};
+
+using TrianglePassage = detail::Passage<double, TriangleFace>;
+
+}  // namespace
 
 #define TOUCHSTONE_INSTANTIATE(Scalar)                                                      \
   template class PreparedPolygon<Scalar>;                                                   \
@@ -10,7 +46,9 @@ namespace touchstone::fast {
   template PlaneSide plane_side(const Ball&, const PreparedPolygon<Scalar>&);               \
   template PointLocation foot(const Ball&, const PreparedPolygon<Scalar>&);                 \
   template std::vector<std::size_t> edges_hit(const Ball&, const PreparedPolygon<Scalar>&); \
-  template Answer answer(const Ball&, const PreparedPolygon<Scalar>&);
+  template Answer answer(const Ball&, const PreparedPolygon<Scalar>&);                      \
+  template bool contact(const Motion&, const PreparedPolygon<Scalar>&);                     \
+  template FirstContact first_contact(const Motion&, const PreparedPolygon<Scalar>&);
 
 TOUCHSTONE_INSTANTIATE(float)
 TOUCHSTONE_INSTANTIATE(double)
@@ -24,5 +62,23 @@ std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
   return edges_hit(ball, PreparedPolygon<>(polygon));
 }
 Answer answer(const Ball& ball, const Polygon& polygon) { return answer(ball, PreparedPolygon<>(polygon)); }
+
+bool contact(const Motion& motion, const Polygon& polygon) { return contact(motion, PreparedPolygon<>(polygon)); }
+FirstContact first_contact(const Motion& motion, const Polygon& polygon) {
+  return first_contact(motion, PreparedPolygon<>(polygon));
+}
+
+bool contact(const Motion& motion, const Triangle& triangle) {
+  const TriangleFace face(triangle);
+  const TrianglePassage passage(motion, face);
+  return contact(motion.ball, triangle) || (!passage.misses_plane() && passage.touches_on_way());
+}
+
+FirstContact first_contact(const Motion& motion, const Triangle& triangle) {
+  const TriangleFace face(triangle);
+  const TrianglePassage passage(motion, face);
+  if (contact(motion.ball, triangle)) return passage.start();
+  return passage.misses_plane() ? FirstContact{} : passage.way();
+}
 
 }  // namespace touchstone::fast

@@ -14,7 +14,6 @@
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/detail/mesh_builder.h"
-#include "geometry/io/detail/mesh_formats.h"
 #include "geometry/io/detail/mesh_source.h"
 
 namespace touchstone {
@@ -58,6 +57,11 @@ io::MeshSource load(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string io::sentence(const std::string& file, SourceLocation place, const std::string& reason) {
+  return all_legible(file) + (place.unit == SourceLocation::Unit::Line ? ": line " : ": byte ") +
+         std::to_string(place.number) + ": " + reason;
+}
 
 io::Content io::read_content(const std::filesystem::path& file, OnFault on_fault) try {
   const FloatingPointState nearest;  // subnormal floats of binary files become doubles, too

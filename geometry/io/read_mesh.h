@@ -8,9 +8,24 @@
 #include <vector>
 
 #include "../shapes/mesh.h"
-#include "source_location.h"
 
 namespace touchstone {
+
+/// Mesh files: places in them, and messages about them.
+namespace io {
+
+/// A line of a text file (from 1) or a byte of a binary one (from 0).
+struct SourceLocation {
+  /// The unit that the number counts.
+  enum class Unit { Line, Byte };
+  Unit unit;           ///< lines or bytes
+  std::size_t number;  ///< from 1 for lines, from 0 for bytes
+};
+
+/// Returns `arm.stl: line 12: reason`.
+[[nodiscard]] std::string sentence(const std::string& file, SourceLocation place, const std::string& reason);
+
+}  // namespace io
 
 /// The exception thrown for a mesh file that cannot be read. The message begins with the file and the line (text) or
 /// byte (binary), as in `arm.stl: line 12: expected three numbers after 'vertex', found 2`.

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "geometry/detail/floating_point_state.h"
-#include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/detail/edge_sweep.h"
 
 namespace touchstone::exact {

@@ -52,6 +52,17 @@ TOUCHSTONE_INLINE PlaneSide plane_side(const Ball& ball, const PreparedPolygon::
 
 }  // namespace
 
+std::string_view to_string(Stage stage) {
+  switch (stage) {
+    case Stage::Double: return "double";
+    case Stage::Permanent: return "permanent";
+    case Stage::DoubleDouble: return "double-double";
+    case Stage::FixedInteger: return "fixed-integer";
+    case Stage::BigInteger: break;
+  }
+  return "unlimited";
+}
+
 bool contact(const Ball& ball, const PreparedPolygon& polygon) {
   return kernels().plain.contact(required(ball), parts_of(polygon), uncounted);
 }

@@ -15,14 +15,10 @@
 #include <variant>
 
 #include "geometry/detail/floating_point_state.h"
-#include "geometry/detail/parts_in_parallel.h"
-#include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/validate.h"
 #include "robust/mesh/detail/face_graph.h"
 #include "robust/mesh/detail/face_plane.h"
-#include "robust/mesh/detail/parts.h"
-#include "robust/mesh/detail/vertex_tree.h"
 #include "robust/mesh/weld.h"
 
 namespace touchstone::mesh {
@@ -64,21 +60,6 @@ struct Faces {
   }
 };
 
-/// Returns the graph of the faces that are accepted, whose edges are split at the vertices of the mesh on them.
-FaceGraph graph_of(const Mesh& welded, const Faces& faces, const std::atomic<bool>& stop) {
-  constexpr std::size_t kAtOnce = 256;
-  const VertexTree vertices(welded.vertices);
-  FaceGraph graph(welded, faces.accepted);
-  std::vector<std::vector<std::uint32_t>> on_edge(graph.edge_count());
-  each_in_parallel(on_edge.size(), kAtOnce, [&](std::size_t edge) {
-    if (stop) return;
-    const HalfEdge h = graph.edge(edge).half_edges[0];
-    on_edge[edge] = vertices.between(graph.origin(h), graph.origin(graph.next(h)));
-  });
-  graph.split(on_edge);
-  return graph;
-}
-
 class Merger {
  public:
   Merger(const Mesh& welded, double tolerance, const std::atomic<bool>& stop)
@@ -86,7 +67,7 @@ class Merger {
         tolerance_(tolerance),
         stop_(stop),
         faces_(welded, stop),
-        graph_(graph_of(welded, faces_, stop)),
+        graph_(welded, faces_.accepted, stop),
         parts_(graph_, welded.faces.size()) {}
 
   std::optional<MergedMesh> run() {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Steps of the error calculus, recorded by calculus_steps.h, as theories for Coq (coq/calculus.v)."""
+"""Steps of the error calculus, recorded by error_bound.h, as theories for Coq (coq/calculus.v)."""
 
 # How many numbers a rule is given besides bounds, and how many bounds: the last one is the result.
 RULES = {"sum": (0, 3), "difference": (0, 3), "product": (0, 3), "square": (0, 3), "maximum": (0, 3),

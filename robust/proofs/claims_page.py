@@ -21,8 +21,8 @@ PAGE = PROOFS / "CLAIMS.md"
 BOUNDS = "robust/filtered/detail/signs/bounds.h"
 # Headers with constants that are proved over the calculus or by counting roundings, and where these may be used.
 OF_SCENES = [f"robust/scene/detail/{name}.h"
-             for name in ("rounded_sum", "culling_ball", "culling_motion", "swept", "own_frame", "distance_bound",
-                          "held_vertex", "rounded_plane")]
+             for name in ("rounded_sum", "culling_ball", "culling_motion", "own_frame", "distance_bound", "held_vertex",
+                          "lifted_box")]
 
 # What is left to trust of the constants of bounds.h that no claim is about.
 AFTER_STEPS = "Coq checks the steps of the calculus; roots, powers and the comparison are C++ over GMP"
@@ -41,8 +41,8 @@ LEFT = {
 LEFT_OF_SCENES = {
     "rounded_sum": "what `Permanent` guarantees, and C++ over GMP", "culling_ball": AFTER_STEPS,
     "own_frame": "inequalities of norms, by hand; " + COUNTED, "distance_bound": AFTER_STEPS + ". `kWide`: " + COUNTED,
-    "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP", "swept": AFTER_STEPS + ". `kTiny`: " + COUNTED,
-    "held_vertex": COUNTED, "rounded_plane": AFTER_STEPS + ". Above 64 vertices, sums are bounded as a whole, by hand",
+    "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP. `kTiny`: " + COUNTED,
+    "held_vertex": COUNTED, "lifted_box": AFTER_STEPS + ". Above 64 vertices, sums are bounded as a whole, by hand",
 }
 
 
@@ -75,6 +75,15 @@ def constants_of(header):
     return re.findall(r"\b(k[A-Z]\w*) = ", "\n".join(lines))
 
 
+def named_constants_of(header):
+    """The constants of a header, each with the innermost namespace before it."""
+    space = ""
+    for line in (ROOT / header).read_text().splitlines():
+        space = next(iter(re.findall(r"^namespace (?:\w+::)*(\w+) \{", line)), space)
+        if line.startswith("inline constexpr double"):
+            yield from (f"`{space}::{constant}`" for constant in re.findall(r"\b(k[A-Z]\w*) = ", line))
+
+
 def table(head, rows):
     lines = ["| " + " | ".join(row) + " |" for row in [head, *rows]]
     return "\n".join([lines[0], "|" + "---|" * len(head), *lines[1:]])
@@ -105,8 +114,7 @@ def rows_left(records):
     for header in OF_SCENES:
         name = pathlib.Path(header).stem
         tests = [path for path in sources("tests/robust") if header in path.read_text()]
-        constants = ", ".join(f"`{name}::{constant}`" for constant in constants_of(header))
-        yield [constants, links([ROOT / header]), links(tests), LEFT_OF_SCENES[name]]
+        yield [", ".join(named_constants_of(header)), links([ROOT / header]), links(tests), LEFT_OF_SCENES[name]]
 
 
 def page(model, records):
@@ -161,7 +169,7 @@ Of the claims that Coq checks:
 - Coq's kernel, and what its library assumes of real numbers and of logic. The stage fails if a theorem assumes anything
   but
   {axioms}.
-- [recording.h](recording.h) records the operations of the source templates, over a type in place of doubles.
+- [record.cpp](record.cpp) records the operations of the source templates, over a type in place of doubles.
   [statement.py](statement.py) and [signs.py](signs.py) state what was recorded. Object code is not looked at.
 - The lanes of doubles, the first stage, add in [another order](README.md#assumptions) than the record; an argument on paper
   covers them, no proof. Constant, maxima and expression are paired by hand where a filter uses them.

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/mesh_builder.h"
 #include "tests/experiments/support/address_sanitizer.h"
 #include "tests/geometry/mesh_fixture.h"
 

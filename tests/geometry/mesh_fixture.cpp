@@ -6,7 +6,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/mesh_builder.h"
 
 namespace touchstone::geometry_tests {
 namespace {

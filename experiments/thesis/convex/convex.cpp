@@ -15,7 +15,7 @@
 #include "experiments/methods/triangulate.h"
 #include "geometry/contact/fast.h"
 #include "geometry/detail/floating_point_state.h"
-#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/mesh/detail/face_plane.h"
 
 namespace touchstone::convex {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/mesh_builder.h"
 #include "geometry/io/detail/text_reader.h"
 
 namespace touchstone::io {

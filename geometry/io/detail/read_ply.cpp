@@ -13,9 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/io/detail/byte_reader.h"
 #include "geometry/io/detail/legible.h"
-#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/mesh_builder.h"
 #include "geometry/io/detail/text_reader.h"
 
 namespace touchstone::io {

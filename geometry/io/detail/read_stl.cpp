@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/io/detail/byte_reader.h"
-#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/mesh_builder.h"
 #include "geometry/io/detail/text_reader.h"
 
 namespace touchstone::io {

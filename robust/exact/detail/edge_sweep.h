@@ -19,6 +19,10 @@ namespace touchstone::exact::detail {
                             const Eigen::Vector3d& d);
 /// @}
 
+/// Returns the axis of the largest component of the outer loop's Newell normal, the lowest on a tie, decided exactly;
+/// nothing if the normal is zero. Cost: linear.
+[[nodiscard]] std::optional<int> dropped_axis(const Polygon& polygon);
+
 /// The loops of a polygon, projected by dropping one coordinate.
 class PlanarLoops {
  public:

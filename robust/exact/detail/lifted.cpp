@@ -5,7 +5,7 @@
 #include <array>
 
 #include "geometry/detail/floating_point_state.h"
-#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::exact {

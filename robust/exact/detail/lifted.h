@@ -8,7 +8,7 @@
 
 #include "geometry/contact/answer.h"
 #include "geometry/shapes/ball.h"
-#include "robust/exact/detail/number.h"
+#include "robust/detail/exact_kernel.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::exact {

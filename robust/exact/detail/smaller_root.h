@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "robust/exact/detail/number.h"
+#include "robust/detail/exact_kernel.h"
 
 namespace touchstone::exact::detail {
 

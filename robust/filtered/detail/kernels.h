@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/contact/first_contact.h"
-#include "robust/filtered/detail/polygon/newell_sums.h"
+#include "robust/filtered/detail/polygon/newell_plane.h"
 #include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/detail/triangle/ball_triangle_view.h"
 #include "robust/filtered/filtered.h"

@@ -9,8 +9,7 @@
 #include "robust/filtered/detail/sets/triangle_groups_contact.h"
 #include "robust/filtered/detail/triangle/triangle_closest.h"
 
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 template <class Counts>
 bool polygon_contact(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
@@ -113,5 +112,4 @@ inline void triangles_contact(const Ball& ball, std::span<const Triangle> triang
 inline constexpr Kernels kKernels{kKernelTable<NoCounts>, kKernelTable<StageCounts>, balls_contact, triangles_contact,
                                   motions_contact,        motion_triangles_contact,  newell_sums};
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "robust/detail/exact_kernel.h"
-#include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/detail/nearest_double.h"
 
@@ -55,9 +54,7 @@ double FacePlane::approximate_height(const Vector3d& point) const {
 }
 
 double off_plane(const Polygon& polygon, std::span<const Vector3d> points) {
-  using Number = kernel::Mpzf;  // integers times powers of two
-  using Vector = kernel::Simple_cartesian<Number>::Vector_3;
-  const auto vector = [](const Vector3d& p) { return Vector(Number(p.x()), Number(p.y()), Number(p.z())); };
+  using exact::detail::Number, exact::detail::Vector, exact::detail::vector;
   const std::size_t outer = polygon.loop_end(0);
   Vector normal(0, 0, 0), sum(0, 0, 0);
   for (std::size_t i = 0; i < outer; ++i) {

@@ -14,8 +14,7 @@
 #include "robust/scene/detail/triangle_leaves.h"
 
 /// The triangles of a set, where they stand or in their own frame, and a ball that asks about them.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
 /// Returns whether the ball certainly misses the triangle's box along some axis. Culls most triangles of a leaf.
 ///
@@ -195,5 +194,4 @@ class TrianglesInOwnFrame {
   VertexFinder finder_;  ///< with the inner radius
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

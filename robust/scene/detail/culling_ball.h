@@ -10,8 +10,7 @@
 #include "robust/filtered/detail/numbers/lanes.h"
 
 /// Finds the boxes of a tree that a ball may touch.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
 using filtered::detail::FloatPack;
 using filtered::detail::Pack;
@@ -173,5 +172,4 @@ class CullingBall {
   bool everywhere_, in_floats_;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

@@ -11,8 +11,7 @@
 #include "robust/filtered/detail/numbers/vector3.h"
 
 /// Upper bounds of distances from triangles, in doubles.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 namespace distance_bound {
 
 /// A point of a triangle, combined from vertices whose coordinates are at most m as seen from the centre, is known to
@@ -74,5 +73,4 @@ inline double distance_at_most(const Eigen::Vector3d& center, const Triangle& tr
   return (std::sqrt(squared) + distance_bound::kPoint * largest) * distance_bound::kWide;
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

@@ -6,8 +6,7 @@
 #include "robust/scene/detail/shared_vertices.h"
 
 /// The quickest proof that a ball touches a triangle: it holds a vertex.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 namespace held_vertex {
 
 /// Multiplied with the square of a radius to cover its rounding and that of the squares that are compared with it.
@@ -47,5 +46,4 @@ class VertexFinder {
   double limit_;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

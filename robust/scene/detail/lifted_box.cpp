@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "robust/scene/detail/rounded_plane.h"
-
 namespace touchstone::scene::detail {
 namespace {
 

@@ -9,8 +9,7 @@
 #include "robust/filtered/detail/numbers/lanes.h"
 
 /// The walk through a tree to the faces that something may touch.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
 /// Fetches the bytes of objects from memory, for when the walk comes to them.
 template <class Object>
@@ -143,5 +142,4 @@ void walk_in_order(const BoxTree& tree, const Culling& culling, const Visit& vis
   }
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

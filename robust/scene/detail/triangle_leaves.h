@@ -11,8 +11,7 @@
 #include "robust/scene/detail/tree_walk.h"
 
 /// The leaves of a set's tree: up to eight triangles, which floats decide together.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
 /// Calls f(place) for each of these triangles of a leaf, one per bit.
 template <class F>
@@ -116,5 +115,4 @@ class TriangleLeaves {
   const filtered::detail::TriangleGroup* groups_;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

@@ -6,13 +6,12 @@
 
 #include "robust/filtered/detail/motion/triangle_motion.h"
 #include "robust/scene/detail/asked_triangles.h"
+#include "robust/scene/detail/culling_motion.h"
 #include "robust/scene/detail/first_contact_search.h"
-#include "robust/scene/detail/swept.h"
 #include "robust/scene/detail/tree_walk.h"
 
 /// The triangles of a set, where they stand or in their own frame, and a moving ball that asks about them.
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
 /// Returns whether the moving ball certainly misses the triangle, by doubles.
 TOUCHSTONE_INLINE bool certainly_misses(const Motion& motion, const Triangle& triangle) {
@@ -151,5 +150,4 @@ class TrianglesInOwnFrameOnWay {
   TrianglesInOwnFrame at_start_;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

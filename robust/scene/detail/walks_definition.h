@@ -15,8 +15,7 @@
 #include "robust/scene/detail/triangles_on_way.h"
 #include "robust/scene/detail/walks.h"
 
-namespace touchstone::scene::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
 /// The classes with which a ball or a motion asks.
 template <class Query>
@@ -230,5 +229,4 @@ inline constexpr ContactWalks<Query> kContactWalks{touches_triangle<Query>, touc
 inline constexpr Walks kWalks{kContactWalks<Ball>, kContactWalks<Motion>, nearest_triangle,
                               nearest_polygon,     first_triangle,        first_polygon};
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::scene::detail
+}  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

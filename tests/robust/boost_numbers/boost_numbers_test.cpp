@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "robust/detail/kernel_of_boost.h"
+#include "robust/detail/exact_kernel.h"
 
 namespace touchstone {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/hand_cases.h"
 #include "tests/robust/support/limits.h"

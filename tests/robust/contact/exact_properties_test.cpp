@@ -9,7 +9,7 @@
 #include <map>
 
 #include "experiments/cases/workloads/ulp.h"
-#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/generators.h"
 #include "tests/robust/support/printing.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/robust/support/environment.h"

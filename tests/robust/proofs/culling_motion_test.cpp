@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "robust/proofs/error_bound.h"
-#include "robust/scene/detail/swept.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::proofs::culling_motion {

@@ -5,12 +5,11 @@
 // The polygon's size is 1: errors scale with it, and underflow counts most where it is kSmallestSize. Up to 64 vertices
 // the calculus runs over every loop. Beyond, sums are taken as a whole; what is needed grows with n, so that what
 // 2 n vertices need is enough for n to 2 n of them if n vertices are allowed it.
-#include "robust/scene/detail/rounded_plane.h"
-
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include "robust/proofs/error_bound.h"
+#include "robust/scene/detail/lifted_box.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::proofs::rounded_plane {

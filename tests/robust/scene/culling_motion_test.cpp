@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guarantees of robust/scene/detail/culling_motion.h and swept.h, against rationals: a box or triangle that a
-// moving ball touches is never culled, nor is it held to be touched later than it is.
+// The guarantees of robust/scene/detail/culling_motion.h, against rationals: a box or triangle that a moving ball
+// touches is never culled, nor is it held to be touched later than it is.
 #include "robust/scene/detail/culling_motion.h"
 
 #include <gmpxx.h>
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "experiments/cases/workloads/ulp.h"
-#include "robust/scene/detail/swept.h"
 #include "tests/robust/support/draw_point.h"
 
 namespace touchstone::scene_tests {

@@ -7,7 +7,7 @@
 
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/ulp.h"
-#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 
 namespace touchstone::workloads::adversarial {
 namespace {

@@ -9,8 +9,7 @@
 
 /// The second stage for the contact of a moving ball with a triangle: the signs that doubles leave open, in
 /// double-doubles.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 // The first stage for the contact of a moving ball with a triangle, that is, of a capsule: signs alone, without roots
 // and divisions.
@@ -194,6 +193,4 @@ FilterResult unsure_capsule(const MotionTriangleView& view, const CapsuleSigns& 
   return touches ? FilterResult::Yes : FilterResult::No;
 }
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

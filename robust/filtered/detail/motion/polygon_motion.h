@@ -5,15 +5,13 @@
 #include <vector>
 
 #include "robust/exact/motion.h"
-#include "robust/filtered/detail/motion/first_candidate.h"
-#include "robust/filtered/detail/motion/frame_motion.h"
-#include "robust/filtered/detail/motion/polygon_doubles.h"
+#include "robust/filtered/detail/motion/moving_edge.h"
+#include "robust/filtered/detail/motion/polygon_events.h"
 #include "robust/filtered/detail/motion/touched_point.h"
 #include "robust/filtered/detail/polygon/polygon_query.h"
 
 /// All stages for a moving ball and a prepared polygon.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// Calls visit(leaf) for all leaves with edges that the swept disc may touch. The visitor may shorten the disc's way.
 template <class Visit>
@@ -280,5 +278,4 @@ bool polygon_motion_contact(const Motion& motion, const PreparedPolygon::Parts& 
   return later_motion_contact(motion, parts, in_frame ? &*in_frame : nullptr, known, counts);
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

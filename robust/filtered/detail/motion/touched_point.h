@@ -13,8 +13,7 @@
 /// `Doubles` are a motion and a polygon or triangle in double-doubles: `moving(i)`, `normal()` and its
 /// `normal_length()`, `center(axis)`, `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices
 /// have the same coordinate, `lifts(axis)`, and `unscaled(length)`, which converts to the caller's unit of length.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// The unit of times.
 struct Unitless {
@@ -98,5 +97,4 @@ class TouchedPoint {
   Bounded<DoubleDouble> multiple_{};
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

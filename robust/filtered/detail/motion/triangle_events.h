@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
 #include "robust/filtered/detail/motion/touched_point.h"
 #include "robust/filtered/detail/numbers/length_unit.h"
@@ -13,8 +12,7 @@
 #include "robust/filtered/detail/triangle/triangle_filter.h"
 
 /// The second stage for a moving ball and a triangle: its events, and the time and point of one, in double-doubles.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 // The first stage for a moving ball and a triangle: all events in doubles, one edge a lane.
 
@@ -163,6 +161,4 @@ class TriangleMotionDoubles {
   mutable std::optional<Bounded<DoubleDouble>> normal_length_;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

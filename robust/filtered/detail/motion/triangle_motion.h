@@ -5,15 +5,13 @@
 #include <optional>
 
 #include "robust/filtered/detail/motion/capsule.h"
-#include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
 #include "robust/filtered/detail/triangle/exact_triangle.h"
 #include "robust/filtered/detail/triangle/scaled_triangle.h"
 #include "robust/filtered/detail/triangle/triangle_closest.h"
 
 /// All stages for a moving ball and a triangle.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// Returns the first contact of a ball that touches at its start. Requires round to nearest.
 template <class Counts>
@@ -211,5 +209,4 @@ bool triangle_motion_contact(MotionTriangleView view, Counts& counts) {
   return result == FilterResult::Yes;
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

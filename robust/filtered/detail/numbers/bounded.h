@@ -18,8 +18,7 @@
 /// Requires lengths of at most bounds::kLongestMotion, and vectors whose maximum is at least the inverse of that. Then
 /// nothing overflows in expressions of degree 8, and the error of every expression of vectors exceeds the effect of
 /// underflow by far. That need not be so for products of single exact numbers.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// The type of errors, the errors of operations in units of relative rounding, and a number below all divisors
 /// that are certainly positive: their errors are larger.
@@ -171,5 +170,4 @@ TOUCHSTONE_INLINE BoundedVector<Number> cross(const BoundedVector<Number>& a, co
       {value.x, value.y, value.z}, largest_component(value), error_of_products(a, b, 2, ErrorTraits<Number>::cross)};
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

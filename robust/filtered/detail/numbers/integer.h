@@ -9,8 +9,7 @@
 
 #include "robust/filtered/detail/numbers/target.h"
 
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
@@ -130,5 +129,4 @@ constexpr auto operator*(const Integer<A>& a, const Integer<B>& b) {
   }
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

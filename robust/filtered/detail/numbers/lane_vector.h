@@ -6,8 +6,7 @@
 
 /// Vectors of double-doubles whose components share a pack. Their products take a third of the instructions of those of
 /// Vector3<DoubleDouble>, and are made by the same operations of double_double.h: all its bounds hold.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 // Packs of doubles as the words of double_double.h.
 
@@ -64,6 +63,4 @@ TOUCHSTONE_INLINE double operator-(const DoubleDouble& a, const RadiusTerm& b) {
   return (a.high - b.value.high) + (a.low - b.value.low);
 }
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -19,8 +19,7 @@
 /// not a number. Sums of products are fused if the target can; then values differ between targets, within the bounds of
 /// bounds.h. The truth value of a lane is its sign bit: x - y has it set where x < y. &, | and ^ combine such bits, and
 /// `negative_lanes` returns them.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 #define TOUCHSTONE_INLINE inline __attribute__((always_inline))
 
@@ -339,5 +338,4 @@ TOUCHSTONE_INLINE Pack largest_component(const Vector3<Pack>& v) {
   return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

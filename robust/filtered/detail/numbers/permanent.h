@@ -7,8 +7,7 @@
 #include "geometry/floating_point.h"
 #include "robust/filtered/detail/numbers/target.h"
 
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// A double that carries its own error bound: the permanent, which is the value of the expression if every difference
 /// is replaced by a sum of magnitudes.
@@ -50,5 +49,4 @@ int certain_sign(const Permanent<Roundings>& number, double tiny) {
   return (number.value > bound) - (number.value < -bound);
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

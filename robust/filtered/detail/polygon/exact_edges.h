@@ -8,8 +8,7 @@
 #include "robust/filtered/detail/polygon/prepared.h"
 #include "robust/filtered/detail/signs/sign_ladder.h"
 
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// The edges of a prepared polygon relative to a ball, for signs that the frame could not decide.
 ///
@@ -141,5 +140,4 @@ class ExactEdges {
   mutable std::size_t kept_edge_ = 0;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

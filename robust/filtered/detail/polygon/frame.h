@@ -17,7 +17,6 @@
 #include "robust/filtered/detail/numbers/vector3.h"
 #include "robust/filtered/detail/polygon/edge_tree.h"
 #include "robust/filtered/detail/polygon/newell_plane.h"
-#include "robust/filtered/detail/polygon/newell_sums.h"
 #include "robust/filtered/detail/signs/bounds.h"
 
 namespace touchstone::filtered::detail {

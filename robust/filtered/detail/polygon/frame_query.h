@@ -12,8 +12,7 @@
 #include "robust/filtered/detail/signs/edge_frame.h"
 
 /// The first stage for prepared polygons: computes in the isometric frame, in doubles, with absolute error bounds.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 
@@ -300,6 +299,4 @@ class SeenLeaves {
   LeafView views_[kMost];
 };
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

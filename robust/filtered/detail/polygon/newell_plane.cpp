@@ -10,7 +10,6 @@
 #include "robust/filtered/detail/numbers/integer.h"
 #include "robust/filtered/detail/numbers/vector3.h"
 #include "robust/filtered/detail/polygon/edge_tree.h"
-#include "robust/filtered/detail/polygon/newell_sums.h"
 
 namespace touchstone::filtered::detail {
 

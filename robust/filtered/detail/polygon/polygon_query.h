@@ -13,8 +13,7 @@
 #include "robust/filtered/detail/polygon/frame_query.h"
 #include "robust/filtered/detail/signs/closest_point.h"
 
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// A type of this target, so that instantiations of std::optional with it belong to this target, too.
 class OwnFloatingPointState : public FloatingPointState {};
@@ -408,6 +407,4 @@ Relation relation(const Ball& ball, const PreparedPolygon::Parts& parts, Counts&
       ball, parts, counts);
 }
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

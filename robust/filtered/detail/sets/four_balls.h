@@ -8,8 +8,7 @@
 #include "robust/filtered/detail/polygon/frame_query.h"
 
 /// The first stage of contact for four balls and one polygon: a lane of each Pack belongs to a ball.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// A bit for each ball; neither for a ball whose contact is not certain.
 struct CertainContacts {
@@ -194,6 +193,4 @@ class WalkTogether {
   std::size_t node_count_ = 0, leaf_count_ = 0;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

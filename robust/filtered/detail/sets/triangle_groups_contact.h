@@ -18,8 +18,7 @@
 
 /// The first stage for sets of triangles: computes the distances of eight triangles at once in floats, with an absolute
 /// error bound.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// The distances of eight triangles as floats know them, in steps: a point of each triangle is `most` far, and none is
 /// nearer than support / most; both up to an error.
@@ -256,5 +255,4 @@ std::vector<std::size_t> set_triangles_hit(const Ball& ball, const TriangleSet::
   return hit;
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -11,8 +11,7 @@
 
 /// The closest point and the distance, correctly rounded: in double-doubles with a rounding test, and in integers of
 /// any size if that is ambiguous.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// A double-double and a bound of its error: 0, or at least 2 u |low|, u = 2^-53. Every nonzero error here includes two
 /// units of the value's size (bounds::kDoubleDoubleUnit), which is more.
@@ -149,5 +148,4 @@ class ClosestPointOnFeature {
   DoubleDouble per_square_, along_, multiple_;
 };
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -7,8 +7,7 @@
 /// The operations in the isometric frame of a prepared polygon: origin, two orthonormal axes in the supporting plane,
 /// and the unit normal. All lengths are in units of the polygon's size, so that bounds of magnitudes and errors are
 /// absolute.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 namespace frame {
 
 /// Returns axis.(c - origin): a coordinate of the centre in the frame, in the plane or above it.
@@ -66,5 +65,4 @@ constexpr auto turned_across(const T& x, const T& y, const T& axis_x, const T& a
 }
 
 }  // namespace frame
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -15,8 +15,7 @@
 
 /// One sign, decided by one stage after another: permanent, short integers, double-double, long integers, integers of
 /// any size.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// The operands of the signs of one edge, relative to a ball, in double-doubles.
 ///
@@ -207,5 +206,4 @@ int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& b
   return bigint();
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

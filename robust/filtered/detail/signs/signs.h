@@ -14,6 +14,10 @@
 ///
 /// For a ball (c, r) and an edge from vertex a to vertex b: to_center = c - a, edge = b - a; normal = N.
 namespace touchstone::filtered::detail {
+
+/// The signs below by name, so that every stage can compute the same one.
+enum class SignKind { Vertex, Along, Beyond, Line, Front, Plane, Side, Above };
+
 inline namespace TOUCHSTONE_TARGET {
 
 namespace signs {
@@ -113,13 +117,6 @@ constexpr auto on_way(const Vector3<V>& to_center, const Vector3<V>& edge, const
 }
 
 }  // namespace signs
-
-}  // namespace TOUCHSTONE_TARGET
-
-/// The signs of signs.h by name, so that every stage can compute the same one.
-enum class SignKind { Vertex, Along, Beyond, Line, Front, Plane, Side, Above };
-
-inline namespace TOUCHSTONE_TARGET {
 
 /// The largest magnitudes of the components of `to_center` (and of r), `edge` and `normal`.
 struct Maxima {

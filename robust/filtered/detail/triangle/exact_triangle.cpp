@@ -34,23 +34,33 @@ struct View {
   [[nodiscard]] static int axis() { return 0; }
 };
 
+Eigen::Vector3d point(const double* p) { return {p[0], p[1], p[2]}; }
+
+template <class AnyView>
+Polygon polygon_of(const AnyView& view) {
+  return Polygon({point(view.vertex[0]), point(view.vertex[1]), point(view.vertex[2])});
+}
+Ball ball_of(const BallTriangleView& view) { return {point(view.center), view.radius()}; }
+Motion motion_of(const MotionTriangleView& view) {
+  return {{point(view.motion), view.radius()}, point(view.motion + 4)};
+}
+
+/// Returns whether some component of the normal is certainly not zero. A finite triangle is then valid.
+bool has_surely_normal(const Triangle& t) {
+  const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
+  const auto known = [](double difference) { return rounded_double(difference); };
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    if (certain_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), bounds::kTiny) != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int bigint_sign(SignKind kind, const BallTriangleView& view, int edge) {
   return expression_sign(kind, View{view, edge});
 }
-
-namespace {
-
-Eigen::Vector3d vector(const double* p) { return {p[0], p[1], p[2]}; }
-
-Polygon polygon(const BallTriangleView& view) {
-  return Polygon({vector(view.vertex[0]), vector(view.vertex[1]), vector(view.vertex[2])});
-}
-
-Ball ball(const BallTriangleView& view) { return {vector(view.center), view.radius()}; }
-
-}  // namespace
 
 Feature bigint_nearest(const BallTriangleView& view) {
   const auto sign = [&view](SignKind kind, std::size_t i) { return bigint_sign(kind, view, static_cast<int>(i)); };
@@ -67,47 +77,19 @@ Feature bigint_nearest(const BallTriangleView& view) {
 }
 
 double bigint_point(const BallTriangleView& view, const Feature& feature, int axis) {
-  const Polygon triangle = polygon(view);
-  return BigIntPolygon(triangle).point(ball(view), feature, axis);
+  const Polygon triangle = polygon_of(view);
+  return BigIntPolygon(triangle).point(ball_of(view), feature, axis);
 }
 
 double bigint_distance(const BallTriangleView& view, const Feature& feature) {
-  const Polygon triangle = polygon(view);
-  return BigIntPolygon(triangle).distance(ball(view), feature);
+  const Polygon triangle = polygon_of(view);
+  return BigIntPolygon(triangle).distance(ball_of(view), feature);
 }
-
-namespace {
-
-Eigen::Vector3d point(const double* p) { return {p[0], p[1], p[2]}; }
-
-Motion motion_of(const MotionTriangleView& view) {
-  return {{point(view.motion), view.radius()}, point(view.motion + 4)};
-}
-Polygon polygon_of(const MotionTriangleView& view) {
-  return Polygon({point(view.vertex[0]), point(view.vertex[1]), point(view.vertex[2])});
-}
-
-}  // namespace
 
 bool exact_motion_contact(const MotionTriangleView& view) { return exact::contact(motion_of(view), polygon_of(view)); }
 FirstContact exact_first_contact(const MotionTriangleView& view) {
   return exact::first_contact(motion_of(view), polygon_of(view));
 }
-
-namespace {
-
-/// Returns whether some component of the normal is certainly not zero. A finite triangle is then valid.
-bool has_surely_normal(const Triangle& t) {
-  const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
-  const auto known = [](double difference) { return rounded_double(difference); };
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    if (certain_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), bounds::kTiny) != 0) return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 void expect_valid(const Triangle& t) {
   if (t.a.allFinite() && t.b.allFinite() && t.c.allFinite() && has_surely_normal(t)) return;

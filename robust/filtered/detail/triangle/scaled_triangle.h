@@ -10,8 +10,7 @@
 #include "robust/filtered/detail/triangle/triangle_filter.h"
 
 /// Balls and triangles with very large or very small numbers, and with both.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// Returns the largest magnitude of a number of ball and triangle, or of motion and triangle.
 template <class View>
@@ -95,5 +94,4 @@ inline FilterResult scaled_filter(const BallTriangleView& view, TriangleSigns& s
   return filter_edges<false>(triangle, BallAtTriangle<true>(triangle, lanes(to_center), load(radius)), signs);
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

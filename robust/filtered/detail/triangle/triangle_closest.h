@@ -8,8 +8,7 @@
 #include "robust/filtered/detail/triangle/exact_triangle.h"
 #include "robust/filtered/detail/triangle/triangle_contact.h"
 
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// A triangle relative to a centre, scaled by a power of two if its numbers are far from 1. Meets the requirements of
 /// closest_point.h.
@@ -90,5 +89,4 @@ double closest_point(BallTriangleView view, Feature& feature, double (&point)[3]
   return pinned(closest.distance());
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -15,8 +15,7 @@
 #include "robust/filtered/detail/triangle/scaled_triangle.h"
 #include "robust/filtered/detail/triangle/triangle_filter.h"
 
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 // Contact that depends on one sign of a triangle alone. Double-doubles come first, without a branch on the sign, which
 // a processor could not predict.
@@ -267,6 +266,4 @@ TOUCHSTONE_INLINE bool contact(BallTriangleView view, Counts& counts) {
   return result == FilterResult::Yes;
 }
 
-}  // namespace TOUCHSTONE_TARGET
-
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

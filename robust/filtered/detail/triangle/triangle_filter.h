@@ -7,8 +7,7 @@
 #include "robust/filtered/detail/triangle/ball_triangle_view.h"
 
 /// The first stage for a ball and a triangle: all signs in doubles, one edge per lane, without branches.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// The certain signs of one expression, as sign bits of the lanes.
 struct LaneSigns {
@@ -179,5 +178,4 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Sig
   return filter_edges<always>(triangle, ball, signs);
 }
 
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

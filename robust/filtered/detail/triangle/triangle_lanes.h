@@ -13,8 +13,7 @@
 ///
 /// Each operation is written once, over any number type. robust/proofs records the operations on coordinates, and
 /// proves their constants of bounds.h.
-namespace touchstone::filtered::detail {
-inline namespace TOUCHSTONE_TARGET {
+namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 namespace lane {
 
 /// A vertex and the two edges that begin there.
@@ -81,5 +80,4 @@ constexpr Weights<T> nearly_closest(const Corner<T>& corner, const T& zero, cons
 }
 
 }  // namespace lane
-}  // namespace TOUCHSTONE_TARGET
-}  // namespace touchstone::filtered::detail
+}  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET
