@@ -185,6 +185,36 @@ TEST(MergeCommand, ResumesBehindTheFilesThatAreDone) {
   EXPECT_EQ(run_tests::text_of(scratch.path / "out" / "merge-times.csv"), times);
 }
 
+TEST(MergeCommand, RefusesACheckpointOfFilesThatThereAreNot) {
+  const run_tests::Scratch scratch;
+  auto arguments = three_files(scratch.path, "out");
+  (void)run_tests::run_captured(commands::merging_command, arguments);
+  arguments.emplace_back("--resume");
+  const std::filesystem::path file = scratch.path / "out" / "checkpoint.json";
+  auto checkpoint = nlohmann::json::parse(run_tests::text_of(file));
+  merging::Results sound;
+  run::restore(checkpoint["state"].get<std::string>(), sound);
+  ASSERT_EQ(sound.read.size(), 2U);
+  const auto expect_refused = [&](const char* what, const auto& damage) {
+    merging::Results results = sound;
+    damage(results);
+    checkpoint["state"] = run::archived(results);
+    run::write_file(file, checkpoint.dump());
+    const auto refused = run_tests::run_captured(commands::merging_command, arguments);
+    EXPECT_EQ(refused.err,
+              file.string() + ": is not a checkpoint of this program: it holds results of files that there are not")
+        << what;
+  };
+  expect_refused("a file behind the last", [](auto& results) {
+    auto last = results.read.extract(2);
+    last.key() = 3;
+    results.read.insert(std::move(last));
+  });
+  expect_refused("another file", [](auto& results) { results.read.begin()->second.name = "c"; });
+  expect_refused("more results than files", [](auto& results) { results.files = 1; });
+  expect_refused("more bad files than files", [](auto& results) { results.bad = 4; });
+}
+
 TEST(MergeCommand, DoesNotResumeOverMeshesThatHaveChanged) {
   const run_tests::Scratch scratch;
   auto arguments = three_files(scratch.path, "out");
