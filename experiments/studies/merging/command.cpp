@@ -84,6 +84,7 @@ int run_merging(run::StudyRun& run, const Options& options) {
   constexpr int kBadInput = 2;
   Settings settings = options.settings;
   settings.seed = options.seed;
+  settings.threads = options.threads;
   const std::uint64_t files = options.files.size();
   const std::vector<std::string> names = workloads::short_names(options.files);
   std::uint64_t told = 0;  // of the bad files

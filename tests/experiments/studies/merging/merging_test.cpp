@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -75,6 +77,21 @@ TEST(MergeStudy, SeesAnswersThatDiffer) {
   EXPECT_GT(result.differences.differ[2], 0U);
   EXPECT_GT(result.differences.distance, 0);
   EXPECT_LE(result.differences.distance, result.counts.off_plane);
+}
+
+TEST(MergeStudy, ComparesAnswersByAsManyThreadsAsItIsGiven) {
+  const auto running = [] {
+    const std::filesystem::directory_iterator threads("/proc/self/task");
+    return std::distance(begin(threads), end(threads));
+  };
+  merging::Settings settings{.tolerance = 0.2, .balls = 2000, .least = 3, .repetitions = 1};
+  const Mesh mesh = shaken(grid(6, 6, [](int, int) { return true; }), 0.1, 1);
+  const merging::Differences alone = studied(settings, "dented", mesh).differences;
+  const auto before = running();
+  settings.threads = 3;
+  const merging::Differences together = studied(settings, "dented", mesh).differences;
+  EXPECT_GT(running(), before);
+  EXPECT_EQ(run::archived(together), run::archived(alone));
 }
 
 TEST(MergeStudy, DrawsBallsOfWhichSomeTouchAndSomeDoNot) {
