@@ -23,6 +23,7 @@ class Run:
     quick: list | None = None  # None: with --full alone, or for the paper
     paper: list | None = None  # what the paper needs of it, if that is more than the quick calls
     resumes: bool = False  # continues after an interruption, with --resume
+    tiny: list | None = None  # a call that takes a moment, without --output, by which tests see what the program writes
 
     @property
     def needs_meshes(self):
