@@ -20,9 +20,7 @@ std::vector<touchstone::run::Command> all_commands() {
   };
   add("Ask and judge", {judge_command(), show_command(), scenes_command(), cases_command(), methods_command(),
                         regress_command(), corpus_command()});
-  add("Studies", {near_edge_command(), angles_command(), meshes_command(), merging_command(), motions_command(),
-                  tunnelling_command(), stability_command(), tradeoff_command(), bench_command(),
-                  bench_scenes_command(), soak_command(), recorded_command()});
+  add("Studies", study_commands());
   add("The cell and the thesis", {cell_command(), thesis_command()});
   add("Studies", parts_commands(commands));
   add("Tools", {columns_command(commands)});

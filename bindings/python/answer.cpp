@@ -5,6 +5,8 @@
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <functional>
 #include <string>
 
 #include "bindings/python/bindings.h"
@@ -40,17 +42,29 @@ py::tuple members_of(const Answer& a) {
                         static_cast<int>(a.relation), static_cast<int>(a.nearest.kind), a.nearest.index,
                         coordinates_of(a.point), a.distance, a.off_plane);
 }
+/// Throws pybind11::value_error, which names the member, for members that no answer has together, whichever path gave
+/// it: `fast` may say that no edge is hit by a ball that touches.
 Answer answer_from(int plane, bool plane_tangent, int foot, const std::vector<std::size_t>& edges_hit, int relation,
                    int kind, std::size_t index, const Coordinates& point, double distance, double off_plane) {
-  return {.plane = enumerator_of<PlaneSide>(plane, "plane"),
-          .plane_tangent = plane_tangent,
-          .foot = enumerator_of<PointLocation>(foot, "foot"),
-          .edges_hit = edges_hit,
-          .relation = enumerator_of<Relation>(relation, "relation"),
-          .nearest = {enumerator_of<Feature::Kind>(kind, "nearest"), index},
-          .point = Eigen::Vector3d(point[0], point[1], point[2]),
-          .distance = distance,
-          .off_plane = off_plane};
+  Answer answer{.plane = enumerator_of<PlaneSide>(plane, "plane"),
+                .plane_tangent = plane_tangent,
+                .foot = enumerator_of<PointLocation>(foot, "foot"),
+                .edges_hit = edges_hit,
+                .relation = enumerator_of<Relation>(relation, "relation"),
+                .nearest = feature_from(kind, index, "nearest"),
+                .point = Eigen::Vector3d(point[0], point[1], point[2]),
+                .distance = distance,
+                .off_plane = off_plane};
+  const bool meets_plane = answer.plane == PlaneSide::Intersects, inside = answer.foot == PointLocation::Inside;
+  require_member(meets_plane || !plane_tangent, "plane_tangent", "a tangent plane intersects the ball");
+  require_member(std::ranges::adjacent_find(edges_hit, std::greater_equal<>()) == edges_hit.end(), "edges_hit",
+                 "must ascend");
+  require_member(meets_plane || !answer.contact(), "relation", "is 'separate' unless the plane intersects the ball");
+  require_member(inside == (answer.nearest.kind == Feature::Kind::Face), "nearest",
+                 "is the face if and only if the foot is inside");
+  require_member(!(distance < 0), "distance", "must not be negative");
+  require_member(!(off_plane < 0), "off_plane", "must not be negative");
+  return answer;
 }
 
 }  // namespace

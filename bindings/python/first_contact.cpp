@@ -17,14 +17,29 @@ namespace {
 
 namespace py = pybind11;
 
-/// From its members, enumerators as numbers.
+bool is_time_of(FirstContactKind kind, double time) {
+  switch (kind) {
+    case FirstContactKind::Start: return time == 0;
+    case FirstContactKind::Way: return time >= 0 && time <= 1;
+    case FirstContactKind::None: break;
+  }
+  return time == FirstContact().time;
+}
+
+/// From its members, enumerators as numbers. Throws pybind11::value_error, which names the member, for members that no
+/// first contact has together.
 FirstContact first_contact_from(int kind, double time, bool momentary, int feature, std::size_t index,
                                 const Coordinates& point) {
-  return {enumerator_of<FirstContactKind>(kind, "kind"),
-          time,
-          momentary,
-          {enumerator_of<Feature::Kind>(feature, "feature"), index},
-          {point[0], point[1], point[2]}};
+  const FirstContact first{enumerator_of<FirstContactKind>(kind, "kind"),
+                           time,
+                           momentary,
+                           feature_from(feature, index, "feature"),
+                           {point[0], point[1], point[2]}};
+  require_member(is_time_of(first.kind, time), "time", "is 0 for 'start', 0 to 1 for 'way' and infinite for 'none'");
+  require_member(!momentary || first.kind == FirstContactKind::Way, "momentary", "is for 'way' alone");
+  require_member(first.contact() || first.feature == FirstContact().feature, "feature", "is the face for 'none'");
+  require_member(first.contact() || first.point == FirstContact().point, "point", "is the origin for 'none'");
+  return first;
 }
 
 }  // namespace

@@ -128,8 +128,8 @@ std::vector<std::string> names_of(const SharedScene& scene) {
 
 NearestFace nearest_face_from(std::uint32_t object, std::uint32_t face, int kind, std::size_t index,
                               const Coordinates& point, double distance) {
-  return {
-      {object, face}, {enumerator_of<Feature::Kind>(kind, "feature"), index}, {point[0], point[1], point[2]}, distance};
+  require_member(distance >= 0, "distance", "must not be negative");
+  return {{object, face}, feature_from(kind, index, "feature"), {point[0], point[1], point[2]}, distance};
 }
 
 void add_nearest_face(py::module_& module) {
@@ -165,6 +165,7 @@ void add_first_face(py::module_& module) {
   py::class_<FirstFace> type(module, "FirstFace", "The face of a scene that a moving ball touches first.");
   make_picklable(type, [](const FirstFace& f) { return py::make_tuple(f.face.object, f.face.face, f.contact); });
   type.def(py::init([](std::uint32_t object, std::uint32_t face, const FirstContact& contact) {
+             require_member(contact.contact(), "contact", "a face that is touched first has one");
              return FirstFace{{object, face}, contact};
            }),
            "Takes what `pickle` kept.")

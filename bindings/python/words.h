@@ -4,6 +4,7 @@
 #include <pybind11/cast.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,19 @@ Enumerator enumerator_of(int number, const char* name) {
   if (to_string(value).empty())
     throw pybind11::value_error(std::string(name) + ": no value has the number " + std::to_string(number));
   return value;
+}
+
+/// Throws pybind11::value_error, which names the member, unless it goes with the others.
+inline void require_member(bool goes, const char* name, const char* rule) {
+  if (!goes) throw pybind11::value_error(std::string(name) + ": " + rule);
+}
+
+/// Returns the feature of these members. Throws pybind11::value_error as enumerator_of does, and for a face with an
+/// index.
+inline Feature feature_from(int kind, std::size_t index, const char* name) {
+  const Feature feature{enumerator_of<Feature::Kind>(kind, name), index};
+  require_member(feature.kind != Feature::Kind::Face || index == 0, name, "the index of the face is 0");
+  return feature;
 }
 
 /// Returns a feature as in a verdict: {'kind': 'edge', 'index': 3}; the face has no index.

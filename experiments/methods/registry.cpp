@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/registry.h"
 
-#include <cassert>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -26,7 +25,7 @@ Added& added() {
 }  // namespace
 
 void add_methods(void (*add)(MethodList& list)) {
-  assert(!added().called);
+  if (added().called) throw std::logic_error("methods are added after one was asked for");
   added().functions.push_back(add);
 }
 

@@ -12,7 +12,7 @@
 namespace touchstone::methods {
 
 /// Adds the methods of a room above this one, which all_methods has before the engines. Call it at the start of the
-/// program: requires that nothing has asked for a method.
+/// program: throws std::logic_error if anything has asked for a method, because nobody would then see them.
 void add_methods(void (*add)(MethodList& list));
 
 /// Returns every method of this build, in the order of `touchstone methods`.

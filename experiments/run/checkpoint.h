@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,17 @@ struct ResultSettings {
   int version;
   std::vector<std::pair<std::string, std::string>> options;
   std::string part{};  ///< of how many items; empty for a run of all
+};
+
+/// Throws DamagedArchive for a state that no run has, although it can be read: one that counts more than there is, or
+/// names what there is not.
+template <class State>
+using StateCheck = std::function<void(const std::type_identity_t<State>&)>;
+
+/// Accepts every state.
+struct NoCheck {
+  template <class State>
+  void operator()(const State&) const {}
 };
 
 /// The state of a long run, in a file that always holds one complete state. A state is written as an Archive; a
@@ -38,11 +51,12 @@ class Checkpoint {
   /// Returns the state to continue with, or nothing if there is no file yet. Throws std::runtime_error for a file
   /// that is damaged, of another version, or of other settings: it names those that differ.
   template <class State>
-  [[nodiscard]] std::optional<State> read(State state) const {
+  [[nodiscard]] std::optional<State> read(State state, const StateCheck<State>& check = NoCheck()) const {
     const std::optional<std::string> text = read_text();
     if (!text) return std::nullopt;
     try {
       restore(*text, state);
+      check(state);
       return state;
     } catch (const DamagedArchive& error) {
       refuse(std::string("is not a checkpoint of this program: ") + error.what());
@@ -52,8 +66,8 @@ class Checkpoint {
   /// Returns the state of a run that has ended. Throws as `read` does, and std::runtime_error, which names the file, if
   /// there is none or if the state does not cover this many items.
   template <class State>
-  [[nodiscard]] State read_complete(State zero, std::uint64_t items) const {
-    auto state = read(std::move(zero));
+  [[nodiscard]] State read_complete(State zero, std::uint64_t items, const StateCheck<State>& check = NoCheck()) const {
+    auto state = read(std::move(zero), check);
     if (!state) refuse("does not exist");
     refuse_fewer(items_done(*state), items);
     return std::move(*state);
@@ -84,10 +98,11 @@ class Checkpoint {
 /// Checkpoint does, and std::runtime_error if the checkpoint holds more than `asked` items, as items_done(state) counts
 /// them.
 template <class State>
-State begin(const Checkpoint& checkpoint, bool resume, std::uint64_t asked, State zero) {
+State begin(const Checkpoint& checkpoint, bool resume, std::uint64_t asked, State zero,
+            const StateCheck<State>& check = NoCheck()) {
   State state = std::move(zero);
   if (resume) {
-    if (auto held = checkpoint.read(state)) state = std::move(*held);
+    if (auto held = checkpoint.read(state, check)) state = std::move(*held);
   } else if (checkpoint.set_aside()) {
     fmt::print(stderr,
                "touchstone: starting over, without --resume; the previous checkpoint is saved as {0}.previous\n",

@@ -56,12 +56,14 @@ class StudyRun : public CommandRun {
 
   /// Runs a phase that a checkpoint continues: run(control, state) processes the items of the part from
   /// items_done(state) on, of `items`. Returns the state at the end. `what`: the items, for the line of progress.
-  /// Requires that states may be added in any order (see `add`). Throws as Checkpoint does.
+  /// `check`: of states that are read. Requires that states may be added in any order (see `add`). Throws as Checkpoint
+  /// does.
   template <class State, class Run>
-  State phase(const std::string& what, const std::string& checkpoint, std::uint64_t items, State zero, const Run& run) {
+  State phase(const std::string& what, const std::string& checkpoint, std::uint64_t items, State zero, const Run& run,
+              const StateCheck<State>& check = NoCheck()) {
     const Checkpoint file(folder() / checkpoint, settings(part_, items));
     const std::uint64_t size = share().size(items);
-    State state = begin(file, options_.resume, size, beginning(checkpoint, items, std::move(zero)));
+    State state = begin(file, options_.resume, size, beginning(checkpoint, items, std::move(zero), check), check);
     ProgressLine line = progress(study_ + ": " + what, size, items_done(state));
     run(RunControl<State>{.stop = stop(),
                           .progress = [&line](std::uint64_t done) { line(done); },
@@ -107,12 +109,13 @@ class StudyRun : public CommandRun {
   [[nodiscard]] ResultSettings settings(const std::optional<Part>& part, std::uint64_t items) const;
   /// Returns the state with which a phase begins: the sum of the parts, if they are merged. Throws as Checkpoint does.
   template <class State>
-  State beginning(const std::string& checkpoint, std::uint64_t items, State zero) const {
+  State beginning(const std::string& checkpoint, std::uint64_t items, State zero,
+                  const StateCheck<State>& check = NoCheck()) const {
     State sum = zero;
     for (std::uint64_t i = 0; i < options_.merged.size(); ++i) {
       const Part part{i + 1, options_.merged.size()};
-      add(sum,
-          Checkpoint(options_.merged[i] / checkpoint, settings(part, items)).read_complete(zero, part.size(items)));
+      add(sum, Checkpoint(options_.merged[i] / checkpoint, settings(part, items))
+                   .read_complete(zero, part.size(items), check));
     }
     return sum;
   }

@@ -4,7 +4,7 @@
 What holds of every subcommand, as the program's own help lists them: with --json it prints its tables as JSON, with --quiet
 nothing, and no file of its names a folder of the machine; a result that cannot be written to standard output never ends with status 0; a folder or file of results is neither
 written by two runs nor written over unasked, and all this is known before a run computes. A new subcommand needs a line in
-COMMANDS. Exit status 1 otherwise.
+COMMANDS, unless it is a study with a chapter. Exit status 1 otherwise.
 """
 import csv
 import json
@@ -22,6 +22,10 @@ import tempfile
 import unittest
 
 TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+sys.path.append(str(SOURCE / "experiments/report"))
+
+import studies
+
 PATIENCE = 300  # seconds, for what takes a few
 CELL = "cells/aristo.json"
 MAPS = "map-<spot>-<test>-<distance>.csv"
@@ -31,26 +35,17 @@ MESH = "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n"
 CASE = ('{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},'
         '"expected":{"contact":true}}\n')
 
-# Of each subcommand, calls that take a moment: they print something, and those with OUTPUT write it.
+# Of each subcommand, calls that take a moment: they print something, and those with OUTPUT write it. Those of the studies with a
+# chapter follow.
 COMMANDS = {
     "judge": [["--methods", "fast", "case.jsonl"]],
     "methods": [[]],
-    "near-edge": [["--methods", "fast", "--families", "l", "--samples", "1", "--search", "0", "--no-pictures", "--output", OUTPUT]],
     "angles": [["--methods", "fast", "--families", "l", "--samples", "1", "--output", OUTPUT]],
-    "meshes": [["mesh.obj", "--methods", "fast", "--output", OUTPUT]],
-    "merging": [["mesh.obj", "--compare", "0", "--output", OUTPUT]],
-    "motions": [["--methods", "fast", "--vertices", "4", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
-    "tunnelling": [["--vertices", "4", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
     "cases": [["--samples", "3"]],
     "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--output", OUTPUT]],
-    "bench-scenes": [["--max-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
     "merge": [["part", "--output", OUTPUT]],
     "plan": [[]],
     "soak": [["--samples", "5", "--output", OUTPUT], ["--samples", "5", "--print"]],
-    "recorded": [["--methods", "fast", "--samples", "1", "--balls", "2", "--steps", "5", "--output", OUTPUT]],
-    "tradeoff": [["--methods", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
-                  "--output", OUTPUT]],
-    "stability": [["--methods", "fast", "--axes", "origin", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
     "scenes": [["mesh.obj", "--samples", "2"], ["mesh.obj", "--samples", "2", "--output", OUTPUT]],
     "show": [["case.jsonl"]],
     "completion": [["bash"], ["zsh"]],
@@ -71,6 +66,10 @@ COMMANDS = {
     "corpus shrink": [["wrong.jsonl", "--method", "thesis"]],
     "thesis": [["--quick", "--samples", "100", "--no-pictures", "--output", OUTPUT]],
 }
+for study in studies.modules().values():
+    name, *options = study.RUN.tiny or [""]
+    if name and name not in {command.split()[0] for command in COMMANDS}:
+        COMMANDS[name] = [[*("mesh.obj" if word == studies.MESHES else word for word in options), "--output", OUTPUT]]
 
 # What prints no table: cases, pages, scripts, or a line that says what was written.
 WITHOUT_TABLE = ("cases", "show", "completion", "manual", "cell new", "cell export", "cell serve", "cell cases", "corpus make",
@@ -312,7 +311,7 @@ class EveryCommand(unittest.TestCase):
         with balls:
             for call in filter(writes, calls()):
                 for more in ([], ["--force"], ["--resume"]):
-                    if more == ["--resume"] and call[0] not in ("near-edge", "soak", "tradeoff", "stability", "motions", "tunnelling"):
+                    if more == ["--resume"] and "--resume" not in self.help_of(call[0]):
                         continue
                     with self.subTest(call=call, more=more):
                         before = content(folder)

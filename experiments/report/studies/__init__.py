@@ -24,6 +24,7 @@ class Run:
     paper: list | None = None  # what the paper needs of it, if that is more than the quick calls
     resumes: bool = False  # continues after an interruption, with --resume
     first: bool = False  # ./reproduce builds the program first_study for it, and runs it first
+    tiny: list | None = None  # a call that takes a moment, without --output, by which tests see what the program writes
 
     @property
     def needs_meshes(self):

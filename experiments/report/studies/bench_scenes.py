@@ -8,7 +8,8 @@ from studies import OUTPUT, Run
 from style import plt, rows_of, save
 
 RUN = Run(13, "whole scenes beside five libraries", full=[["bench-scenes", "--meshes", "cache/meshes", "--output", OUTPUT]],
-          paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "7", "--output", OUTPUT]])
+          paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "7", "--output", OUTPUT]],
+          tiny=["bench-scenes", "--max-faces", "1000", "--samples", "10", "--repetitions", "1", "--no-pictures"])
 TITLE = "Whole scenes"
 
 QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}

@@ -13,7 +13,8 @@ RUN = Run(15, "the manufacturing cell", **same(
     ["cell", "run", CELL, "--output", OUTPUT], ["cell", "export", CELL, f"{OUTPUT}/cell.html"],
     *(["cell", "run", CELL, "--preset", f"case {n}", "--every-face", "--output", f"{OUTPUT}/case-{n}"] for n in (1, 2)),
     ["cell", "run", CELL, "--preset", "U-part", "--output", f"{OUTPUT}/u-part"],
-    ["cell", "run", CELL, "--preset", "U-part", DRIVE, "thesis", "--output", f"{OUTPUT}/driven"]))
+    ["cell", "run", CELL, "--preset", "U-part", DRIVE, "thesis", "--output", f"{OUTPUT}/driven"]),
+          tiny=["cell", "run", CELL, "--methods", "filtered,fast"])
 TITLE = "The manufacturing cell, playing"
 DRIVEN, EXACTLY = "driven", "u-part"  # folders: a run with a U part that the thesis's method drives, and one by the exact answer
 

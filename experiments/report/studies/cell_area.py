@@ -7,7 +7,8 @@ from studies import CELL, OUTPUT, Run
 from style import GREY, plt, rows_of, save
 from thesis.cell import turned
 
-RUN = Run(16, "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]])
+RUN = Run(16, "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]],
+          tiny=["cell", "area", CELL, "--angle-step", "90", "--length-step", "500", "--no-pictures"])
 TITLE = "Where the storage of the cell may stand"
 OUTCOMES_TOLD = {"completed": "the whole process runs", "in-the-way": "something is in the way", "no-contact": "the sphere touches nothing",
                  "beyond-limits": "a joint is at its limit", "out-of-reach": "out of reach",

@@ -7,7 +7,8 @@ from page import count, escaped, multiple
 from results import finite, natural
 from studies import MESHES, OUTPUT, Run
 
-RUN = Run(14, "coplanar faces as polygons", resumes=True, full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]])
+RUN = Run(14, "coplanar faces as polygons", resumes=True, full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]],
+          tiny=["merging", MESHES, "--compare", "10", "--repetitions", "1"])
 TITLE = "Coplanar faces merged into polygons"
 SCENES = ("merged", "mixed")
 

@@ -19,7 +19,8 @@ from studies.regress import ENGINES
 from style import curve, plt, rows_of, save
 
 RUN = Run(10, "moving balls near their thresholds", resumes=True,
-          full=[["motions", "--output", OUTPUT]], quick=[["motions", "--samples", "8", "--output", OUTPUT]])
+          full=[["motions", "--output", OUTPUT]], quick=[["motions", "--samples", "8", "--output", OUTPUT]],
+          tiny=["motions", "--methods", "exact,filtered,fast,cgal-epeck-distance", "--vertices", "6", "--samples", "1", "--no-pictures"])
 TITLE = "Moving balls: contact on the way"
 
 # How the ball moves, and what one of the threshold radius does.

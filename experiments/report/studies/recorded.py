@@ -6,7 +6,8 @@ from results import distinct, finite, natural, share
 from studies import OUTPUT, Run
 
 RUN = Run(8, "questions of a third-party simulation", resumes=True,
-          full=[["recorded", "--output", OUTPUT]], paper=[["recorded", "--samples", "40", "--output", OUTPUT]])
+          full=[["recorded", "--output", OUTPUT]], paper=[["recorded", "--samples", "40", "--output", OUTPUT]],
+          tiny=["recorded", "--methods", "fast,filtered", "--samples", "1", "--balls", "6", "--steps", "90"])
 TITLE = "Questions recorded from a simulation"
 BUILDS = {"bullet": "doubles", "bullet-float": "floats"}
 

@@ -9,7 +9,8 @@ from results import distinct, maybe, natural
 from shares import percents, upper_limit
 from studies import OUTPUT, Run, same
 
-RUN = Run(7, "third-party engines", **same(["regress", "--output", OUTPUT]))
+RUN = Run(7, "third-party engines", **same(["regress", "--output", OUTPUT]),
+          tiny=["regress", "--methods", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"])
 TITLE = "Other engines on the same questions"
 
 # The engines of the tables, in their order. Method: what it is.

@@ -6,7 +6,8 @@ from results import distinct, natural
 from studies import OUTPUT, Run
 
 RUN = Run(9, "the certified path under attack", resumes=True,
-          full=[["soak", "--output", OUTPUT]], quick=[["soak", "--samples", "100000", "--output", OUTPUT]])
+          full=[["soak", "--output", OUTPUT]], quick=[["soak", "--samples", "100000", "--output", OUTPUT]],
+          tiny=["soak", "--samples", "200"])
 TITLE = "The certified path under attack"
 IN_WORDS = {"double": "doubles", "permanent": "sharper doubles", "double-double": "double-doubles", "fixed-integer": "short integers",
             "unlimited": "unlimited integers"}

@@ -13,7 +13,8 @@ from studies import OUTPUT, Run
 from style import GREY, curve, draw, plt, rows_of, save
 
 RUN = Run(4, "polygons under stress", resumes=True,
-          full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]])
+          full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]],
+          tiny=["stability", "--methods", "filtered,fast", "--axes", "aspect,origin,small,rounding", "--samples", "2", "--no-pictures"])
 TITLE = "Polygons under stress"
 
 # What is made worse: the title of each axis, and what its levels are.

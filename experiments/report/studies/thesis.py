@@ -16,7 +16,8 @@ from style import draw, plt, rows_of, save
 from thesis import cell as views
 from thesis import method, model
 
-RUN = Run(17, "the thesis's figures", full=[["thesis", "--output", OUTPUT]], quick=[["thesis", "--quick", "--output", OUTPUT]])
+RUN = Run(17, "the thesis's figures", full=[["thesis", "--output", OUTPUT]], quick=[["thesis", "--quick", "--output", OUTPUT]],
+          tiny=["thesis", "--quick", "--samples", "100", "--no-pictures"])
 TITLE = "The figures of the thesis of 2008"
 SHOWN = ("E.1",)  # in the chapter; all are on the thesis's own page
 CHAPTERS = {"2": "Chapter 2: literature", "3": "Chapter 3: methodology", "4": "Chapter 4: the collision detection algorithm",

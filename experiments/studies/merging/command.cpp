@@ -69,16 +69,28 @@ bool study_file(const Options& options, const Settings& settings, const std::str
   return true;
 }
 
+/// Throws run::DamagedArchive for results of files that there are not.
+void require_possible(const std::vector<std::string>& names, const Results& results) {
+  const auto is_of_file = [&](const auto& read) {
+    return read.first < names.size() && read.second.name == names[read.first];
+  };
+  if (results.read.size() > results.files || results.bad > results.files ||
+      !std::ranges::all_of(results.read, is_of_file))
+    throw run::DamagedArchive("it holds results of files that there are not");
+}
+
 /// One run. Files are studied one after the other, because they are timed.
 int run_merging(run::StudyRun& run, const Options& options) {
   constexpr int kBadInput = 2;
   Settings settings = options.settings;
   settings.seed = options.seed;
+  settings.threads = options.threads;
   const std::uint64_t files = options.files.size();
   const std::vector<std::string> names = workloads::short_names(options.files);
   std::uint64_t told = 0;  // of the bad files
-  const Results results =
-      run.phase("meshes", "checkpoint.json", files, Results(), [&](const auto& control, Results& sum) {
+  const Results results = run.phase(
+      "meshes", "checkpoint.json", files, Results(),
+      [&](const auto& control, Results& sum) {
         const std::uint64_t first = control.part.first(files), size = control.part.size(files);
         while (sum.files < size && !control.stop) {
           const std::uint64_t number = first + sum.files;
@@ -88,7 +100,8 @@ int run_merging(run::StudyRun& run, const Options& options) {
           control.save(sum);
           control.progress(sum.files);
         }
-      });
+      },
+      [&](const Results& read) { require_possible(names, read); });
   run::StudyRun::End end{.done = results.read.size(), .missing = results.files - results.read.size(), .items = files};
   if (run.is_part()) return run.finish(end);
   if (results.bad > told)

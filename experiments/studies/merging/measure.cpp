@@ -13,6 +13,7 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
+#include "experiments/run/sweep.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 
@@ -127,30 +128,32 @@ void time_question(Question question, std::vector<Contender>& contenders, const 
 
 /// Compares answers that name faces of the mesh, for which cases::differing_keys has no keys.
 Differences differences(const std::vector<Contender>& contenders, const std::vector<Ball>& balls,
-                        const std::vector<Ball>& few, const std::atomic<bool>& stop) {
+                        const std::vector<Ball>& few, unsigned threads, const std::atomic<bool>& stop) {
+  constexpr std::uint64_t kBlock = 64;
   Differences result;
-  const auto note = [&result](Question question, bool differs) {
-    ++result.asked[static_cast<std::size_t>(question)];
-    result.differ[static_cast<std::size_t>(question)] += differs ? 1 : 0;
+  const auto compare = [&](const std::vector<Ball>& asked, const auto& ask) {
+    const run::Sweep sweep{asked.size(), kBlock, threads, stop, [](std::uint64_t) {}};
+    const auto save_nothing = [](std::uint64_t, const Differences&) {};
+    run::run_sweep(
+        sweep, [&](std::uint64_t ball, Differences& part) { ask(asked[ball], part); }, save_nothing, Differences(), 0,
+        result);
   };
-  for (const Ball& ball : balls) {
-    if (stop) return {};
+  compare(balls, [&](const Ball& ball, Differences& part) {
     const Answers expected = contenders[0].answers(ball);
     for (std::size_t k = 1; k < contenders.size(); ++k) {
       const Answers found = contenders[k].answers(ball);
-      note(Question::Any, found.any != expected.any);
-      note(Question::All, found.all != expected.all);
+      part.note(Question::Any, found.any != expected.any);
+      part.note(Question::All, found.all != expected.all);
     }
-  }
-  for (const Ball& ball : few) {
-    if (stop) return {};
+  });
+  compare(few, [&](const Ball& ball, Differences& part) {
     const double expected = contenders[0].distance(ball);
     for (std::size_t k = 1; k < contenders.size(); ++k) {
       const double found = contenders[k].distance(ball);
-      note(Question::Nearest, found != expected);
-      result.distance += std::abs(found - expected);
+      part.note(Question::Nearest, found != expected);
+      part.distance += std::abs(found - expected);
     }
-  }
+  });
   return result;
 }
 
@@ -230,7 +233,7 @@ std::optional<MeshResult> study(const Settings& settings, std::string name, cons
   }
   for (const Question question : kQuestions)
     time_question(question, contenders, question == Question::Nearest ? few : balls, settings.repetitions, stop);
-  result.differences = differences(contenders, balls, few, stop);
+  result.differences = differences(contenders, balls, few, settings.threads, stop);
   if (stop) return std::nullopt;
   for (std::size_t k = 0; k < contenders.size(); ++k) result.measured[k] = contenders[k].measured();
   return result;

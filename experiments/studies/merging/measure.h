@@ -29,6 +29,7 @@ struct Settings {
   std::size_t least = 8;       ///< the least number of faces that a polygon of the mixed scene replaces
   unsigned repetitions = 7;    ///< for every timing
   std::uint64_t seed = 1;
+  unsigned threads = 1;  ///< that compare answers; timings are those of one thread
 };
 
 /// The compared scenes, all of the same faces.
@@ -88,6 +89,10 @@ struct Differences {
   std::array<std::uint64_t, kQuestions.size()> asked{}, differ{};  ///< in both other scenes together
   run::Maximum<double> distance{};                                 ///< the largest difference of nearest distances
 
+  void note(Question question, bool differs) {
+    ++asked[static_cast<std::size_t>(question)];
+    differ[static_cast<std::size_t>(question)] += differs ? 1 : 0;
+  }
   auto members() { return std::tie(asked, differ, distance); }
 };
 

@@ -100,6 +100,10 @@ struct Result {
 /// Returns the result about no faces.
 [[nodiscard]] Result no_result(const Settings& settings, const std::vector<NamedMesh>& meshes);
 
+/// Throws run::DamagedArchive for a result that counts more faces than the meshes have, or names a mesh, face, method
+/// or ball that there is not.
+void require_possible(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result);
+
 /// Asks every method about every ball of the faces from items_done(result) on, in the order of the meshes, and compares
 /// the answers with `exact` as cases::compare does.
 ///

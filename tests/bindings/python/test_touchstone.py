@@ -8,6 +8,7 @@ import fractions
 import gc
 import io
 import json
+import math
 import pathlib
 import pickle
 import re
@@ -381,6 +382,48 @@ class Pickling(unittest.TestCase):
                         kind(*members[:place], number, *members[place + 1:])
                     checked += 1
         self.assertEqual(checked, 35)
+
+    def test_refuses_members_that_do_not_go_together(self):
+        def remade(thing, **changes):
+            _, (_, kind, members), _ = thing.__reduce__()
+            names = NAMES[kind]
+            self.assertEqual(len(names), len(members))
+            return kind(*(changes.get(name, member) for name, member in zip(names, members)))
+
+        NAMES = {touchstone.Answer: ("plane", "plane_tangent", "foot", "edges_hit", "relation", "nearest", "index", "point",
+                                     "distance", "off_plane"),
+                 touchstone.FirstContact: ("kind", "time", "momentary", "feature", "index", "point"),
+                 touchstone.NearestFace: ("object", "face", "feature", "index", "point", "distance"),
+                 touchstone.FirstFace: ("object", "face", "contact")}
+        square = touchstone.Polygon(SQUARE)
+        first = lambda *motion: touchstone.exact.first_contact(motion, square)
+        start, way = first(2, 2, 0.5, 1, 2, 2, 0), first(2, 2, 3, 1, 2, 2, 0)
+        graze, none = first(-1, -1, 1, 1, 9, 9, 1), first(2, 2, 3, 1, 2, 2, 4)
+        self.assertEqual([first.kind for first in (start, way, none)], ["start", "way", "none"])
+        above = touchstone.exact.answer([2, 2, 3, 1], square)
+        beside = touchstone.exact.answer([-1, 2, 0, 1], square)
+        scene = touchstone.Scene()
+        scene.add("square", square)
+        nearest, touched = scene.nearest([2, 2, 3, 1]), scene.first_contact([2, 2, 3, 1, 2, 2, 0])
+        nan, infinite = math.nan, math.inf
+        for thing in (start, way, graze, none, above, beside, nearest, touched):
+            self.assertEqual(remade(thing), thing)
+        for thing, name, changes in (
+                *((start, "time", {"time": time}) for time in (0.5, -1.0, infinite, nan)),
+                *((way, "time", {"time": time}) for time in (-0.5, 1.5, infinite, nan)),
+                *((none, "time", {"time": time}) for time in (0.0, 1.0, -infinite, nan)),
+                (start, "momentary", {"momentary": True}), (none, "momentary", {"momentary": True}),
+                (way, "feature", {"feature": 0, "index": 1}), (none, "feature", {"index": 1}), (none, "feature", {"feature": 1}),
+                (none, "point", {"point": (0, 0, 1)}),
+                (above, "plane_tangent", {"plane_tangent": True}), (above, "relation", {"relation": 1}),
+                (above, "nearest", {"index": 1}), (above, "nearest", {"nearest": 1}), (above, "nearest", {"foot": 1}),
+                (beside, "nearest", {"nearest": 0, "index": 0}), (beside, "edges_hit", {"edges_hit": [1, 0]}),
+                (beside, "edges_hit", {"edges_hit": [1, 1]}), (above, "distance", {"distance": -1.0}),
+                (above, "off_plane", {"off_plane": -1.0}), (nearest, "feature", {"feature": 0, "index": 1}),
+                (nearest, "distance", {"distance": -1.0}), (nearest, "distance", {"distance": nan}),
+                (touched, "contact", {"contact": none})):
+            with self.subTest(thing=thing, **changes), self.assertRaisesRegex(ValueError, rf"\A{name}: "):
+                remade(thing, **changes)
 
     def test_makes_equal_objects_in_every_protocol(self):
         for thing in one_of_each_class():

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstddef>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 #include "experiments/cases/comparison.h"
@@ -87,6 +89,12 @@ bool rounds_to_nearest() {
 
 constexpr std::array kKinds{cases::QueryKind::Contact, cases::QueryKind::Relation, cases::QueryKind::PlaneSide,
                             cases::QueryKind::Foot,    cases::QueryKind::EdgesHit, cases::QueryKind::Answer};
+
+TEST(Methods, CannotBeAddedOnceOneIsAskedFor) {
+  const std::size_t count = all_methods().size();
+  EXPECT_THROW(add_methods([](MethodList&) {}), std::logic_error);
+  EXPECT_EQ(all_methods().size(), count);
+}
 
 // Every key of every query, off the plane, too.
 TEST(ExactMethods, AgreeWithExactOnAdversarialSamples) {

@@ -5,11 +5,13 @@ import json
 import pathlib
 import sys
 
-TESTS = pathlib.Path(__file__).resolve().parents[2]
-sys.path += [str(TESTS / "papers"), str(TESTS / "system")]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path[:0] = [str(ROOT / "tests/papers"), str(ROOT / "tests/system"), str(ROOT / "experiments/report")]
 
 from miniature import BENCH
 from running import run
+from studies import CELL, MESHES, modules
+from studies.thesis import rows_of, write_page
 
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 PICTURES = {
@@ -25,31 +27,13 @@ SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBo
 
 
 def calls(source, mesh):
-    cell = str(source / "experiments/thesis/cell/cells/aristo.json")
-    return {
-        "meshes": ["meshes", mesh, "--methods", "exact,filtered,fast,cgal-double,thesis"],
-        "near-edge": ["near-edge", "--methods", "filtered,fast,thesis", "--families", "u", "--samples", "4", "--search", "2", "--no-pictures"],
-        "stability": ["stability", "--methods", "filtered,fast", "--axes", "aspect,origin,small,rounding", "--samples", "2", "--no-pictures"],
-        "tradeoff": ["tradeoff", "--methods", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
-                     "--repetitions", "1", "--no-pictures"],
-        "regress": ["regress", "--methods", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
-        "soak": ["soak", "--samples", "200"],
-        "motions": ["motions", "--methods", "exact,filtered,fast,cgal-epeck-distance", "--vertices", "6", "--samples", "1", "--no-pictures"],
-        "tunnelling": ["tunnelling", "--samples", "100", "--repetitions", "1", "--no-pictures"],
-        "recorded": ["recorded", "--methods", "fast,filtered", "--samples", "1", "--balls", "6", "--steps", "90"],
-        "soak-moving": ["soak", "--moving", "--samples", "100"],
-        "cell": ["cell", "run", cell, "--methods", "filtered,fast"],
-        "cell-area": ["cell", "area", cell, "--angle-step", "90", "--length-step", "500", "--no-pictures"],
-        "merging": ["merging", mesh, "--compare", "10", "--repetitions", "1"],
-        "bench-scenes": ["bench-scenes", "--max-faces", "1000", "--samples", "10", "--repetitions", "1", "--no-pictures"],
-        "thesis": ["thesis", "--quick", "--samples", "100", "--no-pictures"],
-    }
+    """The tiny calls of the studies, by their names."""
+    files = {CELL: str(source / CELL), MESHES: mesh}
+    return {name: [files.get(word, word) for word in module.RUN.tiny] for name, module in modules().items() if module.RUN.tiny}
 
 
 def write(program, source, results):
     """A folder for each study, pictures of one line, and the thesis's page."""
-    from studies.thesis import rows_of, write_page
-
     results.mkdir(parents=True)
     mesh = results / "tetrahedron.obj"
     mesh.write_text(MESH)

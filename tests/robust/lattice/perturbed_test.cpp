@@ -34,7 +34,7 @@ class Signs {
 
 std::vector<EdgeTree::Edge> edges_of(const EdgeIndex& index, std::size_t count) {
   std::vector<EdgeTree::Edge> edges(count);
-  for (const EdgeTree::Leaf& leaf : index.is_scanned() ? index.leaves() : index.tree().leaves())
+  for (const EdgeTree::Leaf& leaf : index.all_leaves())
     for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
       edges[leaf.edge[lane]] = {leaf.start_x[lane],     leaf.start_y[lane],     leaf.end_x[lane], leaf.end_y[lane],
                                 leaf.direction_x[lane], leaf.direction_y[lane], leaf.length[lane]};

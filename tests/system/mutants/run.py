@@ -2,7 +2,7 @@
 """Usage: python3 run.py [--corpus] [--one-in N | --part I/N] SOURCE BUILD [NAME...]
 
 A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file; translation
-units that see it are compiled again and linked before the libraries into a program of tests, which is run: it must
+units that see it are compiled again, with those that CMake compiles together with them, and linked before the libraries into a program of tests, which is run: it must
 fail. A program that crashes has noticed the bug only if it passes with the unchanged file compiled and linked the same
 way. Exit status 1 if a mutant survives. Before any is planted, exit status 2 if the text of one, asked for or not,
 is not found exactly once in its file, or one of its files is missing.
@@ -18,6 +18,7 @@ tests/corpus/mutants.json, about constants, stages and guards of the filtered pa
 
 import argparse
 import concurrent.futures
+import functools
 import hashlib
 import json
 import os
@@ -69,8 +70,12 @@ class Workshop:
             (folder / unit).write_text((self.source / unit).read_text())
         (folder / mutant["file"]).parent.mkdir(parents=True, exist_ok=True)
         (folder / mutant["file"]).write_text(text)
-        objects = [self.compile(folder, program, unit) for unit in units(mutant)]
-        return self.link_tests(folder, program, objects, units(mutant))
+        commands = {}  # by the objects that they make
+        for unit in units(mutant):
+            command = compile_command(self.commands[program], str(self.source / unit))
+            commands[command[command.index("-o") + 1]] = command
+        objects = [self.compile(folder, f"{number}.o", command, units(mutant)) for number, command in enumerate(commands.values())]
+        return self.link_tests(folder, program, objects, commands)
 
     def plant(self, mutant):
         text = (self.source / mutant["file"]).read_text()
@@ -87,11 +92,14 @@ class Workshop:
                 program.unlink()
             return self.controls[of]
 
-    def compile(self, folder, program, unit):
-        command = compile_command(self.commands[program], str(self.source / unit))
-        target = folder / f"{pathlib.Path(unit).stem}.o"
-        command[command.index("-o") + 1] = str(target)
-        command[command.index("-c") + 1] = str(folder / unit)
+    def compile(self, folder, target, command, replaced):
+        """Compiles what the command does, with the units of the mutant in place of their originals."""
+        file = command[command.index("-c") + 1]
+        copy = folder / f"{target}.cpp"
+        planted = {str(self.source / unit): folder / unit for unit in replaced}
+        copy.write_text("".join(f'#include "{planted.get(path, path)}"\n' for path in files_of(file)))
+        command[command.index("-o") + 1] = str(folder / target)
+        command[command.index("-c") + 1] = str(copy)
         dependencies = [i for i, word in enumerate(command) if word in ("-MF", "-MT")]
         for i in reversed(dependencies):
             del command[i:i + 2]
@@ -99,13 +107,11 @@ class Workshop:
         # Found first: the mutated header. Quicker to compile: -O1; answers do not depend on it.
         command[1:1] = [f"-I{folder}", "-O1", "-w"]
         run(command, self.build, "does not compile")
-        return str(target)
+        return str(folder / target)
 
     def link_tests(self, folder, program, objects, replaced):
         # A unit of the program itself takes the place of its object, whose inline functions would win.
-        own = {unit + ".o" for unit in replaced}
-        command = [word for word in link_command(self.commands[program], program)
-                   if re.sub(r"CMakeFiles/[^/]+/", "", word) not in own]
+        command = [word for word in link_command(self.commands[program], program) if word not in replaced]
         at = command.index("-o") + 1
         command[at] = str(folder / program)
         command[at + 1:at + 1] = objects  # before the archives, so that theirs are not taken
@@ -126,9 +132,17 @@ def suites_of(mutant):
     return mutant["suites"] if "suites" in mutant else SUITES[program_of(mutant)]
 
 
+@functools.cache
+def files_of(file):
+    """The source files that are compiled with this file: itself, or those that CMake has it include."""
+    if "/Unity/" not in file:
+        return [file]
+    return re.findall(r'^#include "(.+)"$', pathlib.Path(file).read_text(), re.MULTILINE)
+
+
 def compile_command(commands, file):
     """The one command among those of a program that compiles the file: targets may compile a file in several ways."""
-    found = [words for words in map(shlex.split, commands) if "-c" in words and words[words.index("-c") + 1] == file]
+    found = [words for words in map(shlex.split, commands) if "-c" in words and file in files_of(words[words.index("-c") + 1])]
     if len(found) != 1:
         raise ValueError(f"{len(found)} commands of the program compile {file}")
     words = found[0]

@@ -23,6 +23,16 @@ class Commands(unittest.TestCase):
         self.assertEqual(run.compile_command(COMMANDS, "/source/a.cpp"),
                          ["/usr/bin/c++", "-O2", "-o", "lib/a.cpp.o", "-c", "/source/a.cpp"])
 
+    def test_a_unit_that_is_compiled_together_with_others_is_found_among_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "Unity").mkdir()
+            together = pathlib.Path(folder) / "Unity/unity_0_cxx.cxx"
+            together.write_text('/* generated */\n\n#include "/source/c.cpp"\n\n#include "/source/d.cpp"\n')
+            command = f"/usr/bin/c++ -o lib/unity_0_cxx.cxx.o -c {together}"
+            self.assertEqual(run.compile_command([*COMMANDS, command], "/source/d.cpp"), command.split())
+            self.assertEqual(run.files_of(str(together)), ["/source/c.cpp", "/source/d.cpp"])
+        self.assertEqual(run.files_of("/source/a.cpp"), ["/source/a.cpp"])
+
     def test_a_compiler_cache_is_left_out(self):
         self.assertEqual(run.compile_command(COMMANDS, "/source/b.cpp")[0], "/usr/bin/c++")
 

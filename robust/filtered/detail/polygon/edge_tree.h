@@ -103,6 +103,9 @@ class EdgeIndex {
   [[nodiscard]] __attribute__((always_inline)) bool is_scanned() const { return !leaves_.empty(); }
   [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
 
+  /// Returns all edges, in groups: those that queries look at, or the leaves of the hierarchy.
+  [[nodiscard]] const std::vector<Leaf>& all_leaves() const { return is_scanned() ? leaves_ : tree().leaves(); }
+
   /// Returns the hierarchy. Requires !is_scanned(). Cost: O(n log n) in the first call, then constant.
   [[nodiscard]] __attribute__((always_inline)) const EdgeTree& tree() const {
     const EdgeTree* const built = built_.load(std::memory_order_acquire);

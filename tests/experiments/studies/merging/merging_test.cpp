@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -76,6 +78,21 @@ TEST(MergeStudy, SeesAnswersThatDiffer) {
   EXPECT_GT(result.differences.differ[2], 0U);
   EXPECT_GT(result.differences.distance, 0);
   EXPECT_LE(result.differences.distance, result.counts.off_plane);
+}
+
+TEST(MergeStudy, ComparesAnswersByAsManyThreadsAsItIsGiven) {
+  const auto running = [] {
+    const std::filesystem::directory_iterator threads("/proc/self/task");
+    return std::distance(begin(threads), end(threads));
+  };
+  merging::Settings settings{.tolerance = 0.2, .balls = 2000, .least = 3, .repetitions = 1};
+  const Mesh mesh = mesh_tests::shaken(grid(6, 6, [](int, int) { return true; }), 0.1, 1);
+  const merging::Differences alone = studied(settings, "dented", mesh).differences;
+  const auto before = running();
+  settings.threads = 3;
+  const merging::Differences together = studied(settings, "dented", mesh).differences;
+  EXPECT_GT(running(), before);
+  EXPECT_EQ(run::archived(together), run::archived(alone));
 }
 
 TEST(MergeStudy, DrawsBallsOfWhichSomeTouchAndSomeDoNot) {
@@ -189,6 +206,35 @@ TEST_F(MergeCommand, ResumesBehindTheFilesThatAreDone) {
   EXPECT_EQ(again.status, 2);
   EXPECT_NE(again.err.find("1 of 3 files cannot be read"), std::string::npos) << again.err;
   EXPECT_EQ(text("out/merge-times.csv"), times);
+}
+
+TEST_F(MergeCommand, RefusesACheckpointOfFilesThatThereAreNot) {
+  auto arguments = three_files();
+  (void)run(arguments);
+  arguments.emplace_back("--resume");
+  const std::filesystem::path file = scratch.path / "out/checkpoint.json";
+  auto checkpoint = nlohmann::json::parse(text("out/checkpoint.json"));
+  merging::Results sound;
+  run::restore(checkpoint["state"].get<std::string>(), sound);
+  ASSERT_EQ(sound.read.size(), 2U);
+  const auto expect_refused = [&](const char* what, const auto& damage) {
+    merging::Results results = sound;
+    damage(results);
+    checkpoint["state"] = run::archived(results);
+    run::write_file(file, checkpoint.dump());
+    const auto refused = run(arguments);
+    EXPECT_EQ(refused.err,
+              file.string() + ": is not a checkpoint of this program: it holds results of files that there are not")
+        << what;
+  };
+  expect_refused("a file behind the last", [](auto& results) {
+    auto last = results.read.extract(2);
+    last.key() = 3;
+    results.read.insert(std::move(last));
+  });
+  expect_refused("another file", [](auto& results) { results.read.begin()->second.name = "c"; });
+  expect_refused("more results than files", [](auto& results) { results.files = 1; });
+  expect_refused("more bad files than files", [](auto& results) { results.bad = 4; });
 }
 
 TEST_F(MergeCommand, DoesNotResumeOverMeshesThatHaveChanged) {

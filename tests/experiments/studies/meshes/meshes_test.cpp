@@ -216,6 +216,42 @@ TEST_F(MeshContact, AResumedRunIsNotOfMeshesThatHaveChanged) {
   EXPECT_NE(refused.err.find("checkpoint.json: is of MESH one.obj (hash "), std::string::npos) << refused.err;
 }
 
+TEST_F(MeshContact, ACheckpointThatNamesWhatThereIsNotIsRefused) {
+  const Settings settings{.methods = methods::find_methods({"thesis-float"})};
+  const std::vector<NamedMesh> meshes{{"model/cube", read_mesh(cube).mesh}};
+  const Result sound = measured(settings, meshes);
+  ASSERT_FALSE(sound.failures.empty());
+  const std::string run = "meshes model/cube.obj --skip-bad --methods thesis-float --output o";
+  ASSERT_EQ(touchstone(run).status, 0);
+  const auto checkpoint = nlohmann::json::parse(text_of(folder / "o/checkpoint.json"));
+  const auto resumed = [&](const auto& damage) {
+    Result result = sound;
+    damage(result);
+    auto damaged = checkpoint;
+    damaged["state"] = run::archived(result);
+    write("o/checkpoint.json", damaged.dump());
+    return touchstone(run + " --resume");
+  };
+  EXPECT_EQ(resumed([](Result&) {}).status, 0);
+  const auto expect_refused = [&](const std::string& fault, const auto& damage) {
+    const auto refused = resumed(damage);
+    EXPECT_EQ(refused.status, 2) << fault;
+    EXPECT_EQ(refused.err, "touchstone: o/checkpoint.json: is not a checkpoint of this program: it " + fault + "\n");
+  };
+  const std::string no_face = "names a face that there is not";
+  expect_refused("counts more faces than there are", [](Result& result) { result.meshes[0].faces = kFaces + 1; });
+  expect_refused(no_face, [](Result& result) { result.rejected[0].mesh = 1; });
+  expect_refused(no_face, [](Result& result) { result.rejected[0].face = kFaces; });
+  expect_refused("names a rejection that there is not",
+                 [](Result& result) { result.rejected[0].rejection.code = static_cast<RejectionCode>(99); });
+  expect_refused(no_face, [](Result& result) { result.failures[0].mesh = 1; });
+  expect_refused(no_face, [](Result& result) { result.failures[0].face = kFaces; });
+  expect_refused("names a method that there is not", [](Result& result) { result.failures[0].method = 1; });
+  const std::string no_ball = "names a ball that there is not";
+  expect_refused(no_ball, [](Result& result) { result.failures[0].ball = kPlaces.size() * kSteps.size(); });
+  expect_refused(no_ball, [](Result& result) { result.failures[0].face = result.rejected[0].face; });
+}
+
 TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {
   ASSERT_EQ(touchstone("meshes model/cube.obj --skip-bad --output o").status, 0);
   const auto cases = lines_of(folder / "o/failures.jsonl");
