@@ -211,9 +211,9 @@ TEST(Url, LeadsToTheServer) {
 }
 
 TEST_F(Server, NamesTheAddressThatItCannotListenAt) {
-  const std::string second =
+  const std::string said =
       run_tests::message_of([&] { const HttpServer second("127.0.0.1", serving.port(), echo, {}); });
-  EXPECT_TRUE(second.starts_with("cannot listen at 127.0.0.1, port ")) << second;
+  EXPECT_TRUE(said.starts_with("cannot listen at 127.0.0.1, port ")) << said;
   EXPECT_THROW(HttpServer("no.such.host.invalid", 0, echo, {}), std::runtime_error);
 }
 

@@ -48,8 +48,8 @@ TEST(Process, TheRealArmCarriesItsPartFromAboveAndBack) {
   }
 }
 
-// By the cell's file, and by the layout that was solved for the captions and knows of no more than the material, the same
-// joints make the same moves to the machine, to the degree.
+// By the cell's file, and by the layout that was solved for the captions and knows of no more than the material, the
+// same joints make the same moves to the machine, to the degree.
 TEST(Process, ItsMovesAreThoseOfTheChosenLayout) {
   for (std::size_t number = 0; number < kinematics::kCases.size(); ++number) {
     const Process path = kinematics::rehearse_case(kinematics::chosen_layout(), number);
