@@ -81,22 +81,6 @@ std::string labels_lines(const Cell& cell) {
   return text;
 }
 
-/// By file: all parts of a link in one, every other part in one of its own.
-std::map<std::string, LinkModel> models_of(const std::vector<ModelPart>& parts) {
-  std::map<std::string, LinkModel> models;
-  for (const ModelPart& part : parts) {
-    const std::size_t slash = part.name.find('/');
-    const std::string owner = part.name.substr(0, slash);
-    const std::string own = slash == std::string::npos ? part.name : part.name.substr(slash + 1);
-    const bool stands = part.carrier == Carrier::Storage || part.carrier == Carrier::Machine;
-    const std::string file = part.carrier == Carrier::Link ? owner : stands ? owner + "-" + own : own;
-    LinkModel& model = models[file];
-    model.name = file;
-    model.parts.push_back(link_part(own, part.faces));
-  }
-  return models;
-}
-
 struct FaceRow {
   const ModelPart* part;
   std::size_t number;
@@ -145,7 +129,7 @@ void write_faces(const std::filesystem::path& folder, const std::vector<ModelPar
 
 /// One file for all parts of a link, and one for every other part. Returns their number.
 std::size_t write_models(const std::filesystem::path& folder, const std::vector<ModelPart>& parts) {
-  const auto models = models_of(parts);
+  const auto models = link_models(parts);
   for (const auto& [name, model] : models) run::write_file(folder / (name + ".txt"), link_model_text(model));
   return models.size();
 }

@@ -34,10 +34,7 @@ bool by_thesis(const Ball& ball, const std::vector<Polygon>& faces) {
 
 /// In words, where a face of the material in a slot is, by the direction of its normal in the station's frame.
 std::string words_of(const Polygon& face, const Pose& station) {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < face.vertex_count(); ++i)
-    normal += (face.vertex(i) - face.vertex(0)).cross(face.vertex(face.next(i)) - face.vertex(0));
-  const Eigen::Vector3d out = station.rotation.transpose() * normal;
+  const Eigen::Vector3d out = station.rotation.transpose() * cell::doubled_area(face);
   Eigen::Index axis = 0;
   out.cwiseAbs().maxCoeff(&axis);
   if (axis == 2) return out.z() > 0 ? "upper face" : "underside";
@@ -59,18 +56,12 @@ std::size_t CaseStudy::moves_to_machine() const {
       process.moves, [](const cell::Move& move) { return move.phase <= cell::Phase::ToMachine; }));
 }
 
-double CaseStudy::net(cell::Moved joint) const {
-  return process.turned(joint, cell::Phase::ToStorage) + process.turned(joint, cell::Phase::ToMachine);
-}
-
 CaseStudy study_case(const cell::Cell& cell, const std::vector<cell::ModelPart>& parts,
                      const std::shared_ptr<const std::vector<cell::Covered>>& covered, std::size_t number) {
   using cell::StationSlot;
   CaseStudy study{cell, {}, {}, {}, {}, {}};
   const cell::Workcell workcell(cell, parts, covered);
-  Pose copy = workcell.at(StationSlot::Machine).pose;
-  copy.translation.z() += cell.material.drop;
-  study.places = {workcell.at(StationSlot::Storage).pose, copy};
+  study.copy = workcell.at(StationSlot::Machine).virtual_pose;
   study.process = cell::simulate(workcell);
   study.snapshots = cell::browser::snapshots_of(workcell, study.process);
   const auto& stops = study.process.stops;

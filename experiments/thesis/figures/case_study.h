@@ -34,7 +34,7 @@ struct Stop {
 /// One of the two case studies of chapter 6: the whole process of the cell, from home by storage and machine back.
 struct CaseStudy {
   cell::Cell cell;
-  std::vector<Pose> places;  ///< of the material in storage and of its virtual copy at the machine
+  Pose copy;  ///< of the virtual copy of the material at the machine
   cell::Process process;
   std::vector<cell::browser::Snapshot> snapshots;      ///< one for each stop
   std::vector<Moment> moments;                         ///< home, then after each move
@@ -43,8 +43,6 @@ struct CaseStudy {
   std::array<std::uint64_t, kMethods.size()> wrong{};  ///< wrong answers of each method to these
 
   [[nodiscard]] std::size_t moves_to_machine() const;
-  /// Returns the sum of a joint's moves up to the machine.
-  [[nodiscard]] double net(cell::Moved joint) const;
 };
 
 /// Studies a case in a cell. Requires a cover of its arm.

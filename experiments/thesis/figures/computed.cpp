@@ -277,38 +277,28 @@ void compute_heights(const Study& study, Computed& computed) {
   }
 }
 
-/// A move that captions name, in the direction that they name.
-struct NamedMove {
-  std::size_t number, move;  ///< of the case and its move, from 0
-  AristoJoint joint;
-  int direction;
-  bool rounded;  ///< whether entries name its angle before it was rounded to whole degrees
-};
-constexpr std::array<NamedMove, 12> kNamedMoves{{{0, 0, kElbow, -1, true},
-                                                 {0, 1, kBase, -1, true},
-                                                 {0, 2, kElbow, 1, true},
-                                                 {0, 3, kBase, 1, false},
-                                                 {0, 4, kShoulder, 1, true},
-                                                 {1, 0, kElbow, 1, true},
-                                                 {1, 1, kBase, -1, false},
-                                                 {1, 2, kShoulder, 1, true},
-                                                 {1, 3, kShoulder, -1, false},
-                                                 {1, 4, kElbow, 1, true},
-                                                 {1, 5, kBase, 1, false},
-                                                 {1, 6, kShoulder, 1, true}}};
+/// Moves whose angles before rounding to whole degrees no entry names, by case and move: turns of the base that face a
+/// place, and the lift.
+constexpr std::array<std::pair<std::size_t, std::size_t>, 4> kWholeMoves{{{0, 3}, {1, 1}, {1, 3}, {1, 5}}};
 
+/// The moves that captions name, in the directions that they name.
 void compute_moves(const Study& study, Computed& computed) {
-  for (const NamedMove& named : kNamedMoves) {
-    const CaseStudy& its = study.cases[named.number];
-    const std::string name = fmt::format("case {}, move {}", named.number + 1, named.move + 1);
-    const cell::Move* move = named.move < its.moves_to_machine() ? &its.process.moves[named.move] : nullptr;
-    const bool moved = move != nullptr && std::size_t{move->joint} == named.joint;
-    computed.numbers[name] = moved ? named.direction * move->degrees : std::numeric_limits<double>::quiet_NaN();
-    if (!named.rounded) continue;
-    auto &exact = computed.numbers[name + ", unrounded"], &margin = computed.numbers[name + ", margin"];
-    if (move == nullptr || move->until == cell::Until::Facing) continue;
-    exact = named.direction * move->exact;
-    margin = move->margin;
+  for (std::size_t i = 0; i < kCases.size(); ++i) {
+    const CaseStudy& its = study.cases[i];
+    const auto named = moves_of(kCases[i]);
+    for (std::size_t k = 0; k < named.size(); ++k) {
+      const auto& [joint, degrees] = named[k];
+      const int direction = degrees < 0 ? -1 : 1;
+      const std::string name = fmt::format("case {}, move {}", i + 1, k + 1);
+      const cell::Move* move = k < its.moves_to_machine() ? &its.process.moves[k] : nullptr;
+      const bool moved = move != nullptr && std::size_t{move->joint} == joint;
+      computed.numbers[name] = moved ? direction * move->degrees : std::numeric_limits<double>::quiet_NaN();
+      if (std::ranges::find(kWholeMoves, std::pair(i, k)) != kWholeMoves.end()) continue;
+      auto &exact = computed.numbers[name + ", unrounded"], &margin = computed.numbers[name + ", margin"];
+      if (move == nullptr || move->until == cell::Until::Facing) continue;
+      exact = direction * move->exact;
+      margin = move->margin;
+    }
   }
 }
 
@@ -353,8 +343,8 @@ void compute_cases(const Study& study, Computed& computed) {
     number("moves to the machine") = its.moves_to_machine();
     number("angle") = its.cell.storage.angle;
     number("radius") = its.cell.storage.radius;
-    number("elbow at the machine") = its.net(cell::kElbow);
-    number("shoulder at the machine") = its.net(cell::kShoulder);
+    number("elbow at the machine") = its.process.net(cell::kElbow);
+    number("shoulder at the machine") = its.process.net(cell::kShoulder);
     number("pairs") = its.asked;
     number("wrong answers") = share(wrong, its.asked * kMethods.size());
   }
@@ -381,11 +371,7 @@ void compute_layout(const Study& study, Computed& computed) {
   numbers["predictions: to the machine"] = p.to_machine;
   numbers["predictions: net"] = p.net;
   // The lift of the second case is not captioned.
-  int captioned = 0;
-  for (const Captions& its : kCases)
-    for (const int degrees :
-         {its.elbow, its.base, its.shoulder, its.elbow_to_machine, its.base_to_machine, its.shoulder_to_machine})
-      captioned += degrees != 0;
+  const std::size_t captioned = moves_of(kCases[0]).size() + moves_of(kCases[1]).size() - 1;
   auto &parameters = numbers["layout: free parameters"], &moves = numbers["layout: captioned moves"],
        &homes = numbers["layout: home poses"], &fitting = numbers["layout: fitting home poses"];
   if (study.homes.empty()) return;

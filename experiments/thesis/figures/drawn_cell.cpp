@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -61,27 +59,23 @@ Polygon gripper_face(const std::vector<cell::ModelPart>& parts, const Pose& flan
 ordered_json drawn_parts(const std::vector<cell::ModelPart>& parts) {
   ordered_json all = ordered_json::array();
   for (const cell::ModelPart& part : parts) {
-    std::map<std::tuple<double, double, double>, std::size_t> numbers;
+    cell::NumberedPoints numbered;
     ordered_json vertices = ordered_json::array(), triangles = ordered_json::array(), loops = ordered_json::array();
-    const auto number_of = [&](const Eigen::Vector3d& p) {
-      const auto [found, added] = numbers.try_emplace({p.x(), p.y(), p.z()}, numbers.size());
-      if (added) vertices.push_back(point(p));
-      return found->second;
-    };
     for (const cell::Face& face : part.faces.faces) {
       const Polygon& polygon = face.polygon;
       for (const auto& corners : methods::triangulate(polygon)) {
         ordered_json triangle = ordered_json::array();
-        for (const std::uint32_t corner : corners) triangle.push_back(number_of(polygon.vertex(corner)));
+        for (const std::uint32_t corner : corners) triangle.push_back(numbered.number(polygon.vertex(corner)));
         triangles.push_back(triangle);
       }
       for (std::size_t loop = 0; loop < polygon.loop_count(); ++loop) {
         ordered_json corners = ordered_json::array();
         for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
-          corners.push_back(number_of(polygon.vertex(i)));
+          corners.push_back(numbered.number(polygon.vertex(i)));
         loops.push_back(corners);
       }
     }
+    for (const Eigen::Vector3d& vertex : numbered.points) vertices.push_back(point(vertex));
     all.push_back({{"name", part.name},
                    {"moves_with", to_string(part.carrier)},
                    {"link", part.link},
@@ -107,7 +101,7 @@ ordered_json drawn_primitives(const std::vector<cell::Part>& parts) {
 ordered_json drawn_moments(const CaseStudy& study) {
   ordered_json all = ordered_json::object();
   const ordered_json storage = numbers(cell::pose_of(study.cell.storage)),
-                     machine = numbers(cell::pose_of(study.cell.machine)), copy = numbers(study.places[1]);
+                     machine = numbers(cell::pose_of(study.cell.machine)), copy = numbers(study.copy);
   for (const Moment& moment : study.moments) {
     const cell::browser::Snapshot& now = study.snapshots[moment.stop];
     const cell::Stop& stop = study.process.stops[moment.stop];

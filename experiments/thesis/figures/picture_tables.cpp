@@ -155,11 +155,6 @@ struct MoveRow {
   const cell::Move* its;
 };
 
-std::string_view name_of(cell::Moved joint) {
-  constexpr std::array<std::string_view, 3> names{"base", "shoulder", "elbow"};
-  return names.at(joint);
-}
-
 const run::Table<MoveRow>& moves_csv() {
   static const run::Table<MoveRow> table(
       "moves.csv", "a move of one joint",

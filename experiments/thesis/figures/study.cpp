@@ -29,25 +29,19 @@ constexpr double kFlowchartRadius = kRadii[2];
 
 /// The links' model files, written and read again; and that of the machine's bottom part.
 std::vector<LinkFile> link_files(const std::vector<cell::ModelPart>& parts) {
-  std::vector<LinkFile> files;
-  const auto add = [&](const std::string& name, const cell::ModelPart& part) {
-    if (files.empty() || files.back().model.name != name) files.push_back({{name, {}}, "", false});
-    const std::size_t slash = part.name.find('/');
-    files.back().model.parts.push_back(cell::link_part(part.name.substr(slash + 1), part.faces));
-  };
-  for (const cell::ModelPart& part : parts) {
-    const std::string own = part.name.substr(part.name.find('/') + 1);
-    if (part.carrier == cell::Carrier::Link) add(part.name.substr(0, part.name.find('/')), part);
-    if (part.carrier == cell::Carrier::Gripper) add(own, part);
-    if (part.name == "machine/bottom") add("machine-bottom", part);
-  }
+  std::vector<cell::ModelPart> shown;
+  std::ranges::copy_if(parts, std::back_inserter(shown), [](const cell::ModelPart& part) {
+    return part.carrier == cell::Carrier::Link || part.carrier == cell::Carrier::Gripper ||
+           part.name == "machine/bottom";
+  });
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("touchstone-thesis-" + std::to_string(::getpid()));
   run::make_folder(folder);
-  for (LinkFile& file : files) {
-    file.text = cell::link_model_text(file.model);
-    run::write_file(folder / "model.txt", file.text);
-    file.same = cell::read_link_model(folder / "model.txt") == file.model;
+  std::vector<LinkFile> files;
+  for (const auto& [name, model] : cell::link_models(shown)) {
+    files.push_back({model, cell::link_model_text(model)});
+    run::write_file(folder / "model.txt", files.back().text);
+    files.back().same = cell::read_link_model(folder / "model.txt") == model;
   }
   std::filesystem::remove_all(folder);
   return files;
@@ -63,16 +57,8 @@ Predictions predict(const Study& study) {
     for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
       cell::Cell cell = its.cell;
       cell.storage.angle = angle;
-      const cell::Process process = cell::simulate(cell::Workcell(cell, material, uncovered),
-                                                   {.last = cell::Phase::ToMachine, .sphere_alone = true});
-      ++predictions.places;
-      if (process.cause) continue;
-      const auto net = [&](cell::Moved joint) {
-        return process.turned(joint, cell::Phase::ToStorage) + process.turned(joint, cell::Phase::ToMachine);
-      };
-      predictions.to_storage += -process.turned(cell::kBase, cell::Phase::ToStorage) == 150 - angle;
-      predictions.to_machine += process.turned(cell::kBase, cell::Phase::ToMachine) == 67 - angle;
-      predictions.net += net(cell::kElbow) == 35 && net(cell::kShoulder) == 28;
+      predictions.take(angle, cell::simulate(cell::Workcell(cell, material, uncovered),
+                                             {.last = cell::Phase::ToMachine, .sphere_alone = true}));
     }
   return predictions;
 }

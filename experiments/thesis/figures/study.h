@@ -34,15 +34,6 @@ struct Settings {
   int home_step = 10;                    ///< degrees, between home poses
 };
 
-/// The results of the process by the sphere alone, up to the machine, at every whole angle of the storage from -60 to
-/// 60 degrees: bodies apart, what the captions imply.
-struct Predictions {
-  std::uint64_t places = 0;      ///< angles, in both cases' places
-  std::uint64_t to_storage = 0;  ///< of these, the base turned by 150 degrees less the angle, clockwise
-  std::uint64_t to_machine = 0;  ///< and then by 67 less the angle, counter-clockwise
-  std::uint64_t net = 0;         ///< elbow and shoulder were at +35 and +28 at the machine
-};
-
 /// The round trip of a model file: written, and read again.
 struct LinkFile {
   cell::LinkModel model;
@@ -62,11 +53,12 @@ struct Study {
   std::vector<Flowchart> flowcharts;  ///< outline by outline, radius by radius
   FootErrors feet;                    ///< on the gripper's front, where it touches in case 1
   EdgePlaces edges;                   ///< on the gripper
-  Predictions predictions;
+  /// By the sphere alone, at every whole angle of the storage from -60 to 60 degrees, in both cases' places: bodies
+  /// apart, what the captions imply.
+  kinematics::Predictions predictions;
 
   // Chapters 5 and 6
   std::array<CaseStudy, 2> cases;
-  cell::Process angle_alone;  ///< held out: the first case's cell with the second one's angle, and nothing else changed
   /// Home poses, for the chosen linkage, and those that have a layout in which both cases' captions are reproduced.
   std::vector<kinematics::Member> homes;
   FloorPlan plan;

@@ -68,10 +68,7 @@ Json elements_json(const Plant& plant) {
 
 /// Returns the direction of a face, in the frame of the material.
 std::string side_of(const Polygon& face) {
-  double area = 0, up = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < face.loop_end(0); ++i) sum += face.vertex(i).cross(face.vertex(face.next(i)));
-  area = sum.norm(), up = sum.z();
+  const double up = doubled_area(face).z(), area = doubled_area(face).norm();
   return up > 0.9 * area ? "top" : up < -0.9 * area ? "underside" : "side";
 }
 
@@ -187,17 +184,12 @@ std::string cell_json(const Simulator& simulator) {
                       {"pieces", std::move(pieces)},
                       {"elements", std::move(elements)},
                       {"zones", zones_json(cell)},
-                      {"clearance", cell.clearance},
                       {"sphere", cell.gripper.sphere.radius},
                       {"robot", {{"name", cell.robot.name}, {"joints", std::move(joints)}}},
                       {"setting", setting_json(cell, simulator.setting().drive)},
                       {"drives", simulator.drives()},
                       {"labels", labels_json(cell)},
-                      {"bounds",
-                       {{"longest", longest(cell)},
-                        {"most_degrees", kMostDegrees},
-                        {"least_step", kLeastStep},
-                        {"most_step", kMostStep}}},
+                      {"bounds", {{"longest", longest(cell)}}},
                       {"slots", std::move(slots)},
                       {"storage", station_json(cell.storage)},
                       {"machine", station_json(cell.machine)},
@@ -276,7 +268,6 @@ std::string run_json(const Recording& recording) {
       {"labels", labels_json(recording.cell)},
       {"failure", process.failure},
       {"stuck", stuck_json(recording, arm)},
-      {"queries", process.queries},
       {"times", recording.times},
       {"separation", separation_json(recording, arm)},
       {"stations",

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 /// The faces of a solid as they are drawn. Used for pictures only, never for answers.
 struct Drawing {
-  std::vector<Eigen::Vector3d> points;  ///< without duplicates
+  NumberedPoints points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::size_t> face_ends;  ///< for each face, one past the last of its triangles
   /// The edges at which faces meet at more than 20 degrees, and the edges that do not have exactly two faces.
@@ -32,15 +32,6 @@ struct Drawing {
 };
 
 constexpr double kCosineOfOutline = 0.93969262078590838;  // of 20 degrees
-
-/// Twice the vector area of the outer loop, divided by its length.
-Eigen::Vector3d direction(const Polygon& polygon) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  const Eigen::Vector3d origin = polygon.vertex(0);
-  for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
-    sum += (polygon.vertex(i) - origin).cross(polygon.vertex(polygon.next(i)) - origin);
-  return sum.normalized();
-}
 
 /// The faces that lie on an edge.
 struct Edge {
@@ -51,23 +42,16 @@ struct Edge {
 
 Drawing drawing_of(const SolidFaces& solid) {
   Drawing drawing;
-  std::map<std::array<double, 3>, std::uint32_t> numbers;
   std::map<std::array<std::uint32_t, 2>, Edge> edges;
   for (const Face& face : solid.faces) {
     const Polygon& polygon = face.polygon;
     std::vector<std::uint32_t> own;
-    for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
-      const Eigen::Vector3d at = polygon.vertex(i);
-      const auto [number, added] =
-          numbers.try_emplace({at.x(), at.y(), at.z()}, static_cast<std::uint32_t>(drawing.points.size()));
-      if (added) drawing.points.push_back(at);
-      own.push_back(number->second);
-    }
+    for (std::size_t i = 0; i < polygon.vertex_count(); ++i) own.push_back(drawing.points.number(polygon.vertex(i)));
     for (const auto& triangle : methods::triangulate(polygon))
       drawing.triangles.push_back({own[triangle[0]], own[triangle[1]], own[triangle[2]]});
     drawing.face_ends.push_back(drawing.triangles.size());
 
-    const Eigen::Vector3d normal = direction(polygon);
+    const Eigen::Vector3d normal = doubled_area(polygon).normalized();
     for (std::size_t i = 0; i < own.size(); ++i) {
       const auto [a, b] = std::minmax(own[i], own[polygon.next(i)]);
       Edge& edge = edges[{a, b}];
@@ -90,12 +74,8 @@ struct Edges {
     for (std::size_t i = 0; i < face.corners.size(); ++i)
       all.emplace_back(face.corners[i], face.corners[(i + 1) % face.corners.size()]);
   }
-  void operator()(const Zone::Cuboid& box) {
-    const auto corner = [&](unsigned bits) {
-      Eigen::Vector3d p;
-      for (int i = 0; i < 3; ++i) p[i] = ((bits >> i) & 1U) != 0 ? box.upper[i] : box.lower[i];
-      return p;
-    };
+  void operator()(const Eigen::AlignedBox3d& box) {
+    const auto corner = [&](unsigned bits) { return box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(bits)); };
     for (unsigned bits = 0; bits < 8; ++bits)
       for (unsigned i = 0; i < 3; ++i)
         if (((bits >> i) & 1U) == 0) all.emplace_back(corner(bits), corner(bits | (1U << i)));
@@ -141,7 +121,7 @@ Json drawn(const Eigen::Vector3d& at) { return {drawn(at.x()), drawn(at.y()), dr
 Json part_json(const ModelPart& part) {
   const Drawing drawing = drawing_of(part.faces);
   Json points = Json::array(), triangles = Json::array(), outline = Json::array();
-  for (const Eigen::Vector3d& point : drawing.points)
+  for (const Eigen::Vector3d& point : drawing.points.points)
     for (const double coordinate : point) points.push_back(drawn(coordinate));
   for (const auto& triangle : drawing.triangles)
     for (const std::uint32_t corner : triangle) triangles.push_back(corner);

@@ -14,7 +14,17 @@
 #include "experiments/thesis/cell/simulation/sweep.h"
 
 namespace touchstone::cell::browser {
-// The material follows the flange while the gripper has it.
+namespace {
+
+/// The arm at a pose. The material follows the flange while the gripper has it.
+Snapshot snapshot_of(const Workcell& workcell, const kinematics::Angles& commanded, const MaterialTransfer& last) {
+  Snapshot snapshot{workcell.arm().link_poses(commanded), {}, last.slot, {}};
+  snapshot.material = last.slot ? workcell.at(*last.slot).pose : within(snapshot.links.back(), *last.in_flange);
+  return snapshot;
+}
+
+}  // namespace
+
 std::vector<Snapshot> snapshots_of(const Workcell& workcell, const Process& process) {
   std::array<scene::Scene, 2> materials, copies;
   for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine}) {
@@ -28,9 +38,7 @@ std::vector<Snapshot> snapshots_of(const Workcell& workcell, const Process& proc
     const bool handed_over = transfer + 1 != process.transfers.end() && (transfer + 1)->stop <= i;
     const bool found_copy = stop.target && transfer->slot != stop.target;
     if (handed_over) ++transfer;
-    Snapshot snapshot{workcell.arm().link_poses(stop.commanded), {}, transfer->slot, {}};
-    snapshot.material =
-        snapshot.slot ? workcell.at(*snapshot.slot).pose : within(snapshot.links.back(), *transfer->in_flange);
+    Snapshot snapshot = snapshot_of(workcell, stop.commanded, *transfer);
     if (stop.target)
       snapshot.nearest = (found_copy ? copies : materials)[static_cast<std::size_t>(*stop.target)].nearest(stop.sphere);
     snapshots.push_back(std::move(snapshot));
@@ -80,16 +88,11 @@ Recording Simulator::run(const Setting& setting) const {
   recording.parts = parts_for(recording.cell);
   const Workcell workcell(recording.cell, recording.parts, arm_);
   for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
-    recording.places.push_back({workcell.at(slot).pose.rotation,
-                                workcell.at(slot).pose.translation + Eigen::Vector3d(0, 0, workcell.at(slot).drop)});
+    recording.places.push_back(workcell.at(slot).virtual_pose);
   recording.process = simulate(workcell, rule_for(setting));
   recording.snapshots = snapshots_of(workcell, recording.process);
-  if (const auto& stuck = recording.process.stuck) {
-    const MaterialTransfer& last = recording.process.transfers.back();
-    Snapshot at{workcell.arm().link_poses(stuck->commanded), {}, last.slot, {}};
-    at.material = at.slot ? workcell.at(*at.slot).pose : within(at.links.back(), *last.in_flange);
-    recording.stuck = std::move(at);
-  }
+  if (const auto& stuck = recording.process.stuck)
+    recording.stuck = snapshot_of(workcell, stuck->commanded, recording.process.transfers.back());
   recording.times = times_of(workcell.arm(), recording.process);
   recording.separation = separation_of(workcell, recording.process);
   recording.comparison = compare_methods(workcell, recording.process, options_.methods, true);

@@ -4,15 +4,11 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "experiments/cases/workloads/degrees.h"
 
 namespace touchstone::kinematics {
 namespace {
-
-constexpr int kDigits = std::numeric_limits<double>::digits;
 
 int order(const Dyadic& a, const Dyadic& b) {
   const unsigned shift = std::max(a.shift, b.shift);
@@ -21,34 +17,20 @@ int order(const Dyadic& a, const Dyadic& b) {
 
 }  // namespace
 
-int lowest_bit(const Eigen::Vector3d& v, int none) {
-  int lowest = none;
-  for (const double x : v) {
-    if (x == 0) continue;
-    int exponent = 0;
-    const auto digits = static_cast<long>(std::ldexp(std::frexp(x, &exponent), kDigits));
-    const mpz_class whole(digits);
-    lowest = std::min(lowest, exponent - kDigits + static_cast<int>(mpz_scan1(whole.get_mpz_t(), 0)));
-  }
-  return lowest;
-}
-
-IntegerVector in_units(const Eigen::Vector3d& v, int unit) {
-  IntegerVector result;
-  for (int axis = 0; axis < 3; ++axis) {
-    int exponent = 0;
-    mpz_class whole(static_cast<long>(std::ldexp(std::frexp(v[axis], &exponent), kDigits)));
-    const int shift = exponent - kDigits - unit;
-    if (shift >= 0)
-      whole <<= static_cast<mp_bitcnt_t>(shift);
-    else
-      whole >>= static_cast<mp_bitcnt_t>(-shift);  // zeros only
-    result[static_cast<std::size_t>(axis)] = std::move(whole);
+std::vector<IntegerVector> whole(const std::vector<Vector<mpq_class>>& vectors) {
+  mp_bitcnt_t bits = 0;
+  for (const auto& v : vectors)
+    for (const mpq_class& x : v) bits = std::max<mp_bitcnt_t>(bits, mpz_sizeinbase(x.get_den_mpz_t(), 2) - 1);
+  std::vector<IntegerVector> result;
+  for (const auto& v : vectors) {
+    IntegerVector& integers = result.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis) integers[axis] = mpq_class(v[axis] << bits).get_num();
   }
   return result;
 }
 
-Charts::Charts(const Eigen::Vector3d& axis) : axis_(in_units(axis, lowest_bit(axis, std::numeric_limits<int>::max()))) {
+Charts::Charts(const Eigen::Vector3d& axis)
+    : axis_(whole({{mpq_class(axis.x()), mpq_class(axis.y()), mpq_class(axis.z())}}).front()) {
   squared_length_ = dot(axis_, axis_);
   exponent_ = static_cast<unsigned>(mpz_sizeinbase(squared_length_.get_mpz_t(), 2) / 2);
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "experiments/thesis/cell/first_contact/polynomial.h"
 
@@ -50,10 +51,9 @@ inline PolynomialVector cross(const PolynomialVector& a, const IntegerVector& b)
   return {b[2] * a[1] - b[1] * a[2], b[0] * a[2] - b[2] * a[0], b[1] * a[0] - b[0] * a[1]};
 }
 
-/// Returns the exponent of the lowest bit that is set in any of these numbers; `none` if all are 0.
-[[nodiscard]] int lowest_bit(const Eigen::Vector3d& v, int none);
-/// Returns v / 2^unit. Requires that this is a vector of integers.
-[[nodiscard]] IntegerVector in_units(const Eigen::Vector3d& v, int unit);
+/// Returns all vectors times the least power of two that makes all of them integers. Requires denominators that are
+/// powers of two.
+[[nodiscard]] std::vector<IntegerVector> whole(const std::vector<Vector<mpq_class>>& vectors);
 
 /// The angles of a turn as points of a projective line: tan(phi / 2) = |axis| y / x, so that a turn is that of the
 /// quaternion (x, y axis), whose matrix is rational in x and y. Three charts give x and y as linear functions of a

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -19,80 +19,14 @@
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
+#include "robust/exact/detail/lifted.h"
 #include "robust/filtered/filtered.h"
 #include "robust/scene/detail/lifted_box.h"
 
 namespace touchstone::kinematics {
 namespace {
 
-/// A polygon, lifted exactly onto its supporting plane: a vertex is vertices[i] times 2^unit / scale.
-struct ExactFace {
-  /// Requires a polygon that exact::validate accepts, and a unit that divides its coordinates.
-  ExactFace(const Polygon& polygon, int unit);
-
-  std::vector<IntegerVector> vertices;
-  std::vector<std::size_t> next;  ///< edge i runs from vertex i to next[i]
-  mpz_class scale;                ///< positive; 1 for polygons that are exactly planar
-  IntegerVector normal;           ///< up to a positive factor
-  std::size_t dropped_axis;
-  double off_plane;  ///< in the unit of the polygon: the largest distance by which a vertex is lifted
-};
-
-/// The nearest double above.
-double rounded_up(const mpq_class& value, int unit) {
-  const double near = std::ldexp(value.get_d(), unit);  // value.get_d() rounds towards 0
-  return value == 0 ? 0 : std::nextafter(std::nextafter(near, HUGE_VAL), HUGE_VAL);
-}
-
-ExactFace::ExactFace(const Polygon& polygon, int unit) : scale(1), normal{0, 0, 0}, dropped_axis(0), off_plane(0) {
-  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
-    vertices.push_back(in_units(polygon.vertex(i), unit));
-    next.push_back(polygon.next(i));
-  }
-  const std::size_t outer = polygon.loop_end(0);
-  IntegerVector sum{0, 0, 0};
-  for (std::size_t i = 0; i < outer; ++i) {
-    normal = normal + cross(vertices[i] - vertices[0], vertices[next[i]] - vertices[0]);
-    sum = sum + vertices[i];
-  }
-  for (std::size_t axis = 1; axis < 3; ++axis)
-    if (mpz_cmpabs(normal[axis].get_mpz_t(), normal[dropped_axis].get_mpz_t()) > 0) dropped_axis = axis;
-
-  // The heights over the supporting plane, through sum / outer, times outer and the normal's length.
-  const mpz_class count(static_cast<unsigned long>(outer)), of_plane = dot(normal, sum);
-  std::vector<mpz_class> heights;
-  for (const IntegerVector& vertex : vertices) heights.push_back(mpz_class(count * dot(normal, vertex) - of_plane));
-  if (std::ranges::all_of(heights, [](const mpz_class& height) { return height == 0; })) return;
-  const bool negative = normal[dropped_axis] < 0;
-  scale = abs(mpz_class(count * normal[dropped_axis]));
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    off_plane = std::max(off_plane, rounded_up(mpq_class(abs(heights[i]), scale), unit));
-    vertices[i] = scale * vertices[i];
-    vertices[i][dropped_axis] += negative ? heights[i] : mpz_class(-heights[i]);
-  }
-}
-
 constexpr double kSlack = 1e-6;  // degrees, for ranges that only save time
-
-int unit_of(const Arc& arc, double radius, const Polygon& polygon) {
-  constexpr int none = std::numeric_limits<int>::max();
-  int unit = lowest_bit({radius, 0, 0}, lowest_bit(arc.start, lowest_bit(arc.point, none)));
-  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) unit = lowest_bit(polygon.vertex(i), unit);
-  return unit;
-}
-
-/// About the normal of points, of a length that does not matter.
-Eigen::Vector3d rough_normal(const ExactFace& face) {
-  Eigen::Vector3d normal;
-  mp_bitcnt_t bits = 0;
-  for (const mpz_class& n : face.normal) bits = std::max<mp_bitcnt_t>(bits, mpz_sizeinbase(n.get_mpz_t(), 2));
-  for (int axis = 0; axis < 3; ++axis) {
-    long exponent = 0;
-    const double digits = mpz_get_d_2exp(&exponent, face.normal[static_cast<std::size_t>(axis)].get_mpz_t());
-    normal[axis] = std::ldexp(digits, static_cast<int>(exponent - static_cast<long>(bits)));
-  }
-  return normal;
-}
 
 /// A ball whose centre moves along an arc, and one face: computes exactly the roots at which the ball touches.
 class ArcFace {
@@ -117,10 +51,13 @@ class ArcFace {
   [[nodiscard]] std::optional<Root> vertex_root(const Piece& piece, std::size_t vertex) const;
   [[nodiscard]] bool foot_inside(const PolynomialVector& foot, const Polynomial& weight, Root& root) const;
 
-  int unit_;
-  ExactFace face_;
+  exact::PreparedPolygon polygon_;
+  const exact::detail::Lifted& face_;
   Charts charts_;
-  IntegerVector start_, center_, spoke_;  // of the arc, and start - center, in the units of the face
+  // Integers, by one power of two, and lengths also by that of the face: its lifted vertices, its normal, start and
+  // centre of the arc, start - center.
+  std::vector<IntegerVector> vertices_;
+  IntegerVector normal_, start_, center_, spoke_;
   mpz_class radius_;
   std::vector<Eigen::Vector3d> points_;  // the vertices before they are lifted
 };
@@ -133,11 +70,23 @@ struct ArcFace::Piece {
 };
 
 ArcFace::ArcFace(const Arc& arc, double radius, const Polygon& polygon)
-    : unit_(unit_of(arc, radius, polygon)), face_(polygon, unit_), charts_(arc.axis) {
-  start_ = face_.scale * in_units(arc.start, unit_);
-  center_ = face_.scale * in_units(arc.point, unit_);
+    : polygon_(polygon), face_(exact::lifted(polygon_)), charts_(arc.axis) {
+  std::vector<Vector<mpq_class>> all;
+  const auto add = [&](const exact::detail::Vector& v) {
+    all.push_back({rational(v.x()), rational(v.y()), rational(v.z())});
+  };
+  for (const auto& vertex : face_.vertices) add(vertex);
+  add(face_.normal);
+  for (const Eigen::Vector3d& v : {Eigen::Vector3d(radius, 0, 0), arc.point, arc.start})
+    add(face_.scale * exact::detail::vector(v));
+  vertices_ = whole(all);
+  const auto take = [&] {
+    const IntegerVector last = std::move(vertices_.back());
+    vertices_.pop_back();
+    return last;
+  };
+  start_ = take(), center_ = take(), radius_ = take()[0], normal_ = take();
   spoke_ = start_ - center_;
-  radius_ = face_.scale * in_units({radius, 0, 0}, unit_)[0];
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) points_.push_back(polygon.vertex(i));
 }
 
@@ -158,7 +107,9 @@ std::optional<ArcFace::Contact> ArcFace::first(const ArcPieces& pieces, double l
     if (range) candidates.push_back({feature, *range});
   };
   const double lift = face_.off_plane;
-  consider({Feature::Kind::Face, 0}, pieces.near(points_, rough_normal(face_), lift));
+  const Eigen::Vector3d normal(CGAL::to_double(face_.normal.x()), CGAL::to_double(face_.normal.y()),
+                               CGAL::to_double(face_.normal.z()));
+  consider({Feature::Kind::Face, 0}, pieces.near(points_, normal, lift));
   if (candidates.empty()) return std::nullopt;
   for (std::size_t i = 0; i < points_.size(); ++i)
     consider({Feature::Kind::Edge, i}, pieces.near(points_[i], points_[face_.next[i]], lift));
@@ -191,11 +142,10 @@ std::optional<ArcFace::Contact> ArcFace::first(const ArcPieces& pieces, double l
 
 /// The centre at distance r from the supporting plane, its foot in the relative interior of the polygon.
 std::optional<Root> ArcFace::face_root(const Piece& piece) const {
-  const IntegerVector& normal = face_.normal;
-  const mpz_class squared_normal = dot(normal, normal);
-  const Polynomial height = dot(normal, piece.center) - dot(normal, face_.vertices[0]) * piece.weight;
+  const mpz_class squared_normal = dot(normal_, normal_);
+  const Polynomial height = dot(normal_, piece.center) - dot(normal_, vertices_[0]) * piece.weight;
   const Polynomial reach = mpz_class(radius_ * radius_ * squared_normal) * (piece.weight * piece.weight);
-  const PolynomialVector below = height * normal;
+  const PolynomialVector below = height * normal_;
   const PolynomialVector foot{squared_normal * piece.center[0] - below[0], squared_normal * piece.center[1] - below[1],
                               squared_normal * piece.center[2] - below[2]};
   const Polynomial weight = squared_normal * piece.weight;
@@ -205,31 +155,29 @@ std::optional<Root> ArcFace::face_root(const Piece& piece) const {
   return std::nullopt;
 }
 
-/// Even-odd, in the plane of the other two axes. The foot is foot / weight.
+/// In the plane of the other two axes. The foot is foot / weight.
 bool ArcFace::foot_inside(const PolynomialVector& foot, const Polynomial& weight, Root& root) const {
-  const std::size_t i = (face_.dropped_axis + 1) % 3, j = (face_.dropped_axis + 2) % 3;
-  const auto side = [&](const IntegerVector& vertex, std::size_t axis) {
-    return root.sign_of(vertex[axis] * weight - foot[axis]);
+  const std::size_t dropped = static_cast<std::size_t>(face_.dropped_axis), u = (dropped + 1) % 3,
+                    v = (dropped + 2) % 3;
+  const auto sign = [&](const Polynomial& polynomial) { return static_cast<kernel::Sign>(root.sign_of(polynomial)); };
+  const auto beside = [&](std::size_t i, std::size_t axis) { return sign(vertices_[i][axis] * weight - foot[axis]); };
+  struct Signs {
+    std::function<kernel::Sign(std::size_t)> above, side;
+    std::function<bool(std::size_t)> covers;
   };
-  std::vector<int> above;
-  for (const IntegerVector& vertex : face_.vertices) above.push_back(side(vertex, j));
-  bool inside = false;
-  for (std::size_t edge = 0; edge < face_.vertices.size(); ++edge) {
-    const IntegerVector &a = face_.vertices[edge], &b = face_.vertices[face_.next[edge]];
-    const int at_a = above[edge], at_b = above[face_.next[edge]];
-    if (at_a * at_b > 0) continue;
-    const int turn = root.sign_of(mpz_class(b[i] - a[i]) * (foot[j] - a[j] * weight) -
-                                  mpz_class(b[j] - a[j]) * (foot[i] - a[i] * weight));
-    if (turn == 0 && side(a, i) * side(b, i) <= 0) return false;  // on the boundary
-    // Crosses the half line to the right: from not above to above with the foot on the left, or the other way.
-    if ((at_a > 0) != (at_b > 0) && turn != 0 && (at_b > 0) == (turn > 0)) inside = !inside;
-  }
-  return inside;
+  const Signs signs{[&](std::size_t i) { return beside(i, v); },
+                    [&](std::size_t i) {
+                      const IntegerVector &a = vertices_[i], &b = vertices_[face_.next[i]];
+                      return sign(mpz_class(b[u] - a[u]) * (foot[v] - a[v] * weight) -
+                                  mpz_class(b[v] - a[v]) * (foot[u] - a[u] * weight));
+                    },
+                    [&](std::size_t i) { return beside(i, u) * beside(face_.next[i], u) != kernel::POSITIVE; }};
+  return exact::detail::locate(face_, signs) == PointLocation::Inside;
 }
 
 /// The centre at distance r from the edge's line, its foot strictly between the ends.
 std::optional<Root> ArcFace::edge_root(const Piece& piece, std::size_t edge) const {
-  const IntegerVector &a = face_.vertices[edge], &b = face_.vertices[face_.next[edge]];
+  const IntegerVector &a = vertices_[edge], &b = vertices_[face_.next[edge]];
   const IntegerVector along = b - a;
   const mpz_class squared_length = dot(along, along);
   const PolynomialVector from_a = piece.center - piece.weight * a;
@@ -242,7 +190,7 @@ std::optional<Root> ArcFace::edge_root(const Piece& piece, std::size_t edge) con
 
 /// The centre at distance r from a vertex: |c - o|^2 = v.v, so |c - a|^2 = v.v + |a - o|^2 - 2 (c - o).(a - o).
 std::optional<Root> ArcFace::vertex_root(const Piece& piece, std::size_t vertex) const {
-  const IntegerVector to_vertex = face_.vertices[vertex] - center_;
+  const IntegerVector to_vertex = vertices_[vertex] - center_;
   const PolynomialVector spoke = piece.center - piece.weight * center_;
   const mpz_class constant = dot(spoke_, spoke_) + dot(to_vertex, to_vertex) - radius_ * radius_;
   auto roots = real_roots(constant * piece.weight - mpz_class(2) * dot(to_vertex, spoke), piece.end);

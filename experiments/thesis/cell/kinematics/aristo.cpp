@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/thesis/cell/kinematics/aristo.h"
 
-#include <cmath>
-
-#include "experiments/cases/workloads/degrees.h"
-
 namespace touchstone::kinematics {
 
 std::string_view to_string(Coupling coupling) {
@@ -48,15 +44,6 @@ Angles aristo_pose(Coupling coupling, double base, const LinkAngles& arm, double
 
 Eigen::Vector3d wrist(const Chain& aristo, const Angles& commanded) {
   return aristo.frames(commanded)[kWristPitch].translation;
-}
-
-std::vector<Angles> inverse(Coupling coupling, const Eigen::Vector3d& wrist) {
-  const double out = std::sqrt(wrist.x() * wrist.x() + wrist.y() * wrist.y());
-  const double base = workloads::arc_tangent(wrist.y(), wrist.x());
-  std::vector<Angles> solutions;
-  for (const LinkAngles& arm : TwoLinks{kUpperArm, kForearm}.inverse({out, wrist.z() - kShoulderHeight}))
-    solutions.push_back(aristo_pose(coupling, base, arm));
-  return solutions;
 }
 
 }  // namespace touchstone::kinematics

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
-#include <vector>
 
 #include "experiments/thesis/cell/kinematics/chain.h"
 
@@ -48,11 +47,5 @@ inline constexpr double kShoulderHeight = 322, kUpperArm = 300, kForearm = 375, 
 
 /// Returns the wrist point, where the axes of the last three joints meet.
 [[nodiscard]] Eigen::Vector3d wrist(const Chain& aristo, const Angles& commanded);
-
-/// Returns the commands that bring the wrist point to the given place with the base facing it, and the hand as above
-/// with 0. Returns none if the place is out of reach; otherwise the command with the elbow above the line from shoulder
-/// to wrist, then the one with the elbow below; only one if the arm is straight. Computed in doubles. Ignores joint
-/// limits. On the axis of the base, where any base angle would do, the base angle is 0.
-[[nodiscard]] std::vector<Angles> inverse(Coupling coupling, const Eigen::Vector3d& wrist);
 
 }  // namespace touchstone::kinematics

@@ -71,12 +71,6 @@ Chain::Chain(std::vector<Joint> joints, Pose flange, const std::vector<Compensat
   }
 }
 
-std::size_t Chain::find(const std::string& name) const {
-  for (std::size_t i = 0; i < joints_.size(); ++i)
-    if (joints_[i].name == name) return i;
-  throw std::invalid_argument(fmt::format("no joint is called {}", name));
-}
-
 Angles Chain::turns(const Angles& commanded) const {
   if (commanded.size() != joints_.size())
     throw std::invalid_argument(fmt::format("{} angles for {} joints", commanded.size(), joints_.size()));

@@ -75,8 +75,6 @@ class Chain {
 
   [[nodiscard]] const std::vector<Joint>& joints() const& { return joints_; }
   void joints() && = delete;  // a reference into a chain that is gone
-  /// Returns the joint of that name. Throws std::invalid_argument for an unknown name.
-  [[nodiscard]] std::size_t find(const std::string& name) const;
 
   /// Returns the joint that compensates a driver, if any.
   [[nodiscard]] std::optional<std::size_t> compensating(std::size_t driver) const {

@@ -38,18 +38,6 @@ Reach SphereArm::reach(const Commands& commands) const {
   return {reach.out, reach.up + kShoulderHeight - below_};
 }
 
-std::optional<SphereArm::Commands> SphereArm::inverse(const Reach& center) const {
-  std::optional<Commands> nearest;
-  const auto away = [](const Commands& c) { return std::abs(c.shoulder) + std::abs(c.elbow); };
-  for (const LinkAngles& angles : links_.inverse({center.out, center.up - kShoulderHeight + below_})) {
-    Commands commands{std::remainder(angles.lean - home_.lean, 360), 0};
-    const double carried = coupling_ == Coupling::Serial ? commands.shoulder : 0;
-    commands.elbow = std::remainder(angles.elevation - home_.elevation + carried, 360);
-    if (!nearest || away(commands) < away(*nearest)) nearest = commands;
-  }
-  return nearest;
-}
-
 Angles home_pose(const Layout& layout) {
   return aristo_pose(layout.coupling, 0, layout.home, layout.hand == Hand::Level ? 0 : -layout.home.elevation);
 }

@@ -70,8 +70,6 @@ class SphereArm {
   };
   /// Returns the distance from the axis of the base, and the height above the floor.
   [[nodiscard]] Reach reach(const Commands& commands) const;
-  /// Returns the commands, nearest to home, that bring the centre to the given place; none if it is out of reach.
-  [[nodiscard]] std::optional<Commands> inverse(const Reach& center) const;
 
  private:
   Coupling coupling_;

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,8 +14,6 @@
 
 namespace touchstone::kinematics {
 namespace {
-
-constexpr std::array<const char*, 6> kJoints{"base", "shoulder", "elbow", "wrist roll", "wrist pitch", "hand roll"};
 
 /// Returns the names of moves in the captions of a case, in the order of the moves.
 std::vector<std::string> captions_of(std::size_t number) {
@@ -116,28 +113,18 @@ struct MoveRow {
 };
 
 Table<MoveRow> moves_csv() {
-  const auto contact = [](const auto& get) {
-    return [get](const MoveRow& row) {
-      return row.move->contact ? std::optional(std::invoke(get, *row.move->contact)) : std::nullopt;
-    };
-  };
   return {
       "moves.csv",
       "a move of one joint in a case study",
       {{"case", "1 or 2", &MoveRow::its_case},
        {"move", "its number", &MoveRow::number},
        {"caption", "what the thesis's caption says", &MoveRow::caption},
-       {"joint", "the joint", [](const MoveRow& row) { return kJoints[row.move->joint]; }},
+       {"joint", "the joint", [](const MoveRow& row) { return name_of(row.move->joint); }},
        {"until", "what ends the move", path(&MoveRow::move, &cell::Move::until)},
        {"degrees", "the result", path(&MoveRow::move, &cell::Move::degrees)},
        {"exact_deg", "the angle before it is rounded to degrees", path(&MoveRow::move, &cell::Move::exact), "{:.6f}"},
        {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::move, &cell::Move::margin),
-        "{:.6f}"},
-       {"contact_low_deg", "the certified enclosure of the first contact", contact(&FirstContact::low), "{:.17g}"},
-       {"contact_high_deg", "its upper end", contact(&FirstContact::high), "{:.17g}"},
-       {"kind", "the kind of contact", contact(&FirstContact::kind)},
-       {"feature", "the kind of feature that is touched",
-        contact([](const FirstContact& first) { return first.feature.kind; })}}};
+        "{:.6f}"}}};
 }
 
 std::vector<MoveRow> move_rows(const LayoutStudy& study) {
@@ -149,52 +136,6 @@ std::vector<MoveRow> move_rows(const LayoutStudy& study) {
   }
   return rows;
 }
-
-double net_of(const cell::Process& path, cell::Moved joint) {
-  return path.turned(joint, cell::Phase::ToStorage) + path.turned(joint, cell::Phase::ToMachine);
-}
-
-/// `get`: a function of a path, which must be complete.
-template <class Get>
-auto of_path(Get get) {
-  return [get](const Prediction& row) { return row.path.cause ? std::nullopt : std::optional(get(row.path)); };
-}
-
-/// Both tables of predictions.
-Table<Prediction> predictions_csv(const char* file, const char* about) {
-  const auto to_storage = [](cell::Moved joint) {
-    return of_path([joint](const cell::Process& path) { return path.turned(joint, cell::Phase::ToStorage); });
-  };
-  const auto net = [](cell::Moved joint) {
-    return of_path([joint](const cell::Process& path) { return net_of(path, joint); });
-  };
-  return {file,
-          about,
-          {{"place", "the case whose radius the storage has", [](const Prediction& p) { return p.place + 1; }},
-           {"storage_angle_deg", "the angle of the storage", &Prediction::angle, "{:g}"},
-           {"storage_height_mm", "its height", &Prediction::height, "{:g}"},
-           {"elbow_to_storage", "degrees of the elbow until contact in the storage", to_storage(cell::kElbow)},
-           {"base_to_storage", "the same of the base", to_storage(cell::kBase)},
-           {"shoulder_to_storage", "the same of the shoulder", to_storage(cell::kShoulder)},
-           {"lift", "degrees by which the shoulder lifts the material", of_path([](const cell::Process& path) {
-              const auto lift = std::ranges::find(path.moves, cell::Until::Cleared, &cell::Move::until);
-              return lift == path.moves.end() ? 0 : lift->degrees;
-            })},
-           {"base_to_machine", "degrees of the base from the storage to the machine",
-            of_path([](const cell::Process& path) { return path.turned(cell::kBase, cell::Phase::ToMachine); })},
-           {"net_elbow", "the sum of all moves of the elbow", net(cell::kElbow)},
-           {"net_shoulder", "the same of the shoulder", net(cell::kShoulder)},
-           {"least_margin_deg", "the least change of an angle that changes its degrees",
-            of_path([](const cell::Process& path) {
-              return std::ranges::min_element(path.moves, {}, &cell::Move::margin)->margin;
-            }),
-            "{:.6f}"},
-           {"otherwise", "why there are no moves", path(&Prediction::path, &cell::Process::failure)}}};
-}
-
-Table<Prediction> angles_csv() { return predictions_csv("angles.csv", "a whole angle of the storage"); }
-
-Table<Prediction> heights_csv() { return predictions_csv("heights.csv", "a height of the storage"); }
 
 struct PoseRow {
   std::size_t its_case;
@@ -239,16 +180,6 @@ std::vector<PoseRow> pose_rows(const LayoutStudy& study) {
   return rows;
 }
 
-/// Returns the number of predictions that satisfy what the captions imply for every angle.
-std::size_t kept(const std::vector<Prediction>& predictions) {
-  return static_cast<std::size_t>(std::ranges::count_if(predictions, [](const Prediction& p) {
-    const cell::Process& r = p.path;
-    return !r.cause && r.turned(cell::kBase, cell::Phase::ToStorage) == kStorageHome + p.angle &&
-           net_of(r, cell::kBase) == kMachineAzimuth && net_of(r, cell::kElbow) == 35 &&
-           net_of(r, cell::kShoulder) == 28;
-  }));
-}
-
 }  // namespace
 
 void write_layout(const std::filesystem::path& folder, const LayoutStudy& study) {
@@ -256,15 +187,12 @@ void write_layout(const std::filesystem::path& folder, const LayoutStudy& study)
   one_height_csv().write(folder, study.one_height);
   choice_csv().write(folder, choice_rows(study));
   moves_csv().write(folder, move_rows(study));
-  angles_csv().write(folder, study.angles);
-  heights_csv().write(folder, study.heights);
   poses_csv().write(folder, pose_rows(study));
 }
 
 std::vector<run::TableDescription> layout_tables() {
   return {family_csv().description(), one_height_csv().description(), choice_csv().description(),
-          moves_csv().description(),  angles_csv().description(),     heights_csv().description(),
-          poses_csv().description()};
+          moves_csv().description(), poses_csv().description()};
 }
 
 std::string layout_table(const LayoutStudy& study) {
@@ -275,7 +203,7 @@ std::string layout_table(const LayoutStudy& study) {
     const auto& moves = study.cases[number].moves;
     for (std::size_t i = 0; i < moves.size(); ++i) {
       const cell::Move& m = moves[i];
-      text += fmt::format("  {:<28} {:<9}{:+4}   ", captions.at(i), kJoints[m.joint], m.degrees);
+      text += fmt::format("  {:<28} {:<9}{:+4}   ", captions.at(i), name_of(m.joint), m.degrees);
       text += m.until == cell::Until::Facing
                   ? "exactly: it faces the station\n"
                   : fmt::format("{} at {:.6f}, {:.3f} from the next degree\n", to_string(m.until), m.exact, m.margin);
@@ -283,7 +211,7 @@ std::string layout_table(const LayoutStudy& study) {
   }
   text += fmt::format(
       "storage at -60 to 60 degrees: base {:g} + angle and 67 - angle, net elbow +35, net shoulder +28 in {} of {}\n",
-      kStorageHome, kept(study.angles), study.angles.size());
+      kStorageHome, study.predictions.all, study.predictions.places);
   for (const Hand hand : kHands)
     for (const Coupling coupling : kCouplings) {
       const auto is_so = [&](const Member& m) { return m.linkage.hand == hand && m.linkage.coupling == coupling; };
@@ -328,7 +256,7 @@ run::Command layout_command() {
   run::Command command("layout", "Find the home pose and places that reproduce the thesis's captioned angles");
   command.footer(
       "Solves for the home pose, storage and machine that reproduce both case studies' angles to the degree. Shows "
-      "the family of solutions, the chosen one, and its predictions for other angles and heights.");
+      "the family of solutions, the chosen one, and what it predicts for other angles.");
   command.flag(
       "--quick", options->quick,
       "Coarser steps between the home poses of the family; the chosen layout and its predictions are the same");

@@ -29,17 +29,17 @@ std::vector<cell::Coupling> couplings_of(const Layout& layout) {
   return couplings;
 }
 
-std::string_view name_of(std::size_t joint) {
-  constexpr std::array<std::string_view, 3> names{"base", "shoulder", "elbow"};
-  return names.at(joint);
-}
-
 const cell::Cell& aristo_cell() {
   static const cell::Cell cell = cell::read_cell(run::data("experiments/thesis/cell/cells/aristo.json"));
   return cell;
 }
 
 }  // namespace
+
+std::string_view name_of(std::size_t joint) {
+  constexpr std::array<std::string_view, 3> names{"base", "shoulder", "elbow"};
+  return names.at(joint);
+}
 
 cell::Cell laid_out(cell::Cell cell, const Layout& layout, const Station& storage) {
   cell.robot.couplings = couplings_of(layout);
@@ -82,13 +82,20 @@ cell::Process rehearse_case(const Layout& layout, std::size_t number) {
   return rehearse(layout, layout.storage(number, kCases.at(number).storage_angle));
 }
 
+std::vector<std::pair<AristoJoint, int>> moves_of(const Captions& captions) {
+  std::vector<std::pair<AristoJoint, int>> moves{{kElbow, captions.elbow},
+                                                 {kBase, captions.base},
+                                                 {kShoulder, captions.shoulder},
+                                                 {kShoulder, captions.lift},
+                                                 {kElbow, captions.elbow_to_machine},
+                                                 {kBase, captions.base_to_machine},
+                                                 {kShoulder, captions.shoulder_to_machine}};
+  std::erase_if(moves, [](const auto& move) { return move.second == 0; });
+  return moves;
+}
+
 std::string difference(const cell::Process& process, const Captions& captions) {
-  std::vector<std::pair<AristoJoint, int>> expected{{kElbow, captions.elbow}, {kBase, captions.base}};
-  if (captions.shoulder != 0) expected.emplace_back(kShoulder, captions.shoulder);
-  if (captions.lift != 0) expected.emplace_back(kShoulder, captions.lift);
-  expected.emplace_back(kElbow, captions.elbow_to_machine);
-  expected.emplace_back(kBase, captions.base_to_machine);
-  expected.emplace_back(kShoulder, captions.shoulder_to_machine);
+  const auto expected = moves_of(captions);
   std::size_t i = 0;
   for (const cell::Move& move : process.moves) {
     if (move.phase > cell::Phase::ToMachine) break;
@@ -105,9 +112,8 @@ std::string difference(const cell::Process& process, const Captions& captions) {
 
 namespace {
 
-constexpr int kLargestAngle = 60;                         // of the storage
-constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and the number of steps up and down
-constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1, kHeights = 2 * kLargestHeightStep + 1;
+constexpr int kLargestAngle = 60;  // of the storage
+constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1;
 
 /// Empty if both cases have the captions' values.
 std::string failure_of(const Layout& layout) {
@@ -160,6 +166,16 @@ Choice choice_of(const Layout& layout, const char* name, const char* unit, doubl
 
 }  // namespace
 
+void Predictions::take(double angle, const cell::Process& path) {
+  ++places;
+  if (path.cause) return;
+  const double azimuth = kStorageHome + angle;
+  const bool there = path.turned(cell::kBase, cell::Phase::ToStorage) == azimuth,
+             back = path.turned(cell::kBase, cell::Phase::ToMachine) == kMachineAzimuth - azimuth,
+             level = path.net(cell::kElbow) == 35 && path.net(cell::kShoulder) == 28;
+  to_storage += there, to_machine += back, net += level, all += there && back && level;
+}
+
 Member study_home(const Linkage& linkage, const LinkAngles& home) {
   Member member{linkage, home, solve_layout(linkage, home), ""};
   member.failure = member.layout ? failure_of(*member.layout) : "no layout";
@@ -171,7 +187,7 @@ std::size_t free_parameters() { return kParameters.size() + 1; }  // and the sto
 std::uint64_t layout_work(HomeSteps steps) {
   const auto grid = static_cast<std::size_t>(2 * kHomeReach / steps.grid + 1);
   const auto line = static_cast<std::size_t>(2 * kHomeReach / steps.line + 1);
-  return kCouplings.size() * kHands.size() * (grid * grid + line) + free_parameters() + 2 * (kAngles + kHeights);
+  return kCouplings.size() * kHands.size() * (grid * grid + line) + free_parameters() + kCases.size() * kAngles;
 }
 
 std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>& stop,
@@ -212,19 +228,11 @@ std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>
     if (stopped()) return std::nullopt;
   }
 
-  for (std::size_t place = 0; place < kCases.size(); ++place) {
+  for (std::size_t place = 0; place < kCases.size(); ++place)
     for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
-      const Station storage = layout.storage(place, angle);
-      study.angles.push_back({place, 0.0 + angle, storage.height, rehearse(layout, storage)});
+      study.predictions.take(angle, rehearse(layout, layout.storage(place, angle)));
       if (stopped()) return std::nullopt;
     }
-    for (int step = -kLargestHeightStep; step <= kLargestHeightStep; ++step) {
-      Station storage = layout.storage(place, kCases[place].storage_angle);
-      storage.height += step * kHeightStep;
-      study.heights.push_back({place, kCases[place].storage_angle, storage.height, rehearse(layout, storage)});
-      if (stopped()) return std::nullopt;
-    }
-  }
   return study;
 }
 

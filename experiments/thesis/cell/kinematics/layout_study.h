@@ -7,6 +7,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/thesis/cell/kinematics/layout.h"
@@ -27,6 +29,11 @@ namespace touchstone::kinematics {
 /// The same with the storage as in case 0 or 1.
 [[nodiscard]] cell::Process rehearse_case(const Layout& layout, std::size_t number);
 
+/// `base`, `shoulder` or `elbow`.
+[[nodiscard]] std::string_view name_of(std::size_t joint);
+
+/// Returns the moves of a case up to the machine, in order, by its captions.
+[[nodiscard]] std::vector<std::pair<AristoJoint, int>> moves_of(const Captions& captions);
 /// Returns how the captions of a case differ from a process up to the machine; empty if they agree to the degree.
 [[nodiscard]] std::string difference(const cell::Process& process, const Captions& captions);
 
@@ -63,11 +70,17 @@ struct Choice {
   double value, lowest, highest;
 };
 
-/// A place of the storage, and the result there.
-struct Prediction {
-  std::size_t place;  ///< whose radius it has: 0 or 1, as in Layout
-  double angle, height;
-  cell::Process path;  ///< by the sphere alone, up to the machine
+/// Counts of processes up to the machine, by the sphere alone, that keep what the captions imply for every angle of the
+/// storage.
+struct Predictions {
+  std::uint64_t places = 0;
+  std::uint64_t to_storage = 0;  ///< the base turned by 150 degrees less the storage's angle, clockwise
+  std::uint64_t to_machine = 0;  ///< and then by 67 less the angle, counter-clockwise
+  std::uint64_t net = 0;         ///< elbow and shoulder were at +35 and +28 at the machine
+  std::uint64_t all = 0;         ///< all three
+
+  /// Takes the process of a storage at an angle.
+  void take(double angle, const cell::Process& path);
 };
 
 struct LayoutStudy {
@@ -77,8 +90,7 @@ struct LayoutStudy {
   Layout chosen;
   std::vector<cell::Process> cases;  ///< in the chosen layout
   std::vector<Choice> choices;
-  std::vector<Prediction> angles;   ///< for every whole angle from -60 to 60, both places
-  std::vector<Prediction> heights;  ///< both cases' storage raised and lowered by 10 mm and more
+  Predictions predictions;  ///< for every whole angle from -60 to 60, in both cases' places
 };
 
 /// Receives how much of `layout_work` is done.

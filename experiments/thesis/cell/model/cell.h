@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -22,9 +23,6 @@ struct Zone {
   struct Face {
     std::vector<Eigen::Vector3d> corners;  ///< of a convex polygon, in order; a fan of triangles
   };
-  struct Cuboid {
-    Eigen::Vector3d lower, upper;
-  };
   /// All points within a radius of a segment, which is a point for a sphere.
   struct Capsule {
     Eigen::Vector3d from, to;
@@ -32,7 +30,7 @@ struct Zone {
   };
 
   std::string name;
-  std::variant<Face, Cuboid, Capsule> shape;
+  std::variant<Face, Eigen::AlignedBox3d, Capsule> shape;
   Pose pose = {};      ///< in the cell
   bool stops = false;  ///< whether the robot stops when something comes into it
 };

@@ -18,7 +18,7 @@ void CellEntry::bad(const std::string& reason) const {
   throw BadCell(fmt::format("{}: {}: {}", file_, path_.empty() ? "the whole" : path_, reason));
 }
 
-void CellEntry::has_only(std::initializer_list<std::string_view> keys) const {
+void CellEntry::has_only(const std::vector<std::string_view>& keys) const {
   std::string known;
   for (const std::string_view key : keys) known.append(known.empty() ? "" : ", ").append(key);
   for (const auto& [key, entry] : members())

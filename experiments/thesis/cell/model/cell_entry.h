@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
@@ -48,7 +47,7 @@ class CellEntry {
   [[noreturn]] void bad(const std::string& reason) const;
 
   /// Throws BadCell unless it is an object of these keys only.
-  void has_only(std::initializer_list<std::string_view> keys) const;
+  void has_only(const std::vector<std::string_view>& keys) const;
   [[nodiscard]] CellEntry at(const std::string& key) const;
   [[nodiscard]] std::optional<CellEntry> find(const std::string& key) const;
   /// Returns the members of an object in alphabetic order of keys, or the elements of an array in order.

@@ -53,78 +53,58 @@ Transformation transformation(const Pose& pose) {
   const Eigen::Vector3d& t = pose.translation;
   Transformation map(r(0, 0), r(0, 1), r(0, 2), t.x(), r(1, 0), r(1, 1), r(1, 2), t.y(), r(2, 0), r(2, 1), r(2, 2),
                      t.z());
-  Number determinant = 0;
-  for (int i = 0; i < 3; ++i)
-    determinant +=
-        map.m(0, i) * (map.m(1, (i + 1) % 3) * map.m(2, (i + 2) % 3) - map.m(1, (i + 2) % 3) * map.m(2, (i + 1) % 3));
-  if (CGAL::sign(determinant) != CGAL::POSITIVE)
-    throw std::invalid_argument("the pose of a solid must keep its orientation");
+  if (!map.is_even()) throw std::invalid_argument("the pose of a solid must keep its orientation");
   return map;
 }
 
-/// A prism: `top` is `bottom` moved, both counter-clockwise seen from above.
-class PrismBuilder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
- public:
-  PrismBuilder(const std::vector<Point>& bottom, const std::vector<Point>& top) : bottom_(bottom), top_(top) {}
+/// A polyhedron of points and facets, each counter-clockwise seen from outside.
+struct Facets : CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> facets;
 
   void operator()(Polyhedron::HalfedgeDS& structure) override {
-    const std::size_t n = bottom_.size();
     CGAL::Polyhedron_incremental_builder_3<Polyhedron::HalfedgeDS> builder(structure, true);
-    builder.begin_surface(2 * n, n + 2);
-    for (const Point& p : bottom_) builder.add_vertex(p);
-    for (const Point& p : top_) builder.add_vertex(p);
-    std::vector<std::size_t> down(n), up(n);
-    for (std::size_t i = 0; i < n; ++i) down[i] = n - 1 - i, up[i] = n + i;
-    builder.add_facet(down.begin(), down.end());
-    builder.add_facet(up.begin(), up.end());
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t next = (i + 1) % n;
-      const std::array<std::size_t, 4> side{i, next, n + next, n + i};
-      builder.add_facet(side.begin(), side.end());
-    }
+    builder.begin_surface(points.size(), facets.size());
+    for (const Point& p : points) builder.add_vertex(p);
+    for (const auto& facet : facets) builder.add_facet(facet.begin(), facet.end());
     builder.end_surface();
   }
 
- private:
-  const std::vector<Point>&bottom_, &top_;
+  Nef nef() {
+    Polyhedron polyhedron;
+    polyhedron.delegate(*this);
+    return Nef(polyhedron);
+  }
 };
 
+/// A prism: `top` is `bottom` moved, both counter-clockwise seen from above.
 Nef prism(const std::vector<Point>& bottom, const std::vector<Point>& top) {
-  Polyhedron polyhedron;
-  PrismBuilder builder(bottom, top);
-  polyhedron.delegate(builder);
-  return Nef(polyhedron);
+  const std::size_t n = bottom.size();
+  Facets body;
+  body.points = bottom;
+  body.points.insert(body.points.end(), top.begin(), top.end());
+  body.facets.resize(2);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    body.facets[0].push_back(n - 1 - i), body.facets[1].push_back(n + i);
+    body.facets.push_back({i, next, n + next, n + i});
+  }
+  return body.nef();
 }
 
-/// A ball of rings, each counter-clockwise seen from above, the lowest first, between two poles.
-class RingsBuilder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
- public:
-  RingsBuilder(const Point& south, const std::vector<std::vector<Point>>& rings, const Point& north)
-      : south_(south), rings_(rings), north_(north) {}
-
-  void operator()(Polyhedron::HalfedgeDS& structure) override {
-    const std::size_t n = rings_.front().size(), count = rings_.size(), last = n * count + 1;
-    CGAL::Polyhedron_incremental_builder_3<Polyhedron::HalfedgeDS> builder(structure, true);
-    builder.begin_surface(last + 1, n * (count + 1));
-    builder.add_vertex(south_);
-    for (const auto& ring : rings_)
-      for (const Point& p : ring) builder.add_vertex(p);
-    builder.add_vertex(north_);
-    const auto add = [&](const std::vector<std::size_t>& facet) { builder.add_facet(facet.begin(), facet.end()); };
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t next = (i + 1) % n, top = n * (count - 1) + 1;
-      add({0, 1 + next, 1 + i});
-      for (std::size_t r = 1; r < top; r += n) add({r + i, r + next, r + n + next, r + n + i});
-      add({top + i, top + next, last});
-    }
-    builder.end_surface();
+/// A ball of rings of n points, each counter-clockwise seen from above, the lowest first, between two poles.
+Nef ball(std::vector<Point> points, std::size_t n) {
+  const std::size_t last = points.size() - 1, top = last - n;
+  Facets body;
+  body.points = std::move(points);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    body.facets.push_back({0, 1 + next, 1 + i});
+    for (std::size_t r = 1; r < top; r += n) body.facets.push_back({r + i, r + next, r + n + next, r + n + i});
+    body.facets.push_back({top + i, top + next, last});
   }
-
- private:
-  const Point& south_;
-  const std::vector<std::vector<Point>>& rings_;
-  const Point& north_;
-};
+  return body.nef();
+}
 
 Nef evaluate(const Solid& solid, const Transformation& outer);
 
@@ -167,21 +147,17 @@ struct Evaluate {
     const Number x = sphere.at.x(), y = sphere.at.y(), z = sphere.at.z(), radius = sphere.radius;
     const auto meridian = circle_points((sphere.sides + 3) / 4 * 4);
     const std::size_t quarter = meridian.size() / 4;
-    std::vector<std::vector<Point>> rings;
+    std::vector<Point> points{map(Point(x, y, z - radius))};
     for (std::size_t k = 1; k < 2 * quarter; ++k) {  // from the south pole at three quarters of a turn
       const CirclePoint& latitude = meridian[(3 * quarter + k) % meridian.size()];
       const Number across = radius * share(latitude.cosine, latitude.denominator);
       const Number height = z + radius * share(latitude.sine, latitude.denominator);
-      auto& ring = rings.emplace_back();
       for (const CirclePoint& p : circle_points(sphere.sides))
-        ring.push_back(
+        points.push_back(
             map(Point(x + across * share(p.cosine, p.denominator), y + across * share(p.sine, p.denominator), height)));
     }
-    const Point south = map(Point(x, y, z - radius)), north = map(Point(x, y, z + radius));
-    Polyhedron polyhedron;
-    RingsBuilder builder(south, rings, north);
-    polyhedron.delegate(builder);
-    return Nef(polyhedron);
+    points.push_back(map(Point(x, y, z + radius)));
+    return ball(std::move(points), static_cast<std::size_t>(sphere.sides));
   }
 
   Nef operator()(const MeshFile& mesh) const {

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -130,22 +129,6 @@ const std::string& one_word(const std::string& name) {
   return name;
 }
 
-/// Numbers points as they come.
-class Vertices {
- public:
-  std::uint32_t number(const Eigen::Vector3d& point) {
-    const auto [found, is_new] = numbers_.try_emplace({point.x() + 0.0, point.y() + 0.0, point.z() + 0.0},
-                                                      static_cast<std::uint32_t>(points.size()));
-    if (is_new) points.push_back(point);
-    return found->second;
-  }
-
-  std::vector<Eigen::Vector3d> points;
-
- private:
-  std::map<std::array<double, 3>, std::uint32_t> numbers_;
-};
-
 }  // namespace
 
 LinkModel read_link_model(const std::filesystem::path& file) {
@@ -177,7 +160,7 @@ std::string link_model_text(const LinkModel& model) {
 
 LinkPart link_part(std::string name, const SolidFaces& solid) {
   LinkPart part{std::move(name), {}, {}};
-  Vertices vertices;
+  NumberedPoints vertices;
   for (const Face& face : solid.faces) {
     const Polygon& polygon = face.polygon;
     LinkPolygon result;
@@ -194,6 +177,21 @@ LinkPart link_part(std::string name, const SolidFaces& solid) {
   }
   part.vertices = std::move(vertices.points);
   return part;
+}
+
+std::map<std::string, LinkModel> link_models(const std::vector<ModelPart>& parts) {
+  std::map<std::string, LinkModel> models;
+  for (const ModelPart& part : parts) {
+    const std::size_t slash = part.name.find('/');
+    const std::string owner = part.name.substr(0, slash);
+    const std::string own = slash == std::string::npos ? part.name : part.name.substr(slash + 1);
+    const bool stands = part.carrier == Carrier::Storage || part.carrier == Carrier::Machine;
+    const std::string file = part.carrier == Carrier::Link ? owner : stands ? owner + "-" + own : own;
+    LinkModel& model = models[file];
+    model.name = file;
+    model.parts.push_back(link_part(own, part.faces));
+  }
+  return models;
 }
 
 }  // namespace touchstone::cell

@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/solid.h"
 #include "geometry/io/read_mesh.h"
 
@@ -56,5 +58,7 @@ struct LinkModel {
 
 /// Returns the faces of a solid as a part, with equal points as one vertex, in order of first use.
 [[nodiscard]] LinkPart link_part(std::string name, const SolidFaces& solid);
+/// Returns model files by name: one of all parts of a link, `Axis1`, and one of every other part, `machine-bed`.
+[[nodiscard]] std::map<std::string, LinkModel> link_models(const std::vector<ModelPart>& parts);
 
 }  // namespace touchstone::cell

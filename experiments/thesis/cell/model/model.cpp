@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/thesis/cell/model/model.h"
 
+#include <array>
 #include <utility>
 
 namespace touchstone::cell {
@@ -35,15 +36,8 @@ std::vector<Named> solids_of(const Cell& cell) {
 }  // namespace
 
 std::string_view to_string(Carrier carrier) {
-  switch (carrier) {
-    case Carrier::Link: return "link";
-    case Carrier::Gripper: return "gripper";
-    case Carrier::Storage: return "storage";
-    case Carrier::Machine: return "machine";
-    case Carrier::Obstacle: return "obstacle";
-    case Carrier::Material: return "material";
-  }
-  return "";
+  constexpr std::array<std::string_view, 6> words{"link", "gripper", "storage", "machine", "obstacle", "material"};
+  return words[static_cast<std::size_t>(carrier)];
 }
 
 std::vector<ModelPart> build_model(const Cell& cell, const std::function<void(std::size_t, std::size_t)>& done) {

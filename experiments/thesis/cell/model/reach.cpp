@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,14 +69,10 @@ std::string advice(const Reach& reach, double sphere, const Station& station, co
 std::optional<std::string> fault(const Cell& cell, const Station& station, const Reach& reach) {
   const Eigen::AlignedBox3d material = bounds_of(cell.material.solid);
   const double around = cell.gripper.sphere.radius + material.diagonal().norm() / 2;
-  const double azimuth = station.azimuth() * std::numbers::pi / 180;
   for (const Slot& slot : station.slots) {
     const Eigen::Vector3d middle = slot.place + material.center();
-    const Eigen::Vector2d at = in_plan(station, middle.head<2>());
-    const double x = at.x(), y = at.y();
-    const double distance =
-        reach.distance({x * std::cos(azimuth) - y * std::sin(azimuth), x * std::sin(azimuth) + y * std::cos(azimuth),
-                        station.height + middle.z()});
+    const Eigen::Vector2d at = in_plan(station, middle.head<2>());  // the azimuth does not change the distance
+    const double distance = reach.distance({at.x(), at.y(), station.height + middle.z()});
     if (distance > reach.outer + around || distance < reach.inner - around)
       return fmt::format(
           "{}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "

@@ -77,14 +77,6 @@ void read_labels(std::map<std::string, Label>& labels, const CellEntry& whole) {
   }
 }
 
-workloads::Unit read_unit(const CellEntry& entry) {
-  try {
-    return workloads::find_unit(entry.text());
-  } catch (const std::invalid_argument& error) {
-    entry.bad(error.what());
-  }
-}
-
 }  // namespace
 
 std::map<std::string, std::vector<std::string>> read_presets(const std::filesystem::path& file) {

@@ -49,11 +49,7 @@ MeshFile read_mesh_file(const CellEntry& entry, const SolidContext& context) {
   const CellEntry unit = entry.at("unit");
   const std::filesystem::path file = context.mesh_folder / entry.at("file").text();
   if (!std::filesystem::is_regular_file(file)) entry.at("file").bad("there is no file " + file.string());
-  try {
-    return {file, workloads::find_unit(unit.text()), context.unit};
-  } catch (const std::invalid_argument& error) {
-    unit.bad(error.what());
-  }
+  return {file, read_unit(unit), context.unit};
 }
 
 Boolean read_boolean(Operation operation, const CellEntry& entry, const SolidContext& context) {
@@ -99,6 +95,14 @@ Solid read_shape(const CellEntry& entry, const SolidContext& context) {
 }
 
 }  // namespace
+
+workloads::Unit read_unit(const CellEntry& entry) {
+  try {
+    return workloads::find_unit(entry.text());
+  } catch (const std::invalid_argument& error) {
+    entry.bad(error.what());
+  }
+}
 
 Solid read_solid(const CellEntry& entry, const SolidContext& context) {
   if (const auto name = entry.find("name")) name->bad("only whole parts have names");

@@ -17,6 +17,9 @@ struct SolidContext {
       packages{};  ///< folders in which `package://NAME/...` is looked for, the first first
 };
 
+/// Reads the name of a unit of length. Throws BadCell.
+[[nodiscard]] workloads::Unit read_unit(const CellEntry& entry);
+
 /// Reads a solid: an object with one of these keys,
 ///   "box":          {"from": [x, y, z], "to": [x, y, z]}, opposite corners, each coordinate of `from` the lesser;
 ///   "cylinder":     {"from": [x, y, z], "to": [x, y, z], "radius": r, "sides": n}, ends that differ in one coordinate;

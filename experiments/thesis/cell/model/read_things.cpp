@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -81,10 +82,10 @@ Zone::Face read_face(const CellEntry& entry) {
   return face;
 }
 
-Zone::Cuboid read_cuboid(const CellEntry& entry) {
+Eigen::AlignedBox3d read_cuboid(const CellEntry& entry) {
   entry.has_only({"from", "to"});
-  const Zone::Cuboid box{entry.at("from").point(), entry.at("to").point()};
-  if (!(box.lower.array() < box.upper.array()).all()) entry.bad("\"from\" must be less than \"to\" in each coordinate");
+  const Eigen::AlignedBox3d box(entry.at("from").point(), entry.at("to").point());
+  if (!(box.min().array() < box.max().array()).all()) entry.bad("\"from\" must be less than \"to\" in each coordinate");
   return box;
 }
 
@@ -131,6 +132,13 @@ struct Given {
   CellEntry entry;
   std::string name;
   bool listed;
+
+  /// Throws BadCell unless it has these keys only or, if it is listed, also the first ones.
+  void has_only(std::vector<std::string_view> if_listed, const std::vector<std::string_view>& keys) const {
+    if (!listed) if_listed.clear();
+    if_listed.insert(if_listed.end(), keys.begin(), keys.end());
+    entry.has_only(if_listed);
+  }
 };
 
 std::vector<Given> given(const CellEntry& whole, const std::string& one, const std::string& several) {
@@ -158,11 +166,8 @@ std::size_t meant(const CellEntry& entry, const std::string& key, const std::vec
 Plant::PlacedRobot read_placed(const Given& thing, const CellEntry& whole, const std::filesystem::path& folder,
                                const SolidContext& context) {
   const CellEntry& entry = thing.entry;
-  if (thing.listed)
-    entry.has_only({"name", "place", "turn", "gripper", "urdf", "height", "home", "speeds", "sides", "coupling",
-                    "links", "packages"});
-  else
-    entry.has_only({"urdf", "height", "home", "speeds", "sides", "coupling", "links", "packages"});
+  thing.has_only({"name", "place", "turn", "gripper"},
+                 {"urdf", "height", "home", "speeds", "sides", "coupling", "links", "packages"});
   Plant::PlacedRobot placed{thing.name, {}, 0, read_robot(entry, folder, context), {}};
   placed.gripper = read_gripper(thing.listed ? entry.at("gripper") : whole.at("gripper"), context);
   if (const auto place = entry.find("place")) placed.frame.translation.head<2>() = place->point2();
@@ -172,10 +177,7 @@ Plant::PlacedRobot read_placed(const Given& thing, const CellEntry& whole, const
 }
 
 Plant::PlacedStation read_placed(const Given& thing, const std::vector<Given>& robots, const SolidContext& context) {
-  if (thing.listed)
-    thing.entry.has_only({"name", "home", "angle", "radius", "height", "slots", "parts", "stand", "about", "turn"});
-  else
-    thing.entry.has_only({"home", "angle", "radius", "height", "slots", "parts", "stand", "about", "turn"});
+  thing.has_only({"name"}, {"home", "angle", "radius", "height", "slots", "parts", "stand", "about", "turn"});
   return {read_station(thing.entry, thing.name, context),
           thing.entry.find("about") ? meant(thing.entry, "about", robots) : 0};
 }
@@ -186,10 +188,7 @@ struct Handlers {
 
 Plant::Piece read_piece(const Given& thing, const Plant& plant, const Handlers& by, const SolidContext& context) {
   const CellEntry& entry = thing.entry;
-  if (thing.listed)
-    entry.has_only({"name", "robot", "storage", "machine", "solid", "slot", "machine_slot", "drop", "tolerance"});
-  else
-    entry.has_only({"robot", "storage", "machine", "solid", "slot", "machine_slot", "drop", "tolerance"});
+  thing.has_only({"name"}, {"robot", "storage", "machine", "solid", "slot", "machine_slot", "drop", "tolerance"});
   Plant::Piece piece{thing.name,
                      entry.path(),
                      {},

@@ -133,6 +133,14 @@ double SolidFaces::off_plane() const {
   return largest;
 }
 
+Eigen::Vector3d doubled_area(const Polygon& polygon) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d origin = polygon.vertex(0);
+  for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
+    sum += (polygon.vertex(i) - origin).cross(polygon.vertex(polygon.next(i)) - origin);
+  return sum;
+}
+
 SolidFaces faces_of(const Solid& solid, const std::string& name) {
   if (const auto* const file = std::get_if<MeshFile>(&solid.shape)) return faces_of_mesh(*file, solid.pose, name);
   try {

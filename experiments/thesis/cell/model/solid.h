@@ -3,8 +3,11 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -98,6 +101,26 @@ struct SolidFaces {
   [[nodiscard]] std::size_t vertices() const;  ///< summed over the faces
   [[nodiscard]] std::size_t holes() const;
   [[nodiscard]] double off_plane() const;  ///< the largest over the faces
+};
+
+/// Returns twice the area of a polygon's outer loop, as a vector that points where it is counter-clockwise from. In
+/// doubles.
+[[nodiscard]] Eigen::Vector3d doubled_area(const Polygon& polygon);
+
+/// Points without duplicates, numbered in order of first use.
+class NumberedPoints {
+ public:
+  [[nodiscard]] std::uint32_t number(const Eigen::Vector3d& point) {
+    const auto [found, is_new] =
+        numbers_.try_emplace({point.x(), point.y(), point.z()}, static_cast<std::uint32_t>(points.size()));
+    if (is_new) points.push_back(point);
+    return found->second;
+  }
+
+  std::vector<Eigen::Vector3d> points;
+
+ private:
+  std::map<std::array<double, 3>, std::uint32_t> numbers_;
 };
 
 /// Returns the faces that bound the solid. Evaluates boxes, cylinders and their Booleans exactly, rounds every vertex

@@ -35,45 +35,11 @@ run::Table<LeastRow> separation_csv() {
            {"seconds", "when that is, with every joint at its greatest speed", &LeastRow::seconds, "{:.4f}"}}};
 }
 
-struct DistanceRow {
-  std::size_t stop;
-  std::optional<double> seconds;
-  Mover mover;
-  std::string_view element;
-  const NearestElement* nearest;
-};
-
-run::Table<DistanceRow> distances_csv() {
-  return {"distances.csv",
-          "a thing that moves, at a stop",
-          {{"stop", "the stop", &DistanceRow::stop},
-           {"seconds", "when that is, with every joint at its greatest speed", &DistanceRow::seconds, "{:.4f}"},
-           {"mover", "arm, held material or sphere", &DistanceRow::mover},
-           {"distance", "from the nearest element at the stop",
-            [](const DistanceRow& row) { return row.nearest->here; }, "{:.6f}"},
-           {"element", "that element", &DistanceRow::element},
-           {"way_low", "the least on the way from the stop before: a proved lower bound",
-            [](const DistanceRow& row) { return row.nearest->bounds.lower; }, "{:.6f}"},
-           {"way_high", "the least that is attained there",
-            [](const DistanceRow& row) { return row.nearest->bounds.upper; }, "{:.6f}"}}};
-}
-
 std::vector<LeastRow> least_rows(const Workcell& workcell, const Process& process, const Separation& separation) {
   const std::vector<double> times = times_of(workcell.arm(), process);
   std::vector<LeastRow> rows;
   for (const LeastDistance& least : separation.least)
     rows.push_back({&least, when(times, workcell.arm(), process, least.stop, least.degrees)});
-  return rows;
-}
-
-std::vector<DistanceRow> distance_rows(const Workcell& workcell, const Process& process, const Separation& separation) {
-  const std::vector<double> times = times_of(workcell.arm(), process);
-  std::vector<DistanceRow> rows;
-  for (std::size_t stop = 0; stop < process.stops.size(); ++stop)
-    for (const Mover mover : kMovers)
-      if (const auto& nearest = separation.nearest[static_cast<std::size_t>(mover)][stop])
-        rows.push_back({stop, times.empty() ? std::nullopt : std::optional(times[stop]), mover,
-                        separation.elements[nearest->element], &*nearest});
   return rows;
 }
 
@@ -135,12 +101,9 @@ std::string separation_text(const Workcell& workcell, const Process& process, co
 void write_separation(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
                       const Separation& separation) {
   separation_csv().write(folder, least_rows(workcell, process, separation));
-  distances_csv().write(folder, distance_rows(workcell, process, separation));
 }
 
-std::vector<run::TableDescription> separation_tables() {
-  return {separation_csv().description(), distances_csv().description()};
-}
+run::TableDescription separation_table() { return separation_csv().description(); }
 
 std::string triggers_text(const Workcell& workcell, const Process& process) {
   if (workcell.cell().zones.empty()) return "";

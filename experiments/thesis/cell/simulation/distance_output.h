@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "experiments/run/table.h"
 #include "experiments/thesis/cell/simulation/process.h"
@@ -15,12 +14,11 @@ namespace touchstone::cell {
 [[nodiscard]] std::string separation_text(const Workcell& workcell, const Process& process,
                                           const Separation& separation);
 
-/// Writes separation.csv, a line for each mover and element, and distances.csv, a line for each mover and stop. Throws
-/// std::runtime_error if a file cannot be written.
+/// Writes separation.csv, a line for each mover and element. Throws std::runtime_error if it cannot be written.
 void write_separation(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
                       const Separation& separation);
 
-[[nodiscard]] std::vector<run::TableDescription> separation_tables();
+[[nodiscard]] run::TableDescription separation_table();
 
 /// Returns what came into virtual objects, one line each; nothing if the cell has none.
 [[nodiscard]] std::string triggers_text(const Workcell& workcell, const Process& process);

@@ -65,6 +65,7 @@ bool by_halves(const Clearance& part, const Judge& judge, const Measure& measure
 }
 
 constexpr double kFinest = 1.0 / 64;  ///< of a step: how finely a turn is searched for contact
+constexpr double kAhead = 8;          ///< the number of steps that are skipped where a distance allows it
 
 /// Returns the first angle from which on two bodies may touch; none if they do not touch on all of the part. Guarantee:
 /// they do not touch at an earlier angle. It may name a miss by `finest` times `rate` and by what the measured bounds

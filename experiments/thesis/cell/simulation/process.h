@@ -139,6 +139,10 @@ struct Process {
   [[nodiscard]] const MaterialTransfer& holding(std::size_t stop) const;
   /// Returns the sum of a joint's moves in a phase.
   [[nodiscard]] double turned(Moved joint, Phase phase) const;
+  /// Returns the sum of a joint's moves up to the machine.
+  [[nodiscard]] double net(Moved joint) const {
+    return turned(joint, Phase::ToStorage) + turned(joint, Phase::ToMachine);
+  }
 };
 
 /// How much of the process is simulated, and by which tests.

@@ -4,10 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <set>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "experiments/cases/output_lines.h"
@@ -72,48 +69,6 @@ run::Table<MoveRow> moves_csv() {
         [](const MoveRow& row) { return row.move->wrong ? row.move->wrong->early : std::nullopt; }},
        {"gap", "between the sphere and its target at a wrong stop",
         [](const MoveRow& row) { return row.move->wrong ? std::optional(row.move->wrong->gap) : std::nullopt; }}}};
-}
-
-struct VertexRow {
-  std::optional<std::size_t> stop;
-  std::string_view part;
-  Eigen::Vector3d at;
-};
-
-const run::Table<VertexRow>& poses_csv() {
-  constexpr const char* kFormat = "{:.9f}";
-  static const run::Table<VertexRow> table(
-      "poses.csv", "a vertex of the gripper, of the material or of what stands",
-      {{"stop", "the stop; empty for what stands", &VertexRow::stop},
-       {"part", "the part", &VertexRow::part},
-       {"x", "the vertex, in the cell", [](const VertexRow& row) { return row.at.x(); }, kFormat},
-       {"y", "the same", [](const VertexRow& row) { return row.at.y(); }, kFormat},
-       {"z", "the same", [](const VertexRow& row) { return row.at.z(); }, kFormat}});
-  return table;
-}
-
-/// Each vertex once for each part, in order of first use.
-std::vector<VertexRow> vertices_of(const Workcell& workcell, const std::vector<NamedTriangle>& triangles) {
-  std::vector<VertexRow> rows;
-  std::set<std::tuple<std::uint32_t, double, double, double>> seen;
-  for (const auto& [triangle, owner] : triangles)
-    for (const Eigen::Vector3d& vertex : {triangle.a, triangle.b, triangle.c})
-      if (seen.insert({owner, vertex.x(), vertex.y(), vertex.z()}).second)
-        rows.push_back({{}, workcell.names()[owner], vertex});
-  return rows;
-}
-
-std::vector<VertexRow> pose_rows(const Workcell& workcell, const Process& process) {
-  std::vector<VertexRow> rows = vertices_of(workcell, workcell.standing_triangles());
-  const auto gripper = vertices_of(workcell, workcell.gripper()), material = vertices_of(workcell, workcell.material());
-  for (std::size_t i = 0; i < process.stops.size(); ++i) {
-    const Pose flange = workcell.arm().link_poses(process.stops[i].commanded).back();
-    const MaterialTransfer& last = process.holding(i);
-    const Pose lies = last.slot ? workcell.at(*last.slot).pose : within(flange, *last.in_flange);
-    for (const auto& [vertices, pose] : {std::pair(&gripper, &flange), std::pair(&material, &lies)})
-      for (const VertexRow& vertex : *vertices) rows.push_back({i, vertex.part, *pose * vertex.at});
-  }
-  return rows;
 }
 
 struct StopRow {
@@ -215,31 +170,6 @@ std::vector<ScoreRow> score_rows(const MethodComparison& comparison) {
   return rows;
 }
 
-std::string trajectory_json(const Workcell& workcell, const Process& process) {
-  using Json = nlohmann::ordered_json;
-  Json joints = Json::array(), stops = Json::array();
-  for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
-  for (std::size_t i = 0; i < process.stops.size(); ++i) {
-    const Stop& stop = process.stops[i];
-    const Move* move = move_of(process, i);
-    const Eigen::Vector3d& at = stop.sphere.center;
-    stops.push_back({{"phase", move ? to_string(move->phase) : "home"},
-                     {"joint", move ? Json(joint_name(workcell, move->joint)) : Json()},
-                     {"angles", stop.commanded},
-                     {"sphere", {at.x(), at.y(), at.z()}},
-                     {"target", stop.target ? Json(to_string(*stop.target)) : Json()},
-                     {"touched", stop.touched ? Json(*stop.touched) : Json()},
-                     {"material", holder(process, i)}});
-  }
-  const Json whole{{"cell", workcell.cell().name},
-                   {"unit", workcell.cell().unit.name},
-                   {"joints", joints},
-                   {"radius", workcell.arm().sphere.radius},
-                   {"failure", process.failure.empty() ? Json() : Json(process.failure)},
-                   {"stops", stops}};
-  return whole.dump(1) + "\n";
-}
-
 std::string disagreements_text(const MethodComparison& comparison, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(most, comparison.disagreements.size()); ++i) {
@@ -290,8 +220,6 @@ void write_run(const std::filesystem::path& folder, const Workcell& workcell, co
   for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
   moves_csv().write(folder, move_rows(workcell, process));
   trajectory_csv(joints).write(folder, stop_rows(workcell, process));
-  poses_csv().write(folder, pose_rows(workcell, process));
-  run::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
   write_separation(folder, workcell, process, separation);
   write_triggers(folder, workcell, process);
   methods_csv().write(folder, score_rows(comparison));
@@ -300,13 +228,9 @@ void write_run(const std::filesystem::path& folder, const Workcell& workcell, co
 }
 
 std::vector<run::TableDescription> run_tables() {
-  std::vector<run::TableDescription> tables{moves_csv().description(), trajectory_csv({"<joint>"}).description(),
-                                            poses_csv().description()};
-  for (run::TableDescription& table : separation_tables()) tables.push_back(std::move(table));
-  tables.push_back(triggers_table());
-  tables.push_back(methods_csv().description());
-  tables.push_back(near_csv().description());
-  return tables;
+  return {moves_csv().description(),   trajectory_csv({"<joint>"}).description(),
+          separation_table(),          triggers_table(),
+          methods_csv().description(), near_csv().description()};
 }
 
 }  // namespace touchstone::cell

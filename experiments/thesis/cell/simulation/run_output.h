@@ -19,11 +19,9 @@ namespace touchstone::cell {
 
 /// Writes the results of a run:
 ///  - moves.csv: one line per move, with its certified contact;
-///  - trajectory.csv and trajectory.json: every stop: phase, joint that moves, all joints' angles, the sphere, the face
-///    that it touches, the place of the material;
-///  - poses.csv: the vertices of what stands, and of gripper and material at every stop;
-///  - separation.csv: the least distance of arm, held material and sphere from every element; distances.csv: from the
-///    nearest one at every stop, and on the way to it;
+///  - trajectory.csv: every stop: phase, joint that moves, all joints' angles, the sphere, the face that it touches,
+///    the place of the material;
+///  - separation.csv: the least distance of arm, held material and sphere from every element;
 ///  - triggers.csv: what comes into virtual objects;
 ///  - methods.csv: one line per method;
 ///  - near.csv: how near the questions come to contact;

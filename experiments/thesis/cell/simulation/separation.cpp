@@ -15,7 +15,6 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTolerance = 2e-4;  // of the arm's reach
 constexpr double kShare = 0.1;       // of a distance, between stops
-constexpr double kAhead = 8;         // the number of steps that are skipped where a distance allows it
 
 std::size_t index(Mover mover) { return static_cast<std::size_t>(mover); }
 
@@ -23,6 +22,8 @@ struct Element {
   std::string name;
   TriangleTree triangles;
   std::optional<StationSlot> slot;  ///< of material
+
+  [[nodiscard]] bool is_there(const MaterialTransfer& state) const { return !slot || slot == state.slot; }
 };
 
 /// What is known of a stretch: at each stop the arm's links and lower bounds by part and element, and the way to the
@@ -84,12 +85,6 @@ class Measurement {
   [[nodiscard]] Best& best_of(Mover mover, std::size_t element) {
     return best_[index(mover) * elements_.size() + element];
   }
-  [[nodiscard]] static bool is_there(const MovingPart& part, const MaterialTransfer& state) {
-    return part.is_there(state);
-  }
-  [[nodiscard]] static bool is_there(const Element& element, const MaterialTransfer& state) {
-    return !element.slot || element.slot == state.slot;
-  }
 
   /// A part's distance from an element with the arm at these links; `stop` and `degrees` say where that is.
   DistanceBounds measure(std::size_t p, std::size_t e, const std::vector<Pose>& links, const MaterialTransfer& state,
@@ -123,8 +118,8 @@ class Measurement {
       std::array<std::size_t, kMovers.size()> element{};
       std::vector<std::size_t> order;
       for (std::size_t i = 0; i < pairs; ++i)
-        if (is_there(parts_[i / elements_.size()], *stretch.state) &&
-            is_there(elements_[i % elements_.size()], *stretch.state))
+        if (parts_[i / elements_.size()].is_there(*stretch.state) &&
+            elements_[i % elements_.size()].is_there(*stretch.state))
           order.push_back(i);
       std::ranges::sort(order, {}, [&](std::size_t i) { return lower[i]; });
       for (const std::size_t i : order) {
@@ -197,7 +192,7 @@ class Measurement {
     const Stretch& stretch = measured.stretch;
     for (std::size_t i = 0; i < parts_.size() * elements_.size(); ++i) {  // a stretch may be a single stop
       const std::size_t p = i / elements_.size(), e = i % elements_.size();
-      if (!is_there(parts_[p], *stretch.state) || !is_there(elements_[e], *stretch.state)) continue;
+      if (!parts_[p].is_there(*stretch.state) || !elements_[e].is_there(*stretch.state)) continue;
       Best& best = best_of(parts_[p].mover, e);
       best.bounds.lower = std::min({best.bounds.lower, best.bounds.upper, measured.lower.front()[i]});
     }
@@ -209,11 +204,11 @@ class Measurement {
       const std::vector<Pose>& links = measured.links[number];
       const auto &before = measured.lower[number], &after = measured.lower[number + 1];
       for (std::size_t p = 0; p < parts_.size(); ++p) {
-        if (!is_there(parts_[p], *stretch.state)) continue;
+        if (!parts_[p].is_there(*stretch.state)) continue;
         auto& nearest = *nearest_[index(parts_[p].mover)][stop + 1];
         nearest.bounds.upper = std::min(nearest.bounds.upper, nearest_[index(parts_[p].mover)][stop]->here);
         for (std::size_t e = 0; e < elements_.size(); ++e) {
-          if (!is_there(elements_[e], *stretch.state)) continue;
+          if (!elements_[e].is_there(*stretch.state)) continue;
           Best& best = best_of(parts_[p].mover, e);
           const std::size_t i = p * elements_.size() + e;
           Way over{p,

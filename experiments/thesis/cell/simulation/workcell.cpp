@@ -49,7 +49,8 @@ Workplace workplace(const Station& station, const Slot& slot, const scene::Faces
   place.pose = {frame.rotation, frame * slot.place};
   place.faces = posed(place.pose, material);
   place.drop = drop;
-  place.virtual_faces = posed({place.pose.rotation, place.pose.translation + Eigen::Vector3d(0, 0, drop)}, material);
+  place.virtual_pose = {frame.rotation, place.pose.translation + Eigen::Vector3d(0, 0, drop)};
+  place.virtual_faces = posed(place.virtual_pose, material);
   const Eigen::AlignedBox3d box = box_along(place.faces, place.azimuth);
   place.bottom = box.min().z();
   place.top = box.max().z();

@@ -31,7 +31,7 @@ struct Workplace {
   double drop;         ///< of its virtual copy above it
   double left,
       right;  ///< of the material, from the plane of the arm that faces it: counter-clockwise is left; left >= right
-  Pose pose;  ///< of the material
+  Pose pose, virtual_pose;     ///< of the material, and of its virtual copy
   scene::Faces faces;          ///< of the material
   scene::Faces virtual_faces;  ///< of its virtual copy, `drop` above it
 };

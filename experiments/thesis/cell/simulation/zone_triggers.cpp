@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +22,7 @@ namespace {
 struct Posed {
   TriangleTree triangles;
   double radius = 0;
-  std::optional<Zone::Cuboid> box;
+  std::optional<Eigen::AlignedBox3d> box;
   Pose to_zone;
 };
 
@@ -35,15 +36,13 @@ struct Shaper {
       fan.push_back({{at(face.corners[0]), at(face.corners[i]), at(face.corners[i + 1])}, 0});
     return {TriangleTree(std::move(fan)), 0, {}, {}};
   }
-  Posed operator()(const Zone::Cuboid& box) const {
+  Posed operator()(const Eigen::AlignedBox3d& box) const {
     std::vector<NamedTriangle> sides;
-    const auto corner = [&](unsigned bits) {
-      Eigen::Vector3d p;
-      for (int i = 0; i < 3; ++i) p[i] = ((bits >> i) & 1U) != 0 ? box.upper[i] : box.lower[i];
-      return at(p);
+    const auto corner = [&](int number) {
+      return at(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(number)));
     };
     for (const auto& [a, b, c, d] :
-         {std::array<unsigned, 4>{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}) {
+         {std::array{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}) {
       sides.push_back({{corner(a), corner(b), corner(c)}, 0});
       sides.push_back({{corner(a), corner(c), corner(d)}, 0});
     }
@@ -85,10 +84,8 @@ class Watch {
   [[nodiscard]] bool within_box(const Pose& pose) const {
     if (!zone_.box) return false;
     const Pose in_zone = within(zone_.to_zone, pose);
-    return part_.triangles.any([&](const NamedTriangle& each) {
-      const Eigen::Vector3d p = in_zone * each.triangle.a;
-      return (p.array() >= zone_.box->lower.array()).all() && (p.array() <= zone_.box->upper.array()).all();
-    });
+    return part_.triangles.any(
+        [&](const NamedTriangle& each) { return zone_.box->contains(Eigen::Vector3d(in_zone * each.triangle.a)); });
   }
 
   const Workcell& cell_;
@@ -137,7 +134,6 @@ std::vector<Trigger> triggers_of(const Workcell& cell, const Process& process, c
     std::vector<double> apart(parts.size(), 0);
     std::vector<Pose> links = cell.arm().link_poses(process.stops[stretch.first].commanded);
     const auto measured = [&](std::size_t p, double known, double moved) {
-      constexpr double kAhead = 8;  // the number of steps that are skipped where a distance allows it
       return known > moved ? known : Watch(cell, parts[p], zone).apart(links, *stretch.state, kAhead * moved + 1e-9);
     };
     for (std::size_t p = 0; p < parts.size(); ++p) {

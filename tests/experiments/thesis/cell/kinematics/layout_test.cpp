@@ -178,10 +178,6 @@ TEST(SphereArm, AgreesWithTheChain) {
           const Reach reach = arm.reach({shoulder, elbow});
           EXPECT_NEAR(reach.out, center.x(), 1e-11);
           EXPECT_NEAR(reach.up, center.z(), 1e-11);
-          const auto back = arm.inverse(reach);
-          ASSERT_TRUE(back.has_value());
-          EXPECT_NEAR(arm.reach(*back).out, reach.out, 1e-9);
-          EXPECT_NEAR(back->shoulder, shoulder, 1e-9);
         }
     }
 }

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +33,6 @@ TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.out.find("to-machine       shoulder        +28  contact  at +27.492"), std::string::npos) << ran.out;
   const auto lines = [](const std::string& s) { return std::count(s.begin(), s.end(), '\n'); };
-  EXPECT_EQ(lines(text("trajectory.csv")), 1 + 603);
   EXPECT_EQ(lines(text("moves.csv")), 1 + 15);
   EXPECT_NE(text("moves.csv").find("\n2,to-storage,base,contact,-149,-148.498862,2.4833,0.498862,148.49"),
             std::string::npos)
@@ -40,12 +40,16 @@ TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {
   EXPECT_EQ(text("methods.csv").substr(0, 60), "method,asked,wrong_hits,wrong_misses,unsure,stops,share_low,");
   EXPECT_EQ(text("near.csv").substr(0, 24), "exponent,near,questions\n");
   EXPECT_EQ(lines(text("near.csv")), 1 + 61);
-  const auto trajectory = nlohmann::json::parse(text("trajectory.json"));
-  ASSERT_EQ(trajectory["stops"].size(), 603U);
-  EXPECT_EQ(trajectory["stops"][152]["material"], "storage");
-  EXPECT_EQ(trajectory["stops"][152]["touched"], 3);
-  EXPECT_EQ(trajectory["stops"][153]["material"], "gripper");
-  EXPECT_EQ(trajectory["stops"][602]["angles"], trajectory["stops"][0]["angles"]);
+  std::istringstream stream(text("trajectory.csv"));
+  std::vector<std::string> stops;
+  for (std::string line; std::getline(stream, line);) stops.push_back(line);
+  ASSERT_EQ(stops.size(), 1U + 603U);
+  EXPECT_TRUE(stops[1 + 152].ends_with(",3,storage")) << stops[1 + 152];
+  EXPECT_TRUE(stops[1 + 153].ends_with(",gripper")) << stops[1 + 153];
+  const auto angles = [&](std::size_t stop) {
+    return std::regex_replace(stops[1 + stop], std::regex("^(?:[^,]*,){3}((?:[^,]*,){6}).*"), "$1");
+  };
+  EXPECT_EQ(angles(602), angles(0));
   EXPECT_NE(text("run.json").find("touchstone cell run "), std::string::npos);
 }
 
