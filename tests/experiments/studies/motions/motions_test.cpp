@@ -107,34 +107,24 @@ TEST(Threshold, IsMovedBySharesOfTheExtent) {
 }
 
 /// The answers of `exact`, changed.
-class Changed : public cases::Method {
- public:
-  using Change = void (*)(PartialAnswer&, const Motion&);
-  explicit Changed(Change change) : change_(change) {}
-  std::string_view name() const override { return "changed"; }
-  std::string_view summary() const override { return "exact, changed"; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    struct Prepared : cases::PreparedMethod {
-      Prepared(const Polygon& p, Change c) : polygon(p), change(c) {}
-      PartialAnswer ask(const Ball&, cases::QueryKind) const override { return {}; }
-      std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
-        auto answer = PartialAnswer::of(exact::first_contact(motion, polygon), 0, "");
-        change(answer, motion);
-        return answer;
-      }
-      Polygon polygon;
-      Change change;
-    };
-    return std::make_unique<Prepared>(polygon, change_);
+using Change = void (*)(PartialAnswer&, const Motion&);
+struct PreparedChanged : cases::PreparedMethod {
+  PreparedChanged(const Polygon& p, Change c) : polygon(p), change(c) {}
+  PartialAnswer ask(const Ball&, cases::QueryKind) const override { return {}; }
+  std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
+    auto answer = PartialAnswer::of(exact::first_contact(motion, polygon), 0, "");
+    change(answer, motion);
+    return answer;
   }
-
- private:
-  Change change_;
+  Polygon polygon;
+  Change change;
 };
 
 /// Returns all results about the changed method.
-MethodErrors measured(Changed::Change change, std::uint64_t samples = 2) {
-  const Changed method(change);
+MethodErrors measured(Change change, std::uint64_t samples = 2) {
+  const cases::Method method("changed", "exact, changed", [change](const Polygon& polygon) {
+    return std::make_unique<PreparedChanged>(polygon, change);
+  });
   const Settings settings{.methods = {&method}, .vertices = 6, .samples = samples, .seed = 2};
   Errors errors = no_errors(settings);
   measure_errors(settings, {kNeverStop, kSilent}, errors);

@@ -253,11 +253,8 @@ class WrongTruth : public cases::Method {
     std::unique_ptr<cases::PreparedMethod> exact_;
   };
 
-  std::string_view name() const override { return "wrong"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(polygon);
-  }
+ public:
+  WrongTruth() : Method("wrong", "", [](const Polygon& polygon) { return std::make_unique<Prepared>(polygon); }) {}
 };
 
 // Asked about failures, a method that is right shows every error of the truth; the case is told as the judge reads it.

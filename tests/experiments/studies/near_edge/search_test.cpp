@@ -54,10 +54,6 @@ std::size_t stratum(Family family, cases::Threshold threshold) {
 
 /// `exact`, but wrong where the radius is from `low` to `high` sizes above the distance.
 class WrongWithin : public cases::Method {
- public:
-  WrongWithin(double low, double high) : low_(low), high_(high) {}
-
- private:
   class Prepared : public cases::PreparedMethod {
    public:
     Prepared(const Polygon& polygon, double low, double high)
@@ -74,13 +70,11 @@ class WrongWithin : public cases::Method {
     Polygon polygon_;
     double size_, low_, high_;
   };
-  std::string_view name() const override { return "wrong-within"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(polygon, low_, high_);
-  }
 
-  double low_, high_;
+ public:
+  WrongWithin(double low, double high)
+      : Method("wrong-within", "",
+               [=](const Polygon& polygon) { return std::make_unique<Prepared>(polygon, low, high); }) {}
 };
 
 // Wrong between 2^-41 and 1.7 x 2^-20 of the size, right at the threshold itself: bisection from there finds nothing.
@@ -89,8 +83,8 @@ TEST(WrongReach, IsFoundWhereItDoesNotBeginAtTheThreshold) {
   ASSERT_TRUE(at);
   const double high = 1.7 * 0x1p-20;
   const WrongWithin wrong(0x1p-41, high);
-  const WrongReach reach = wrong_reach(*at, *static_cast<const cases::Method&>(wrong).prepare(at->polygon), true,
-                                       *method("filtered").prepare(at->polygon));
+  const WrongReach reach =
+      wrong_reach(*at, *wrong.prepare(at->polygon), true, *method("filtered").prepare(at->polygon));
   for (std::size_t k = 0; k <= kMostExponent; ++k) {
     if (k == 41) continue;  // rounding decides
     EXPECT_EQ(reach.wrong[k], k >= 20 && k < 41) << k;

@@ -38,29 +38,24 @@ using run_tests::kSilent;
 class Planted : public cases::Method {
  public:
   using Change = std::function<PartialAnswer(PartialAnswer, QueryKind)>;
-  explicit Planted(Change change) : change_(std::move(change)) {}
-
-  std::string_view name() const override { return "planted"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(methods::find_method("filtered")->prepare(polygon), change_);
-  }
+  explicit Planted(const Change& change)
+      : Method("planted", "", [change](const Polygon& polygon) {
+          return std::make_unique<Prepared>(methods::find_method("filtered")->prepare(polygon), change);
+        }) {}
 
  private:
   class Prepared : public cases::PreparedMethod {
    public:
-    Prepared(std::unique_ptr<cases::PreparedMethod> right, const Change& change)
-        : right_(std::move(right)), change_(change) {}
+    Prepared(std::unique_ptr<cases::PreparedMethod> right, Change change)
+        : right_(std::move(right)), change_(std::move(change)) {}
     PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
       return change_(right_->ask(ball, kind), kind);
     }
 
    private:
     std::unique_ptr<cases::PreparedMethod> right_;
-    const Change& change_;
+    Change change_;
   };
-
-  Change change_;
 };
 
 /// The failures of one method with that test, over levels and nearness.

@@ -43,12 +43,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 class Changed final : public cases::Method {
  public:
   using Change = std::function<PartialAnswer(const cases::PreparedMethod& exact, const Ball&, QueryKind)>;
-  explicit Changed(Change change) : change_(std::move(change)) {}
-  std::string_view name() const override { return "changed"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(methods::find_method("exact")->prepare(polygon), change_);
-  }
+  explicit Changed(const Change& change)
+      : Method("changed", "", [change](const Polygon& polygon) {
+          return std::make_unique<Prepared>(methods::find_method("exact")->prepare(polygon), change);
+        }) {}
 
  private:
   class Prepared final : public cases::PreparedMethod {
@@ -61,7 +59,6 @@ class Changed final : public cases::Method {
     std::unique_ptr<cases::PreparedMethod> exact_;
     Change change_;
   };
-  Change change_;
 };
 
 /// What one method did in all strata of a placement whose threshold is crossed by the radius.
