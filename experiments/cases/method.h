@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -71,15 +74,28 @@ class PreparedMethod {
 /// Requires polygons that `exact::validate` accepts, and balls and motions for which `find_fault` finds nothing.
 class Method {
  public:
-  virtual ~Method() = default;
-  [[nodiscard]] virtual std::string_view name() const = 0;
-  [[nodiscard]] virtual std::string_view summary() const = 0;  ///< one line
-  /// Returns whether a query takes tens of microseconds. Studies may ask such a method fewer queries.
-  [[nodiscard]] virtual bool slow() const { return false; }
-  /// Returns whether a program behind a pipe answers: its times include JSON, the pipe and two changes of process, and
-  /// each of its answers has all keys that it computes, whatever the query.
-  [[nodiscard]] virtual bool through_pipe() const { return false; }
-  [[nodiscard]] virtual std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const = 0;
+  using Prepare = std::function<std::unique_ptr<PreparedMethod>(const Polygon& polygon)>;
+  enum class Kind {
+    Usual,
+    Slow,  ///< a query takes tens of microseconds; studies may ask such a method fewer queries
+    Pipe,  ///< a program behind a pipe answers: its times include JSON, the pipe and two changes of process, and each of
+           ///< its answers has all keys that it computes, whatever the query
+  };
+
+  /// `summary`: one line. `prepare`: several threads may call it at once.
+  Method(std::string name, std::string summary, Prepare prepare, Kind kind = Kind::Usual)
+      : name_(std::move(name)), summary_(std::move(summary)), prepare_(std::move(prepare)), kind_(kind) {}
+
+  [[nodiscard]] std::string_view name() const { return name_; }
+  [[nodiscard]] std::string_view summary() const { return summary_; }
+  [[nodiscard]] bool slow() const { return kind_ == Kind::Slow; }
+  [[nodiscard]] bool through_pipe() const { return kind_ == Kind::Pipe; }
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const { return prepare_(polygon); }
+
+ private:
+  std::string name_, summary_;
+  Prepare prepare_;
+  Kind kind_;
 };
 
 }  // namespace touchstone::cases

@@ -215,20 +215,12 @@ class PreparedKernel final : public PreparedMethod {
 };
 
 template <class Kernel, class Numbers>
-class KernelMethod final : public Method {
- public:
-  KernelMethod(std::string_view name, std::string_view stage, std::string_view summary)
-      : name_(name), stage_(stage), summary_(summary) {}
-  std::string_view name() const override { return name_; }
-  std::string_view summary() const override { return summary_; }
-  bool slow() const override { return !std::is_floating_point_v<typename Kernel::FT>; }
-  std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<PreparedKernel<Kernel, Numbers>>(polygon, stage_);
-  }
-
- private:
-  std::string_view name_, stage_, summary_;
-};
+std::unique_ptr<Method> kernel_method(const char* name, const char* stage, const char* summary) {
+  return std::make_unique<Method>(
+      name, summary,
+      [stage](const Polygon& polygon) { return std::make_unique<PreparedKernel<Kernel, Numbers>>(polygon, stage); },
+      std::is_floating_point_v<typename Kernel::FT> ? Method::Kind::Usual : Method::Kind::Slow);
+}
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -254,11 +246,11 @@ struct ExactNumbers {
 }  // namespace
 
 void add_cgal_kernels(MethodList& list) {
-  list.push_back(std::make_unique<KernelMethod<CGAL::Simple_cartesian<double>, Doubles>>(
+  list.push_back(kernel_method<CGAL::Simple_cartesian<double>, Doubles>(
       "cgal-double", "double", "CGAL's kernel of plain doubles, as its users write; loops are not lifted"));
-  list.push_back(std::make_unique<KernelMethod<Epick, Doubles>>(
+  list.push_back(kernel_method<Epick, Doubles>(
       "cgal-epick", "epick", "the same over EPICK: exact predicates of rounded planes, feet and squared radii"));
-  list.push_back(std::make_unique<KernelMethod<Epeck, ExactNumbers>>(
+  list.push_back(kernel_method<Epeck, ExactNumbers>(
       "cgal-epeck", "epeck", "the same over EPECK: exact, and lifted; its numbers are lazy rationals"));
 }
 

@@ -5,9 +5,9 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
-#include "experiments/methods/add_methods.h"
-#include "experiments/methods/fast_method.h"
+#include "experiments/methods/own_functions.h"
 #include "geometry/contact/detail/fast_motion_definitions.h"
+#include "geometry/contact/fast.h"
 
 namespace touchstone::methods {
 namespace {
@@ -27,12 +27,12 @@ static_assert(std::numeric_limits<Mpfr<30>>::digits == 101 && std::numeric_limit
 // rounded. The range is that of double. QD assumes rounding to nearest; x87 would also need fpu_fix_start, but
 // FLT_EVAL_METHOD is 0.
 void add_fast_wide(MethodList& list) {
-  list.push_back(std::make_unique<Fast<dd_real>>("fast-double-double", "double-double",
-                                                 "the code of fast over double-doubles (QD), 104 bits"));
-  list.push_back(
-      std::make_unique<Fast<Mpfr<30>>>("fast-mpfr-101", "mpfr", "the code of fast over MPFR numbers of 101 bits"));
-  list.push_back(
-      std::make_unique<Fast<Mpfr<60>>>("fast-mpfr-201", "mpfr", "the code of fast over MPFR numbers of 201 bits"));
+  list.push_back(own_method<fast::PreparedPolygon<dd_real>>("fast-double-double", "double-double",
+                                                            "the code of fast over double-doubles (QD), 104 bits"));
+  list.push_back(own_method<fast::PreparedPolygon<Mpfr<30>>>("fast-mpfr-101", "mpfr",
+                                                             "the code of fast over MPFR numbers of 101 bits"));
+  list.push_back(own_method<fast::PreparedPolygon<Mpfr<60>>>("fast-mpfr-201", "mpfr",
+                                                             "the code of fast over MPFR numbers of 201 bits"));
 }
 
 }  // namespace touchstone::methods

@@ -13,9 +13,7 @@ namespace {
 struct Intervals {
   using Number = CGAL::Interval_nt_advanced;  // rounds upwards only within a Guard
   using Guard = Number::Protector;
-  static constexpr std::string_view kName = "interval", kStage = "interval",
-                                    kSummary = "the contract's formulas over intervals of doubles: sure, or don't know";
-  static constexpr bool kSlow = false;
+  static constexpr std::string_view kStage = "interval";
 
   static std::optional<double> nearest_double(const Number& x) {
     return x.is_point() ? std::optional(x.inf()) : std::nullopt;
@@ -26,9 +24,7 @@ struct Intervals {
 struct Rationals {
   using Number = CGAL::Gmpq;
   struct Guard {};
-  static constexpr std::string_view kName = "rational", kStage = "rational",
-                                    kSummary = "the contract's formulas over GMP's rationals: exact by construction";
-  static constexpr bool kSlow = true;
+  static constexpr std::string_view kStage = "rational";
 
   static std::optional<double> nearest_double(const Number& x) {
     return exact::detail::nearest_double(mpz_class(x.numerator().mpz()), mpz_class(x.denominator().mpz()));
@@ -41,8 +37,12 @@ struct Rationals {
 }  // namespace
 
 void add_plain(MethodList& list) {
-  list.push_back(std::make_unique<Plain<Intervals>>());
-  list.push_back(std::make_unique<Plain<Rationals>>());
+  list.push_back(std::make_unique<Method>(
+      "interval", "the contract's formulas over intervals of doubles: sure, or don't know",
+      [](const Polygon& polygon) { return std::make_unique<PreparedPlain<Intervals>>(polygon); }));
+  list.push_back(std::make_unique<Method>(
+      "rational", "the contract's formulas over GMP's rationals: exact by construction",
+      [](const Polygon& polygon) { return std::make_unique<PreparedPlain<Rationals>>(polygon); }, Method::Kind::Slow));
 }
 
 }  // namespace touchstone::methods

@@ -17,7 +17,7 @@ namespace touchstone::methods {
 /// Comparisons of numbers may be uncertain (CGAL::Uncertain), as those of intervals are. An answer is given only if it
 /// follows from certain comparisons. The class filters nothing, caches nothing between queries, and uses no shortcuts.
 /// Arithmetic provides its Number, a Guard that lives during computations, `nearest_double(x)` and `nearest_root(x)`
-/// (the double nearest to x, or to its root, if that is known), and the name and summary of the method.
+/// (the double nearest to x, or to its root, if that is known), and kStage, which names it.
 template <class Arithmetic>
 class PlainPolygon {
  public:
@@ -294,17 +294,6 @@ class PreparedPlain final : public PreparedMethod {
   }
 
   PlainPolygon<Arithmetic> polygon_;
-};
-
-template <class Arithmetic>
-class Plain final : public Method {
- public:
-  std::string_view name() const override { return Arithmetic::kName; }
-  std::string_view summary() const override { return Arithmetic::kSummary; }
-  bool slow() const override { return Arithmetic::kSlow; }
-  std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<PreparedPlain<Arithmetic>>(polygon);
-  }
 };
 
 }  // namespace touchstone::methods

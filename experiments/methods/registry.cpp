@@ -103,10 +103,4 @@ std::vector<const Method*> find_methods(const std::vector<std::string>& names) {
   return found;
 }
 
-std::string selected_names(const std::vector<std::string>& names) {
-  std::string selected;
-  for (const Method* method : find_methods(names)) selected.append(selected.empty() ? "" : ",").append(method->name());
-  return selected;
-}
-
 }  // namespace touchstone::methods

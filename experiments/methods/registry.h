@@ -29,7 +29,5 @@ const Method& add_engine(const Engine& engine);
 /// Returns the methods of these names, in this order; `all` selects every method of this build. Throws
 /// std::invalid_argument, which names the first unknown one.
 [[nodiscard]] std::vector<const Method*> find_methods(const std::vector<std::string>& names);
-/// Returns the names of the methods that find_methods selects, joined by commas. Throws as it does.
-[[nodiscard]] std::string selected_names(const std::vector<std::string>& names);
 
 }  // namespace touchstone::methods

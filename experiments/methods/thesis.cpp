@@ -33,25 +33,10 @@ class PreparedThesis final : public PreparedMethod {
 };
 
 template <class Scalar>
-class Thesis final : public Method {
- public:
-  Thesis(std::string_view name, const thesis::Options& options, std::string_view stage, std::string_view summary)
-      : name_(name), options_(options), stage_(stage), summary_(summary) {}
-  std::string_view name() const override { return name_; }
-  std::string_view summary() const override { return summary_; }
-  std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<PreparedThesis<Scalar>>(polygon, options_, stage_);
-  }
-
- private:
-  std::string_view name_;
-  thesis::Options options_;
-  std::string_view stage_, summary_;
-};
-
-template <class Scalar>
-std::unique_ptr<Method> variant(std::string_view name, const thesis::Options& options, std::string_view summary) {
-  return std::make_unique<Thesis<Scalar>>(name, options, sizeof(Scalar) == 4 ? "float" : "double", summary);
+std::unique_ptr<Method> variant(const char* name, const thesis::Options& options, const char* summary) {
+  return std::make_unique<Method>(name, summary, [options](const Polygon& polygon) {
+    return std::make_unique<PreparedThesis<Scalar>>(polygon, options, sizeof(Scalar) == 4 ? "float" : "double");
+  });
 }
 
 }  // namespace

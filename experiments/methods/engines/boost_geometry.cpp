@@ -54,19 +54,12 @@ class PreparedBoostGeometry : public PreparedMethod {
   Polygon2 flat_;
 };
 
-class BoostGeometry : public Method {
- public:
-  [[nodiscard]] std::string_view name() const override { return "boost-geometry"; }
-  [[nodiscard]] std::string_view summary() const override {
-    return "Boost.Geometry's point in polygon, about a foot of plain doubles: the second test alone";
-  }
-  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<PreparedBoostGeometry>(polygon);
-  }
-};
-
 }  // namespace
 
-void add_boost_geometry(MethodList& list) { list.push_back(std::make_unique<BoostGeometry>()); }
+void add_boost_geometry(MethodList& list) {
+  list.push_back(std::make_unique<Method>(
+      "boost-geometry", "Boost.Geometry's point in polygon, about a foot of plain doubles: the second test alone",
+      [](const Polygon& polygon) { return std::make_unique<PreparedBoostGeometry>(polygon); }));
+}
 
 }  // namespace touchstone::methods

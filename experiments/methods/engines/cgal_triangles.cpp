@@ -115,10 +115,6 @@ void add_cgal_triangles(MethodList& list) {
 
 namespace cgal {
 
-bool cartesian_contact(const Ball& ball, const Triangle& t) {
-  return is_within<Double>(point<Double>(ball.center), triangle<Double>(t), ball.radius);
-}
-
 bool epick_comparison(const Ball& ball, const Triangle& t) { return compares_within<Epick>(ball, t); }
 bool epeck_comparison(const Ball& ball, const Triangle& t) { return compares_within<Epeck>(ball, t); }
 
@@ -129,29 +125,6 @@ bool epick_contact(const Ball& ball, const Triangle& t) {
 
 bool epeck_contact(const Ball& ball, const Triangle& t) {
   return is_within<Epeck>(point<Epeck>(ball.center), triangle<Epeck>(t), ball.radius);
-}
-
-struct EpeckQueries::Objects {
-  std::vector<Epeck::Point_3> centers;
-  std::vector<Epeck::Triangle_3> triangles;
-  std::vector<Epeck::FT> radii;
-};
-
-EpeckQueries::EpeckQueries() : objects_(std::make_unique<Objects>()) {}
-EpeckQueries::EpeckQueries(EpeckQueries&&) noexcept = default;
-EpeckQueries& EpeckQueries::operator=(EpeckQueries&&) noexcept = default;
-EpeckQueries::~EpeckQueries() = default;
-
-void EpeckQueries::clear() { *objects_ = {}; }
-
-void EpeckQueries::add(const Ball& ball, const Triangle& t) {
-  objects_->centers.push_back(point<Epeck>(ball.center));
-  objects_->triangles.push_back(triangle<Epeck>(t));
-  objects_->radii.emplace_back(ball.radius);
-}
-
-bool EpeckQueries::contact(std::size_t i) const {
-  return is_within<Epeck>(objects_->centers[i], objects_->triangles[i], objects_->radii[i]);
 }
 
 }  // namespace cgal

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <memory>
-
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 
 // What CGAL's kernels cost for one ball and one triangle, without the interface of a method. Source: [cgal2022].
 namespace touchstone::methods::cgal {
 
-/// Computes squared_distance(centre, triangle) <= r^2 in doubles.
-[[nodiscard]] bool cartesian_contact(const Ball& ball, const Triangle& triangle);
 /// Uses exact predicates: a vertex inside the sphere or do_intersect(sphere, triangle). Not exact for a given radius,
 /// because the kernel's sphere stores a rounded r^2, which must be finite.
 [[nodiscard]] bool epick_contact(const Ball& ball, const Triangle& triangle);
@@ -24,24 +19,5 @@ namespace touchstone::methods::cgal {
 [[nodiscard]] bool epick_comparison(const Ball& ball, const Triangle& triangle);
 [[nodiscard]] bool epeck_comparison(const Ball& ball, const Triangle& triangle);
 /// @}
-
-/// Computes the same as `epeck_contact` from kernel objects that were made before.
-class EpeckQueries {
- public:
-  EpeckQueries();
-  EpeckQueries(EpeckQueries&&) noexcept;
-  EpeckQueries& operator=(EpeckQueries&&) noexcept;
-  ~EpeckQueries();
-
-  /// Exact numbers cache earlier results: queries that must not know them are made again.
-  void clear();
-  void add(const Ball& ball, const Triangle& triangle);
-  /// Answers the query that was added as number i.
-  [[nodiscard]] bool contact(std::size_t i) const;
-
- private:
-  struct Objects;
-  std::unique_ptr<Objects> objects_;
-};
 
 }  // namespace touchstone::methods::cgal

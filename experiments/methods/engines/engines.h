@@ -73,12 +73,11 @@ using TrianglesFilter = bool (*)(const std::vector<Triangle>& triangles);
 
 /// Returns a method that uses such engines: a ball touches a polygon if it touches one of its triangles. `summary` is
 /// one line. Without `sweep` it cannot answer about moving balls. It is unsure about polygons that `answers` refuses.
-[[nodiscard]] std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary,
-                                                      TriangleContact contact, TriangleSweep sweep = nullptr,
-                                                      TrianglesFilter answers = nullptr);
+[[nodiscard]] std::unique_ptr<Method> triangle_method(const char* name, const char* summary, TriangleContact contact,
+                                                      TriangleSweep sweep = nullptr, TrianglesFilter answers = nullptr);
 
 /// Returns a method that asks the library about the triangles of a polygon as a mesh. A moving ball that touches at its
 /// start touches at time 0, which not every sweep says of a ball that rests or moves away.
-[[nodiscard]] std::unique_ptr<Method> mesh_method(std::string_view name, std::string_view summary, Library library);
+[[nodiscard]] std::unique_ptr<Method> mesh_method(const char* name, const char* summary, Library library);
 
 }  // namespace touchstone::methods

@@ -88,24 +88,6 @@ class AskedScene : public PreparedMethod {
   std::unique_ptr<BuiltScene> scene_;
 };
 
-class TriangleEngine : public Method {
- public:
-  using Prepare = std::function<std::unique_ptr<PreparedMethod>(std::vector<Triangle>)>;
-
-  TriangleEngine(std::string_view name, std::string_view summary, Prepare prepare)
-      : name_(name), summary_(summary), prepare_(std::move(prepare)) {}
-
-  [[nodiscard]] std::string_view name() const override { return name_; }
-  [[nodiscard]] std::string_view summary() const override { return summary_; }
-  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
-    return prepare_(triangles_of(polygon));
-  }
-
- private:
-  std::string_view name_, summary_;
-  Prepare prepare_;
-};
-
 }  // namespace
 
 void BuiltScene::all(const Ball&, std::vector<std::uint32_t>&) const {
@@ -120,18 +102,17 @@ std::optional<double> BuiltScene::first_contact(const Motion&) const {
   throw std::logic_error("a library without `first_contact`");
 }
 
-std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary, TriangleContact contact,
+std::unique_ptr<Method> triangle_method(const char* name, const char* summary, TriangleContact contact,
                                         TriangleSweep sweep, TrianglesFilter answers) {
-  return std::make_unique<TriangleEngine>(name, summary, [=](std::vector<Triangle> triangles) {
-    return std::make_unique<EachTriangle>(name, std::move(triangles), contact, sweep, answers);
+  return std::make_unique<Method>(name, summary, [=](const Polygon& polygon) {
+    return std::make_unique<EachTriangle>(name, triangles_of(polygon), contact, sweep, answers);
   });
 }
 
-std::unique_ptr<Method> mesh_method(std::string_view name, std::string_view summary, Library library) {
-  return std::make_unique<TriangleEngine>(name, summary,
-                                          [name, library = std::move(library)](std::vector<Triangle> triangles) {
-                                            return std::make_unique<AskedScene>(name, library, std::move(triangles));
-                                          });
+std::unique_ptr<Method> mesh_method(const char* name, const char* summary, Library library) {
+  return std::make_unique<Method>(name, summary, [name, library = std::move(library)](const Polygon& polygon) {
+    return std::make_unique<AskedScene>(name, library, triangles_of(polygon));
+  });
 }
 
 }  // namespace touchstone::methods

@@ -56,8 +56,6 @@ class Processes {
   Processes(std::string name, std::string command, std::chrono::milliseconds time_limit)
       : name_(std::move(name)), command_(std::move(command)), time_limit_(time_limit) {}
 
-  [[nodiscard]] const std::string& name() const { return name_; }
-
   /// `shapes`: the keys `ball`, `motion` and `polygon` of the case.
   [[nodiscard]] cases::PartialAnswer ask(const std::string& shapes) {
     const std::string id = std::to_string(++asked_);
@@ -133,23 +131,6 @@ class PreparedEngine : public cases::PreparedMethod {
   std::string polygon_;
 };
 
-class External : public cases::Method {
- public:
-  External(std::string name, std::string summary, std::string command, std::chrono::milliseconds time_limit)
-      : summary_(std::move(summary)), processes_(std::move(name), std::move(command), time_limit) {}
-
-  [[nodiscard]] std::string_view name() const override { return processes_.name(); }
-  [[nodiscard]] std::string_view summary() const override { return summary_; }
-  [[nodiscard]] bool through_pipe() const override { return true; }
-  [[nodiscard]] std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<PreparedEngine>(processes_, polygon);
-  }
-
- private:
-  std::string summary_;
-  mutable Processes processes_;
-};
-
 }  // namespace
 
 Engine engine_of(const std::string& text) {
@@ -171,7 +152,11 @@ void require_started(const std::string& command, const std::string& ending) {
 
 std::unique_ptr<cases::Method> external_method(std::string name, std::string summary, std::string command,
                                                std::chrono::milliseconds time_limit) {
-  return std::make_unique<External>(std::move(name), std::move(summary), std::move(command), time_limit);
+  const auto processes = std::make_shared<Processes>(name, std::move(command), time_limit);
+  return std::make_unique<cases::Method>(
+      std::move(name), std::move(summary),
+      [processes](const Polygon& polygon) { return std::make_unique<PreparedEngine>(*processes, polygon); },
+      cases::Method::Kind::Pipe);
 }
 
 }  // namespace touchstone::methods

@@ -2,12 +2,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
 
 #include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/methods/engines/cgal_triangles.h"
 #include "experiments/methods/ericson.h"
 #include "experiments/run/statistics/shares.h"
 #include "experiments/studies/bench/families.h"
+#include "experiments/studies/bench/variants.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
@@ -16,6 +21,69 @@ namespace touchstone::bench {
 namespace {
 
 using TriangleQueries = std::vector<workloads::TriangleQuery>;
+using DrawQuery = std::function<workloads::TriangleQuery(std::uint64_t seed, std::uint64_t index)>;
+
+constexpr auto kFast = [](const Ball& ball, const Triangle& t) { return fast::contact(ball, t); };
+constexpr auto kEricson = [](const Ball& ball, const Triangle& t) { return methods::ericson_contact(ball, t); };
+constexpr auto kFiltered = [](const Ball& ball, const Triangle& t) { return filtered::contact(ball, t); };
+
+// Where each draw takes 30 us.
+constexpr std::uint64_t kMostCostly = 20'000, kMostCostlyChecked = 2'000;
+
+/// A benchmark of the contact of balls and triangles, with the answers of `exact` to the first queries.
+class TriangleBenchmark {
+ public:
+  TriangleBenchmark(std::string name, const DrawQuery& draw, const Settings& settings, std::uint64_t most_queries,
+                    std::size_t most_checked) {
+    TriangleQueries drawn;
+    drawn.reserve(std::min(settings.samples, most_queries));
+    for (std::uint64_t i = 0; i < std::min(settings.samples, most_queries); ++i)
+      drawn.push_back(draw(settings.seed, i));
+    benchmark.name = std::move(name);
+    benchmark.checked = settings.checks ? std::min(drawn.size(), most_checked) : 0;
+    std::vector<bool> touches;
+    for (std::size_t i = 0; i < benchmark.checked; ++i) {
+      const auto& [ball, t] = drawn[i];
+      touches.push_back(exact::contact(ball, Polygon({t.a, t.b, t.c})));
+    }
+    queries = std::make_shared<const TriangleQueries>(std::move(drawn));
+    truth_ = std::make_shared<const std::vector<bool>>(std::move(touches));
+  }
+
+  template <class Ask>
+  void add(std::string name, const Ask& ask, std::optional<timing::Comparison> comparison = std::nullopt) {
+    benchmark.candidates.push_back(candidate(
+        std::move(name), queries, truth_, [ask](const workloads::TriangleQuery& q) { return ask(q.ball, q.triangle); },
+        std::move(comparison)));
+  }
+
+  /// Returns which share of the checked queries touches, as a note.
+  [[nodiscard]] std::string touching() const {
+    if (truth_->empty()) return "";
+    const auto count = static_cast<std::uint64_t>(std::ranges::count(*truth_, true));
+    return statistics::percent_to_places(statistics::share_of(count, truth_->size()), 1) + " % touch";
+  }
+
+  timing::Benchmark benchmark;
+  std::shared_ptr<const TriangleQueries> queries;
+
+ private:
+  std::shared_ptr<const std::vector<bool>> truth_;
+};
+
+DrawQuery of_family(workloads::TriangleFamily family) {
+  return
+      [family](std::uint64_t seed, std::uint64_t index) { return workloads::draw_triangle_query(family, seed, index); };
+}
+
+/// The radius at (1 +- 2^-k) x the rounded exact distance.
+DrawQuery at_distance(int k) {
+  return [k](std::uint64_t seed, std::uint64_t index) {
+    workloads::TriangleQuery query = workloads::draw_query_at_contact(seed, index);
+    query.ball.radius *= 1 + std::ldexp(index % 2 == 0 ? 1.0 : -1.0, -k);
+    return query;
+  };
+}
 
 /// The goals for the cost of filtered relative to fast.
 std::optional<timing::Goal> goal_of(workloads::TriangleFamily family) {
@@ -36,82 +104,54 @@ std::optional<timing::Goal> goal_of_epeck(workloads::TriangleFamily family) {
   return std::nullopt;
 }
 
-std::vector<bool> truths(const TriangleQueries& queries, std::size_t count) {
-  std::vector<bool> touches;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& [ball, t] = queries[i];
-    touches.push_back(exact::contact(ball, Polygon({t.a, t.b, t.c})));
-  }
-  return touches;
-}
-
-/// EPECK's objects are made before each repetition, so that none knows its exact value yet.
-timing::Candidate prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
-                                 const std::shared_ptr<const std::vector<bool>>& truth) {
-  const auto objects = std::make_shared<methods::cgal::EpeckQueries>();
-  const auto make = [queries, objects](std::size_t count) {
-    objects->clear();
-    for (std::size_t i = 0; i < count; ++i) objects->add((*queries)[i].ball, (*queries)[i].triangle);
-  };
-  const auto ask = [objects](std::size_t count) {
-    std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += objects->contact(i);
-    return sum;
-  };
-  const auto count_wrong = [make, objects, truth](std::size_t count) {
-    make(count);
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      if (objects->contact(i) != (*truth)[i]) ++wrong;
-    return wrong;
-  };
-  return {"EPECK, objects made", queries->size(), ask, count_wrong, make, timing::Comparison{"filtered", {}}};
-}
-
-timing::Benchmark draw(workloads::TriangleFamily family, const Settings& settings) {
+timing::Benchmark triangles(workloads::TriangleFamily family, const Settings& settings) {
   constexpr std::size_t kMostChecked = 20'000;  // a second
-  TriangleQueries drawn;
-  drawn.reserve(settings.samples);
-  for (std::uint64_t i = 0; i < settings.samples; ++i)
-    drawn.push_back(workloads::draw_triangle_query(family, settings.seed, i));
-  const auto queries = std::make_shared<const TriangleQueries>(std::move(drawn));
-
-  timing::Benchmark benchmark;
-  benchmark.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
-  const auto truth = std::make_shared<const std::vector<bool>>(truths(*queries, benchmark.checked));
-  if (benchmark.checked > 0)
-    benchmark.note =
-        statistics::percent_to_places(
-            statistics::share_of(static_cast<std::uint64_t>(std::ranges::count(*truth, true)), benchmark.checked), 1) +
-        " % touch";
-
-  const auto add = [&](std::string name, auto ask, std::optional<timing::Comparison> comparison) {
-    benchmark.candidates.push_back(candidate(
-        std::move(name), queries, truth, [ask](const workloads::TriangleQuery& q) { return ask(q.ball, q.triangle); },
-        comparison));
-  };
-  const auto fast = [](const Ball& b, const Triangle& t) { return fast::contact(b, t); };
-  const auto filtered = [](const Ball& b, const Triangle& t) { return filtered::contact(b, t); };
-  const auto ericson = [](const Ball& b, const Triangle& t) { return methods::ericson_contact(b, t); };
-  add("fast", fast, std::nullopt);
-  add("filtered", filtered, timing::Comparison{"fast", goal_of(family)});
-  add("Ericson", ericson,
-      timing::Comparison{
-          "fast", family == workloads::TriangleFamily::Random ? std::optional(timing::Goal{1, false}) : std::nullopt});
+  TriangleBenchmark asked("", of_family(family), settings, settings.samples, kMostChecked);
+  asked.benchmark.note = asked.touching();
+  asked.add("fast", kFast);
+  asked.add("filtered", kFiltered, timing::Comparison{"fast", goal_of(family)});
+  const bool is_random = family == workloads::TriangleFamily::Random;
+  asked.add("Ericson", kEricson,
+            timing::Comparison{"fast", is_random ? std::optional(timing::Goal{1, false}) : std::nullopt});
   if (const auto goal = goal_of_epeck(family)) {
-    const auto cartesian = [](const Ball& b, const Triangle& t) { return methods::cgal::cartesian_contact(b, t); };
-    const auto epick = [](const Ball& b, const Triangle& t) { return methods::cgal::epick_contact(b, t); };
-    const auto epeck = [](const Ball& b, const Triangle& t) { return methods::cgal::epeck_contact(b, t); };
-    const auto epick_compare = [](const Ball& b, const Triangle& t) { return methods::cgal::epick_comparison(b, t); };
-    const auto epeck_compare = [](const Ball& b, const Triangle& t) { return methods::cgal::epeck_comparison(b, t); };
-    add("CGAL, doubles", cartesian, timing::Comparison{"filtered", {}});
-    add("EPICK", epick, timing::Comparison{"filtered", {}});
-    add("EPICK, compare", epick_compare, timing::Comparison{"filtered", {}});
-    add("EPECK", epeck, timing::Comparison{"filtered", goal});
-    add("EPECK, compare", epeck_compare, timing::Comparison{"filtered", {}});
-    benchmark.candidates.push_back(prepared_epeck(queries, truth));
+    asked.add("EPICK", methods::cgal::epick_contact, timing::Comparison{"filtered", {}});
+    asked.add("EPICK, compare", methods::cgal::epick_comparison, timing::Comparison{"filtered", {}});
+    asked.add("EPECK", methods::cgal::epeck_contact, timing::Comparison{"filtered", goal});
+    asked.add("EPECK, compare", methods::cgal::epeck_comparison, timing::Comparison{"filtered", {}});
   }
-  return benchmark;
+  return asked.benchmark;
+}
+
+/// The shares of queries by the slowest stage that filtered needed.
+std::vector<timing::Share> shares_by_stage(const TriangleQueries& queries) {
+  std::vector<timing::Share> shares;
+  for (std::size_t s = 0; s < filtered::kStages; ++s)
+    shares.push_back({std::string(to_string(static_cast<filtered::Stage>(s))), 0});
+  for (const auto& [ball, triangle] : queries) {
+    filtered::StageCounts counts;
+    (void)filtered::contact(ball, triangle, counts);
+    shares[static_cast<std::size_t>(counts.last())].share += 1 / static_cast<double>(queries.size());
+  }
+  return shares;
+}
+
+timing::Benchmark nearness(int exponent, const Settings& settings) {
+  TriangleBenchmark asked(fmt::format("2^-{}", exponent), at_distance(exponent), settings, kMostCostly,
+                          kMostCostlyChecked);
+  asked.benchmark.shares = shares_by_stage(*asked.queries);
+  asked.add("fast", kFast);
+  asked.add("filtered", kFiltered, timing::Comparison{"fast", {}});
+  asked.add("EPICK", methods::cgal::epick_contact, timing::Comparison{"filtered", {}});
+  asked.add("EPECK", methods::cgal::epeck_contact, timing::Comparison{"filtered", {}});
+  return asked.benchmark;
+}
+
+timing::Benchmark variants_benchmark(const std::string& name, const DrawQuery& draw, const Settings& settings) {
+  TriangleBenchmark asked(name, draw, settings, kMostCostly, kMostCostlyChecked);
+  asked.add("filtered", kFiltered);
+  for (const Variant& variant : variants())
+    asked.add(std::string(variant.name), variant.contact, timing::Comparison{"filtered", {}});
+  return asked.benchmark;
 }
 
 }  // namespace
@@ -121,8 +161,29 @@ std::vector<Family> triangle_families() {
   for (const workloads::TriangleFamily family : workloads::all_triangle_families())
     families.push_back({std::string(to_string(family)),
                         std::string(summary(family)),
-                        {[family](const Settings& settings) { return draw(family, settings); }}});
+                        {[family](const Settings& settings) { return triangles(family, settings); }}});
   return families;
+}
+
+Family nearness_family() {
+  Family family{"nearness", "the radius at (1 +- 2^-k) x the exact distance, for k from 52 to 1", {}};
+  for (const int exponent : {52, 50, 48, 46, 44, 40, 36, 30, 24, 16, 8, 1})
+    family.benchmarks.emplace_back([exponent](const Settings& settings) { return nearness(exponent, settings); });
+  return family;
+}
+
+Family variants_family() {
+  Family family{"variants", "filtered without one of its stages, or with other exact arithmetic behind the first", {}};
+  using workloads::TriangleFamily;
+  const auto add = [&family](const std::string& name, const DrawQuery& draw) {
+    family.benchmarks.emplace_back(
+        [name, draw](const Settings& settings) { return variants_benchmark(name, draw, settings); });
+  };
+  add("random-triangles", of_family(TriangleFamily::Random));
+  add("2^-44", at_distance(44));  // where doubles for one sign decide
+  add("near", of_family(TriangleFamily::Near));
+  add("lattice-tangent", of_family(TriangleFamily::LatticeTangent));
+  return family;
 }
 
 }  // namespace touchstone::bench

@@ -3,12 +3,9 @@
 #include <malloc.h>
 
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "experiments/run/command_run.h"
 #include "experiments/run/numbers.h"
-#include "experiments/run/output.h"
 #include "experiments/run/printing.h"
 #include "experiments/run/timing.h"
 #include "experiments/studies/bench_scenes/measure.h"
@@ -17,15 +14,12 @@ namespace touchstone::commands {
 namespace {
 
 using namespace bench_scenes;
-using namespace timing;
 
 struct SceneOptions : run::FolderOptions {
   SceneSettings settings;
   std::size_t most_triangles = 1'000'000;
   std::string meshes;  ///< a folder; empty: no real meshes
 };
-
-using Json = nlohmann::ordered_json;
 
 /// The scenes, from the smallest of a kind to the largest; made one after the other, since they are large.
 std::vector<std::function<NamedScene()>> all_scenes(const SceneOptions& options) {
@@ -43,11 +37,6 @@ std::vector<std::function<NamedScene()>> all_scenes(const SceneOptions& options)
   return scenes;
 }
 
-Json read_json(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return Json::parse(file);
-}
-
 void write(const run::CommandRun& run, const SceneOptions& options, const std::vector<SceneResult>& results) {
   write_scene_tables(run.folder(), results);
   const std::uint64_t samples = options.settings.samples;
@@ -55,11 +44,6 @@ void write(const run::CommandRun& run, const SceneOptions& options, const std::v
                     .samples_asked = samples,
                     .samples_done = run.stopped() ? 0 : samples,
                     .interrupted = run.stopped()});
-  Json all = {{"run", read_json(run.folder() / "run.json")},
-              {"processor_features", processor_features()},
-              {"absent", absent_libraries()}};
-  all.update(json(results));
-  run::write_file(run.folder() / "bench.json", all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 int exit_status(const SceneOptions& options, const std::vector<SceneResult>& results, bool stopped) {

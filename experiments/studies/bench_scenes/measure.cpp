@@ -12,7 +12,6 @@
 #include "experiments/run/statistics/shares.h"
 #include "experiments/run/terminal.h"
 #include "experiments/studies/bench_scenes/library.h"
-#include "experiments/studies/bench_scenes/motions.h"
 
 namespace touchstone::bench_scenes {
 namespace {
@@ -25,11 +24,6 @@ double allocated_bytes() {
   const struct mallinfo2 info = ::mallinfo2();
   return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
 }
-
-struct Built {
-  const Library* library;
-  std::shared_ptr<BuiltScene> scene;
-};
 
 /// Small scenes are built some times: the first time pays for what a library does once.
 Built build(const Library& library, const Mesh& mesh, Build& record) {
@@ -170,24 +164,16 @@ timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>
     if (b.library->exact) {
       candidate.most_checked = brute_force_count(scene.triangles.size(), benchmark.checked);
       if (embree) candidate.comparison = {methods::kEmbree, kQueryGoal};
-      candidate.count_wrong = [&scene, &disputes, seed, asking, one = b.scene,
-                               name = benchmark.name](std::size_t count) {
-        std::size_t wrong = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-          if (!asking->disputed(*one, i)) continue;
-          ++wrong;
-          disputes.push_back(
-              fmt::format("{}, {} triangles, {}, seed {}, ball {}", scene.kind, scene.triangles.size(), name, seed, i));
-        }
-        return wrong;
-      };
+      candidate.count_wrong =
+          counting([&scene, &disputes, seed, asking, one = b.scene, name = benchmark.name](std::size_t i) {
+            if (!asking->disputed(*one, i)) return false;
+            disputes.push_back(fmt::format("{}, {} triangles, {}, seed {}, ball {}", scene.kind, scene.triangles.size(),
+                                           name, seed, i));
+            return true;
+          });
     } else {
       candidate.comparison = {exact.library->name, std::nullopt};
-      candidate.count_wrong = [asking, one = b.scene](std::size_t count) {
-        std::size_t wrong = 0;
-        for (std::size_t i = 0; i < count; ++i) wrong += asking->wrong(*one, i) ? 1 : 0;
-        return wrong;
-      };
+      candidate.count_wrong = counting([asking, one = b.scene](std::size_t i) { return asking->wrong(*one, i); });
     }
     benchmark.candidates.push_back(std::move(candidate));
   }
@@ -245,6 +231,12 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
   const auto exact = std::ranges::find_if(all, [](const Built& b) { return b.library->exact; });
   if (exact == all.end()) throw std::invalid_argument("bench: none of the libraries is exact");
 
+  const auto measured = [&](const timing::Benchmark& benchmark) {
+    run::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
+    return measure(
+        title, benchmark, settings.repetitions, stop, [&](std::uint64_t done) { line(done); },
+        settings.seconds_of_repetition);
+  };
   using enum SceneQuestion;
   for (const BallPlace place : {BallPlace::Near, BallPlace::Anywhere, BallPlace::Touching}) {
     if (stop) break;
@@ -253,25 +245,16 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
       if (stop || (place == BallPlace::Touching && question == Nearest)) break;
       const timing::Benchmark benchmark =
           benchmark_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
-      run::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
-      result.benchmarks.push_back({place, question,
-                                   measure(
-                                       title, benchmark, settings.repetitions, stop,
-                                       [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});
+      result.benchmarks.push_back({place, question, measured(benchmark)});
       keep(result.benchmarks.back());
     }
   }
-  std::vector<Sweeping> sweeping;
-  for (const Built& one : all) sweeping.push_back({one.library, one.scene});
   for (const MotionLength length : {MotionLength::Short, MotionLength::Long}) {
     if (stop || !exact->library->knows_motions) break;
     const timing::Benchmark benchmark = motion_benchmark(
-        scene.triangles, sweeping, length,
+        scene.triangles, all, length,
         draw_motions(length, scene.triangles, *exact->scene, settings.samples, settings.seed), result.disputes);
-    run::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
-    result.motions.push_back({length, measure(
-                                          title, benchmark, settings.repetitions, stop,
-                                          [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});
+    result.motions.push_back({length, measured(benchmark)});
   }
   if (!stop) {
     const Balls balls = draw(BallPlace::Near, scene, settings, *exact->scene);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +16,7 @@
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/scenes.h"
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
 
 /// The study of query time against the number of triangles: `touchstone bench-scenes`.
@@ -72,6 +73,42 @@ struct SceneBenchmark {
   timing::Result result;
 };
 
+/// Draws motions of balls that are near the surface, and do not touch it at their start, in random directions; a
+/// function of the arguments. There may be fewer than `count`: balls that touch are left out. Requires the exact scene.
+[[nodiscard]] std::vector<Motion> draw_motions(MotionLength length, const std::vector<Triangle>& triangles,
+                                               BuiltScene& exact, std::uint64_t count, std::uint64_t seed);
+
+/// A library and the scene that it has built.
+struct Built {
+  const Library* library;
+  std::shared_ptr<BuiltScene> scene;
+};
+
+/// Returns the function that counts for how many of the first queries `holds`, asked of each in turn, is true.
+template <class Holds>
+[[nodiscard]] auto counting(const Holds& holds) {
+  return [holds](std::size_t count) {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < count; ++i) found += holds(i) ? 1 : 0;
+    return found;
+  };
+}
+
+/// The time in units of the whole motion by which an answer may differ from the exact one without being wrong.
+inline constexpr double kTimeTolerance = 1e-6;
+/// The goals: the time of a short sweep, relative to that of the question whether the ball touches anything at its
+/// start; and that of every other library, relative to the exact one's.
+inline constexpr timing::Goal kShortGoal{2}, kSweepGoal{1, false};
+/// The name of the candidate that asks about the ball at its start.
+inline constexpr const char* kAtStart = "Scene, at the start";
+
+/// Asks every library that knows motions when the balls touch first. A library is wrong about a motion if it finds a
+/// contact that does not exist, misses one, or finds another time, beyond the tolerance. The exact library is
+/// compared with `exact`, asked triangle by triangle; each difference is added to `disputes`.
+[[nodiscard]] timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles,
+                                                 const std::vector<Built>& built, MotionLength length,
+                                                 std::vector<Motion> motions, std::vector<std::string>& disputes);
+
 struct SceneResult {
   std::string kind;
   std::size_t triangles;
@@ -127,8 +164,6 @@ struct Growth {
 [[nodiscard]] std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library);
 /// Returns the legend: the comparisons, and the meaning of the columns.
 [[nodiscard]] std::string scene_legend();
-
-[[nodiscard]] nlohmann::ordered_json json(const std::vector<SceneResult>& results);
 
 /// Writes all tables. Throws std::runtime_error, which names the file, if one cannot be written.
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);

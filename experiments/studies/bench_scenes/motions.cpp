@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/bench_scenes/motions.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -57,14 +55,14 @@ std::vector<Motion> draw_motions(MotionLength length, const std::vector<Triangle
   return motions;
 }
 
-timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles, const std::vector<Sweeping>& built,
+timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles, const std::vector<Built>& built,
                                    MotionLength length, std::vector<Motion> drawn, std::vector<std::string>& disputes) {
   constexpr std::size_t kMostChecked = 500, kByBruteForce = 20;
   const auto motions = std::make_shared<const std::vector<Motion>>(std::move(drawn));
   timing::Benchmark benchmark;
   benchmark.name = fmt::format("{} motions, first contact", to_string(length));
   benchmark.checked = std::min(motions->size(), kMostChecked);
-  const Sweeping& exact = *std::ranges::find_if(built, [](const Sweeping& s) { return s.library->exact; });
+  const Built& exact = *std::ranges::find_if(built, [](const Built& s) { return s.library->exact; });
   const auto truth = std::make_shared<Times>();
   for (std::size_t i = 0; i < benchmark.checked; ++i) truth->push_back(exact.scene->first_contact((*motions)[i]));
   if (benchmark.checked > 0) {
@@ -84,7 +82,7 @@ timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles, const
                                   .count_wrong = {},
                                   .before = {},
                                   .comparison = std::nullopt});
-  for (const Sweeping& one : built) {
+  for (const Built& one : built) {
     if (!one.library->knows_motions) continue;
     timing::Candidate candidate;
     candidate.name = one.library->name;
@@ -93,23 +91,16 @@ timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles, const
     if (one.library->exact) {
       candidate.comparison = {kAtStart, length == MotionLength::Short ? std::optional(kShortGoal) : std::nullopt};
       candidate.most_checked = std::min(benchmark.checked, kByBruteForce);
-      candidate.count_wrong = [&triangles, &disputes, motions, truth, name = benchmark.name](std::size_t count) {
-        std::size_t differing = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-          if (first_contact_by_brute_force(triangles, (*motions)[i]) == (*truth)[i]) continue;
-          ++differing;
-          disputes.push_back(fmt::format("{} triangles, {}, motion {}", triangles.size(), name, i));
-        }
-        return differing;
-      };
+      candidate.count_wrong = counting([&triangles, &disputes, motions, truth, name = benchmark.name](std::size_t i) {
+        if (first_contact_by_brute_force(triangles, (*motions)[i]) == (*truth)[i]) return false;
+        disputes.push_back(fmt::format("{} triangles, {}, motion {}", triangles.size(), name, i));
+        return true;
+      });
     } else {
       candidate.comparison = {exact.library->name, kSweepGoal};
-      candidate.count_wrong = [motions, truth, scene = one.scene](std::size_t count) {
-        std::size_t differing = 0;
-        for (std::size_t i = 0; i < count; ++i)
-          differing += wrong(scene->first_contact((*motions)[i]), (*truth)[i]) ? 1 : 0;
-        return differing;
-      };
+      candidate.count_wrong = counting([motions, truth, scene = one.scene](std::size_t i) {
+        return wrong(scene->first_contact((*motions)[i]), (*truth)[i]);
+      });
     }
     benchmark.candidates.push_back(std::move(candidate));
   }

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "experiments/run/table.h"
 #include "experiments/run/timing.h"
@@ -10,8 +9,6 @@
 
 namespace touchstone::bench_scenes {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double seconds_a_million(const SceneResult& result, const Build& build) {
   return timing::quartiles(build.seconds).median / static_cast<double>(result.triangles) * 1e6;
@@ -58,24 +55,6 @@ std::string title(const Growth& growth) {
                      growth.from, growth.to);
 }
 
-Json build_json(const SceneResult& result, const Build& build) {
-  return {{"library", build.library},
-          {"seconds", build.seconds},
-          {"seconds_a_million", seconds_a_million(result, build)},
-          {"bytes_a_triangle", build.bytes}};
-}
-
-Json growth_json(const Growth& growth) {
-  return {{"scene", growth.kind},
-          {"library", growth.library},
-          {"balls", to_string(growth.place)},
-          {"question", to_string(growth.question)},
-          {"from", growth.from},
-          {"to", growth.to},
-          {"times", growth.times},
-          {"log_times", growth.log_times}};
-}
-
 struct PoseRow {
   const char* name;
   const std::vector<double>* values;
@@ -90,73 +69,71 @@ std::vector<PoseRow> pose_rows(const PoseCosts& poses) {
           {"posed, nearest, in times of a scene built so", &poses.nearest, kPosedQueryGoal}};
 }
 
-Json poses_json(const PoseCosts& poses) {
-  return {
-      {"set_pose_nanoseconds", poses.nanoseconds}, {"any", poses.any}, {"all", poses.all}, {"nearest", poses.nearest}};
-}
-
-struct QueryRow {
+/// The times of a library in a benchmark about a scene.
+template <class Benchmark>
+struct TimedRow {
   const SceneResult* scene;
-  const SceneBenchmark* benchmark;
+  const Benchmark* benchmark;
   const timing::Measured* measured;
   timing::Quartiles nanoseconds;
-
-  [[nodiscard]] bool has_ratio() const { return !measured->ratios.empty(); }
 };
 
-const run::Table<QueryRow>& queries_table() {
-  using Row = QueryRow;
+/// Returns the columns of the scene, then `asked`, then those of the library and its times. `nanoseconds`: of what.
+template <class Row>
+std::vector<run::Column<Row>> timed_columns(const std::vector<run::Column<Row>>& asked, const char* library,
+                                            const char* nanoseconds) {
   using run::path;
   constexpr const char* kFormat = "{:.6g}";
-  static const run::Table<Row> table(
+  const auto wrong = [](std::size_t timing::Wrong::*number) {
+    return [number](const Row& row) {
+      return row.measured->wrong ? std::optional((*row.measured->wrong).*number) : std::nullopt;
+    };
+  };
+  return run::all_columns<Row>(
+      {{{"scene", "the kind of scene", path(&Row::scene, &SceneResult::kind)},
+        {"triangles", "its triangles", path(&Row::scene, &SceneResult::triangles)}},
+       asked,
+       {{"library", library, path(&Row::measured, &timing::Measured::name)},
+        {"nanoseconds", nanoseconds, path(&Row::nanoseconds, &timing::Quartiles::median), kFormat},
+        {"lower_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::lower), kFormat},
+        {"upper_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::upper), kFormat},
+        {"wrong", "wrong answers", wrong(&timing::Wrong::count)},
+        {"checked", "checked answers", wrong(&timing::Wrong::of)}}});
+}
+
+/// Returns a row for each library that was timed.
+template <class Benchmark>
+std::vector<TimedRow<Benchmark>> timed_rows(const std::vector<SceneResult>& results,
+                                            std::vector<Benchmark> SceneResult::*benchmarks) {
+  std::vector<TimedRow<Benchmark>> rows;
+  for (const SceneResult& result : results)
+    for (const Benchmark& benchmark : result.*benchmarks)
+      for (const timing::Measured& m : benchmark.result.candidates)
+        if (!m.nanoseconds.empty()) rows.push_back({&result, &benchmark, &m, timing::quartiles(m.nanoseconds)});
+  return rows;
+}
+
+using QueryRow = TimedRow<SceneBenchmark>;
+
+const run::Table<QueryRow>& queries_table() {
+  using run::path;
+  static const run::Table<QueryRow> table(
       "queries.csv", "a scene, place of balls, question and library",
-      {{"scene", "the kind of scene", path(&Row::scene, &SceneResult::kind)},
-       {"triangles", "its triangles", path(&Row::scene, &SceneResult::triangles)},
-       {"balls", "where the balls are", path(&Row::benchmark, &SceneBenchmark::place)},
-       {"question", "any, all or nearest", path(&Row::benchmark, &SceneBenchmark::question)},
-       {"library", "the library", path(&Row::measured, &timing::Measured::name)},
-       {"nanoseconds", "a question, median", path(&Row::nanoseconds, &timing::Quartiles::median), kFormat},
-       {"lower_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::lower), kFormat},
-       {"upper_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::upper), kFormat},
-       {"ratio", "the median ratio to the time of another library",
-        [](const Row& row) {
-          return row.has_ratio() ? std::optional(timing::quartiles(row.measured->ratios).median) : std::nullopt;
-        },
-        kFormat},
-       {"ratio_to", "that library",
-        [](const Row& row) { return row.has_ratio() ? std::optional(row.measured->comparison->base) : std::nullopt; }},
-       {"wrong", "wrong answers",
-        [](const Row& row) { return row.measured->wrong ? std::optional(row.measured->wrong->count) : std::nullopt; }},
-       {"checked", "checked answers",
-        [](const Row& row) { return row.measured->wrong ? std::optional(row.measured->wrong->of) : std::nullopt; }}});
+      timed_columns<QueryRow>(
+          {{"balls", "where the balls are", path(&QueryRow::benchmark, &SceneBenchmark::place)},
+           {"question", "any, all or nearest", path(&QueryRow::benchmark, &SceneBenchmark::question)}},
+          "the library", "a question, median"));
   return table;
 }
 
-struct MotionRow {
-  const SceneResult* scene;
-  const MotionBenchmark* benchmark;
-  const timing::Measured* measured;
-  timing::Quartiles nanoseconds;
-};
+using MotionRow = TimedRow<MotionBenchmark>;
 
 const run::Table<MotionRow>& motions_table() {
-  using Row = MotionRow;
-  using run::path;
-  constexpr const char* kFormat = "{:.6g}";
-  static const run::Table<Row> table(
+  static const run::Table<MotionRow> table(
       "motions.csv", "a scene, length of motions and library",
-      {{"scene", "the kind of scene", path(&Row::scene, &SceneResult::kind)},
-       {"triangles", "its triangles", path(&Row::scene, &SceneResult::triangles)},
-       {"motions", "short, a radius, or long, thirty", path(&Row::benchmark, &MotionBenchmark::length)},
-       {"library", "the library; the scene about the ball at its start, too",
-        path(&Row::measured, &timing::Measured::name)},
-       {"nanoseconds", "a first contact, median", path(&Row::nanoseconds, &timing::Quartiles::median), kFormat},
-       {"lower_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::lower), kFormat},
-       {"upper_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::upper), kFormat},
-       {"wrong", "wrong answers",
-        [](const Row& row) { return row.measured->wrong ? std::optional(row.measured->wrong->count) : std::nullopt; }},
-       {"checked", "checked answers",
-        [](const Row& row) { return row.measured->wrong ? std::optional(row.measured->wrong->of) : std::nullopt; }}});
+      timed_columns<MotionRow>(
+          {{"motions", "short, a radius, or long, thirty", run::path(&MotionRow::benchmark, &MotionBenchmark::length)}},
+          "the library; the scene about the ball at its start, too", "a first contact, median"));
   return table;
 }
 
@@ -175,21 +152,6 @@ const run::Table<BuildRow>& builds_csv() {
        {"seconds", "to build the scene, median",
         [](const BuildRow& row) { return timing::quartiles(row.build->seconds).median; }, "{:.6g}"},
        {"bytes_a_triangle", "memory", path(&BuildRow::build, &Build::bytes), "{:.4f}"}});
-  return table;
-}
-
-const run::Table<Growth>& growths_csv() {
-  constexpr const char* kFormat = "{:.6g}";
-  static const run::Table<Growth> table(
-      "growth.csv", "a scene, place of balls, question and library",
-      {{"scene", "the kind of scene", &Growth::kind},
-       {"balls", "where the balls are", &Growth::place},
-       {"question", "any, all or nearest", &Growth::question},
-       {"library", "the library", &Growth::library},
-       {"from", "triangles of the smallest scene", &Growth::from},
-       {"to", "triangles of the largest scene", &Growth::to},
-       {"times", "by how much the time of a question grows", &Growth::times, kFormat},
-       {"log_times", "by how much log(triangles) grows", &Growth::log_times, kFormat}});
   return table;
 }
 
@@ -273,52 +235,17 @@ that was built of the posed triangles.
 )";
 }
 
-Json json(const std::vector<SceneResult>& results) {
-  Json scenes = Json::array(), growth = Json::array();
-  for (const SceneResult& result : results) {
-    Json scene = {{"scene", result.kind},       {"triangles", result.triangles}, {"builds", Json::array()},
-                  {"contests", Json::array()},  {"motions", Json::array()},      {"poses", poses_json(result.poses)},
-                  {"disputes", result.disputes}};
-    for (const Build& build : result.builds) scene["builds"].push_back(build_json(result, build));
-    for (const SceneBenchmark& benchmark : result.benchmarks) {
-      Json one = json(std::vector<timing::Result>{benchmark.result}).front();
-      one["balls"] = to_string(benchmark.place);
-      one["question"] = to_string(benchmark.question);
-      scene["contests"].push_back(std::move(one));
-    }
-    for (const MotionBenchmark& benchmark : result.motions) {
-      Json one = json(std::vector<timing::Result>{benchmark.result}).front();
-      one["motions"] = to_string(benchmark.length);
-      scene["motions"].push_back(std::move(one));
-    }
-    scenes.push_back(std::move(scene));
-  }
-  for (const Growth& one : growths(results)) growth.push_back(growth_json(one));
-  return {{"scenes", scenes}, {"growth", growth}};
-}
-
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results) {
-  std::vector<QueryRow> queries;
-  std::vector<MotionRow> motions;
   std::vector<BuildRow> builds;
-  for (const SceneResult& result : results) {
+  for (const SceneResult& result : results)
     for (const Build& build : result.builds) builds.push_back({&result, &build});
-    for (const SceneBenchmark& benchmark : result.benchmarks)
-      for (const timing::Measured& m : benchmark.result.candidates)
-        if (!m.nanoseconds.empty()) queries.push_back({&result, &benchmark, &m, timing::quartiles(m.nanoseconds)});
-    for (const MotionBenchmark& benchmark : result.motions)
-      for (const timing::Measured& m : benchmark.result.candidates)
-        if (!m.nanoseconds.empty()) motions.push_back({&result, &benchmark, &m, timing::quartiles(m.nanoseconds)});
-  }
-  queries_table().write(folder, queries);
-  motions_table().write(folder, motions);
+  queries_table().write(folder, timed_rows(results, &SceneResult::benchmarks));
+  motions_table().write(folder, timed_rows(results, &SceneResult::motions));
   builds_csv().write(folder, builds);
-  growths_csv().write(folder, growths(results));
 }
 
 std::vector<run::TableDescription> tables() {
-  return {queries_table().description(), motions_table().description(), builds_csv().description(),
-          growths_csv().description()};
+  return {queries_table().description(), motions_table().description(), builds_csv().description()};
 }
 
 }  // namespace touchstone::bench_scenes

@@ -102,7 +102,7 @@ class Run {
         [&](const auto& control, Onsets& onsets) { run_onsets(settings_, options_.search, control, onsets); });
     if (run_.is_part()) return;
     run_.phase<WorstCases>("climbs", climb_count(settings_),
-                           [&](const auto& control) { return run_climbs(settings_, control, onsets_, worst_); });
+                           [&](const auto& control) { run_climbs(settings_, control, onsets_, worst_); });
     write_onsets(run_.folder(), settings_, onsets_);
     write_worst(run_.folder(), settings_, onsets_, worst_);
   }

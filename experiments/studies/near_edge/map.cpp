@@ -21,7 +21,6 @@ using workloads::PlacedOutline;
 constexpr std::array kSpots{Spot::Face, Spot::Edge, Spot::Vertex, Spot::ReflexVertex};
 constexpr std::size_t kMaps = (2 * kSpots.size() - 1) * std::size(kOriginDistances);
 constexpr auto kSide = static_cast<std::size_t>(Map::kSize);
-constexpr char kNotDrawn = ' ';
 
 /// A point of the lattice's plane.
 struct Position {
@@ -145,25 +144,6 @@ Scene draw_scene(Spot spot, Test test, double origin_distance, std::uint64_t see
   throw std::runtime_error("no L was found whose coordinates lie in one binade");
 }
 
-/// The maps, drawn in part; the rest is kNotDrawn.
-struct Sheet {
-  std::vector<Map> maps;
-
-  Sheet& operator+=(const Sheet& other) {
-    for (std::size_t m = 0; m < maps.size(); ++m) {
-      add(maps[m].truth, other.maps[m].truth);
-      for (std::size_t i = 0; i < maps[m].verdicts.size(); ++i) add(maps[m].verdicts[i], other.maps[m].verdicts[i]);
-    }
-    return *this;
-  }
-
- private:
-  static void add(std::string& letters, const std::string& others) {
-    for (std::size_t pixel = 0; pixel < letters.size(); ++pixel)
-      if (others[pixel] != kNotDrawn) letters[pixel] = others[pixel];
-  }
-};
-
 char letter(Test test, const cases::PartialAnswer& truth) {
   if (test == Test::Contact) return *truth.contact ? 'c' : 'n';
   return to_string(*truth.foot).front();
@@ -184,23 +164,23 @@ class Cartographer {
  public:
   Cartographer(const std::vector<const cases::Method*>& methods, std::uint64_t seed) {
     for (const auto* method : methods) knows_boundary_.push_back(cases::knows_boundary(*method));
-    const std::string empty(kSide * kSide, kNotDrawn);
+    const std::string empty(kSide * kSide, ' ');
     for (const Spot spot : kSpots)
       for (const double distance : kOriginDistances)
         for (const Test test : {Test::Foot, Test::Contact}) {
           if (spot == Spot::Face && test == Test::Foot) continue;
           scenes_.push_back(draw_scene(spot, test, distance, seed, methods));
-          blank_.maps.push_back({spot, distance, test, empty, std::vector<std::string>(methods.size(), empty)});
+          blank_.push_back({spot, distance, test, empty, std::vector<std::string>(methods.size(), empty)});
         }
   }
 
   /// A map of each scene.
-  [[nodiscard]] const Sheet& blank() const { return blank_; }
+  [[nodiscard]] const std::vector<Map>& blank() const { return blank_; }
 
-  void draw_row(std::uint64_t number, Sheet& sheet) const {
+  void draw_row(std::uint64_t number, std::vector<Map>& maps) const {
     const std::size_t row = static_cast<std::size_t>(number) % kSide, s = static_cast<std::size_t>(number) / kSide;
     const Scene& scene = scenes_[s];
-    Map& map = sheet.maps[s];
+    Map& map = maps[s];
     for (std::size_t column = 0; column < kSide; ++column) {
       const Ball ball = scene.ball(row, column);
       cases::PartialAnswer truth;
@@ -220,7 +200,7 @@ class Cartographer {
  private:
   std::vector<bool> knows_boundary_;
   std::vector<Scene> scenes_;
-  Sheet blank_;
+  std::vector<Map> blank_;
 };
 
 }  // namespace
@@ -240,13 +220,11 @@ std::uint64_t map_rows() { return kMaps * kSide; }
 std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed, unsigned threads,
                            const std::atomic<bool>& stop, const run::Progress& progress) {
   const Cartographer cartographer(methods, seed);
-  Sheet sheet = cartographer.blank();
-  const std::uint64_t done = run::run_sweep(
-      {map_rows(), 1, threads, stop, progress},
-      [&](std::uint64_t row, Sheet& part) { cartographer.draw_row(row, part); }, [](std::uint64_t, const Sheet&) {},
-      cartographer.blank(), 0, sheet);
-  sheet.maps.resize(static_cast<std::size_t>(done) / kSide);
-  return sheet.maps;
+  std::vector<Map> maps = cartographer.blank();
+  const std::uint64_t done = run::run_blocks(map_rows(), threads, stop, progress,
+                                             [&](unsigned, std::uint64_t row) { cartographer.draw_row(row, maps); });
+  maps.resize(static_cast<std::size_t>(done) / kSide);
+  return maps;
 }
 
 }  // namespace touchstone::near_edge

@@ -140,10 +140,10 @@ Result no_result(const Settings& settings) {
   return result;
 }
 
-std::uint64_t run_study(const Settings& settings, const run::RunControl<Result>& control, Result& result) {
+void run_study(const Settings& settings, const run::RunControl<Result>& control, Result& result) {
   const Study study(settings);
-  return run::run_sweep(settings.samples, settings.threads, control, no_result(settings), result,
-                        [&](std::uint64_t n, Result& part) { study.ask_all(n, part); });
+  run::run_sweep(settings.samples, settings.threads, control, no_result(settings), result,
+                 [&](std::uint64_t n, Result& part) { study.ask_all(n, part); });
 }
 
 void Disagreements::add(std::vector<Disagreement> found) {

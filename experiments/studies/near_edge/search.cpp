@@ -71,7 +71,7 @@ class Search {
       return;
     }
     Worst& worst = part.all[region_and_method];
-    const Worst found{reach.share, find.n, doubles_moved(at, ball), line(region, method, find.n, at, ball, truth)};
+    const Worst found{reach.share, find.n, line(region, method, find.n, at, ball, truth)};
     if (is_worse(found, worst)) worst = found;
   }
 
@@ -82,11 +82,6 @@ class Search {
     cases::Shape shape = settings_.shape;
     shape.origin_distance = region.origin_distance;
     return {region.stratum, shape, settings_.seed, n};
-  }
-
-  static std::int64_t doubles_moved(const AtThreshold& at, const Ball& ball) {
-    if (at.moved_axis < 0) return workloads::doubles_between(at.ball.radius, ball.radius);
-    return workloads::doubles_between(at.ball.center[at.moved_axis], ball.center[at.moved_axis]);
   }
 
   [[nodiscard]] std::string line(const Region& region, const cases::Method& method, std::uint64_t n,
@@ -212,22 +207,22 @@ Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
 
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl<Onsets>& control,
-                         Onsets& onsets) {
+void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl<Onsets>& control,
+                Onsets& onsets) {
   const Search search(settings);
-  return run::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
-                        [&](std::uint64_t n, Onsets& part) { search.measure(n, part); });
+  run::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
+                 [&](std::uint64_t n, Onsets& part) { search.measure(n, part); });
 }
 
 std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-std::uint64_t run_climbs(const Settings& settings, const run::RunControl<WorstCases>& control, const Onsets& onsets,
-                         WorstCases& worst) {
+void run_climbs(const Settings& settings, const run::RunControl<WorstCases>& control, const Onsets& onsets,
+                WorstCases& worst) {
   const Search search(settings);
   worst = no_worst_cases(settings);
-  return run::run_sweep(
+  run::run_sweep(
       {climb_count(settings), 1, settings.threads, control.stop, control.progress},
       [&](std::uint64_t i, WorstCases& part) {
         const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept, rank = i % Onset::kMostKept;

@@ -116,12 +116,11 @@ struct Onsets {
 
 /// A case, found by climbing, about which a method is wrong far from the threshold.
 struct Worst {
-  double share = 0;          ///< distance from the threshold, as a share of the size; 0 if none was found
-  std::uint64_t n = 0;       ///< of the sample from which the climb started
-  std::int64_t doubles = 0;  ///< the same offset in doubles; negative: a smaller radius, or a smaller coordinate
-  std::string line;          ///< the case as JSON; its `expected` has only the key that the method gets wrong
+  double share = 0;     ///< distance from the threshold, as a share of the size; 0 if none was found
+  std::uint64_t n = 0;  ///< of the sample from which the climb started
+  std::string line;     ///< the case as JSON; its `expected` has only the key that the method gets wrong
 
-  auto members() { return std::tie(share, n, doubles, line); }
+  auto members() { return std::tie(share, n, line); }
   friend bool operator==(const Worst&, const Worst&) = default;
 };
 
@@ -139,14 +138,13 @@ struct WorstCases {
 [[nodiscard]] Onsets no_onsets(const Settings& settings);
 
 /// Measures how far from the threshold each method is wrong, for those of `samples` samples of every region that the
-/// onsets do not contain yet, and adds them. Returns the number of samples that they then contain.
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl<Onsets>& course,
-                         Onsets& onsets);
-
-/// Climbs from the furthest samples of each region and method. The result is a function of settings and onsets,
-/// independent of threads; `exact` confirms each case. Returns the number of climbs done, of climb_count(settings).
-std::uint64_t run_climbs(const Settings& settings, const run::RunControl<WorstCases>& course, const Onsets& onsets,
-                         WorstCases& worst);
+/// onsets do not contain yet, and adds them.
+void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl<Onsets>& control,
+                Onsets& onsets);
+/// Climbs from the furthest samples of each region and method, in climb_count(settings) climbs. The result is a
+/// function of settings and onsets, independent of threads; `exact` confirms each case.
+void run_climbs(const Settings& settings, const run::RunControl<WorstCases>& control, const Onsets& onsets,
+                WorstCases& worst);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);
 
 // Results only, and errors, as of write_rates.

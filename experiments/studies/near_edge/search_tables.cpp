@@ -96,8 +96,6 @@ const run::Table<OnsetRow>& onset_table() {
 struct WorstRow : Subject {
   const Onset* onset;
   const Worst* worst;
-
-  [[nodiscard]] bool climbed() const { return worst->share != 0; }
 };
 
 const run::Table<WorstRow>& worst_table() {
@@ -113,12 +111,8 @@ const run::Table<WorstRow>& worst_table() {
              },
              "{:.6g}"},
             {"climbed_share", "the furthest wrong offset after climbing, in sizes",
-             [](const WorstRow& row) { return row.climbed() ? std::optional(row.worst->share) : std::nullopt; },
-             "{:.6g}"},
-            {"climbed_doubles", "the same in doubles",
-             [](const WorstRow& row) { return row.climbed() ? std::optional(row.worst->doubles) : std::nullopt; }},
-            {"climbed_from", "the sample from which the climb started",
-             [](const WorstRow& row) { return row.climbed() ? std::optional(row.worst->n) : std::nullopt; }}}}));
+             [](const WorstRow& row) { return row.worst->share != 0 ? std::optional(row.worst->share) : std::nullopt; },
+             "{:.6g}"}}}));
   return table;
 }
 

@@ -49,7 +49,7 @@ std::string selected_axes(const std::vector<std::string>& names) {
 }
 
 // Raised when a block of a seed changes, or the form of what is kept. Blocks are numbered through all axes.
-constexpr int kVersion = 5;
+constexpr int kVersion = 6;
 
 int run_stability(run::StudyRun& run, const Options& options) {
   const Settings settings{options.methods.methods(), select_axes(options.axes), options.samples, options.seed,

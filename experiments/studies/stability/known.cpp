@@ -207,15 +207,10 @@ constexpr auto kPlane = [](const auto& from, const auto&, const auto& normal, co
   return signs::plane(normal, from, radius);
 };
 
-Eigen::Vector3d all_bits(Random& random) {
-  const double x = 2 * random.unit() - 1, y = 2 * random.unit() - 1;
-  return {x, y, 2 * random.unit() - 1};
-}
-
 Operands collinear(Random& random) {
-  const Eigen::Vector3d edge = all_bits(random);
+  const Eigen::Vector3d edge = random_point(random);
   const Eigen::Vector3d from = std::ldexp(1.0, static_cast<int>(random.integer(-3, 3))) * edge;
-  return {from, edge, all_bits(random), 1};
+  return {from, edge, random_point(random), 1};
 }
 
 /// Differences of integers below 2^21, and a normal of integers below 2^44: all exact.

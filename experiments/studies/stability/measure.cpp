@@ -125,27 +125,20 @@ class Asked {
   std::unique_ptr<cases::PreparedMethod> prepared_;
 };
 
-double ulp(double value) {
-  return std::ldexp(1.0, std::max(std::ilogb(value), std::numeric_limits<double>::min_exponent - 1) - 52);
-}
-
-NumberError distance_error(double found, double truth) {
-  if (!std::isfinite(found)) return {0, 0, Quantity::Distance, INFINITY, INFINITY};
-  const long double difference = std::abs(static_cast<long double>(found) - truth);
-  return {0, 0, Quantity::Distance, static_cast<double>(difference / truth),
-          static_cast<double>(difference / ulp(truth))};
+double distance_error(double found, double truth) {
+  if (!std::isfinite(found)) return INFINITY;
+  return static_cast<double>(std::abs(static_cast<long double>(found) - truth) / truth);
 }
 
 /// Returns nothing if the exact point is the origin.
-std::optional<NumberError> point_error(const Eigen::Vector3d& found, const Eigen::Vector3d& truth) {
+std::optional<double> point_error(const Eigen::Vector3d& found, const Eigen::Vector3d& truth) {
   const double largest = truth.cwiseAbs().maxCoeff();
   if (largest == 0) return std::nullopt;
-  if (!found.allFinite()) return NumberError{0, 0, Quantity::Point, INFINITY, INFINITY};
+  if (!found.allFinite()) return INFINITY;
   long double difference = 0;
   for (int k = 0; k < 3; ++k)
     difference = std::max(difference, std::abs(static_cast<long double>(found[k]) - truth[k]));
-  return NumberError{0, 0, Quantity::Point, static_cast<double>(difference / largest),
-                     static_cast<double>(difference / ulp(largest))};
+  return static_cast<double>(difference / largest);
 }
 
 class Study {
@@ -213,19 +206,15 @@ class Study {
   bool measure(const Scene& scene, const Asked& asked, const Probe& probe, std::size_t level, std::size_t m,
                Block& block) const {
     const auto answer = asked.ask(probe.ball, QueryKind::Answer);
-    const auto add = [&](NumberError error) {
-      error.level = level;
-      error.method = m;
-      block.errors.push_back(error);
-    };
     bool off = false;
     if (answer && answer->distance) {
-      const NumberError error = distance_error(*answer->distance, *probe.truth.distance);
-      off = error.relative > 0;
-      add(error);
+      const double error = distance_error(*answer->distance, *probe.truth.distance);
+      off = error > 0;
+      block.errors.push_back({level, m, Quantity::Distance, error});
     }
     if (answer && answer->point && !scene.meant)
-      if (const auto error = point_error(*answer->point, *probe.truth.point)) add(*error);
+      if (const auto error = point_error(*answer->point, *probe.truth.point))
+        block.errors.push_back({level, m, Quantity::Point, *error});
     return off;
   }
 
@@ -238,7 +227,7 @@ class Study {
     WorstCase worst{level, method, 0, 0, block.number, {}};
     if (answer->contact && *answer->contact != *probe.truth.contact) worst.rank = 1 + static_cast<int>(probe.nearness);
     if (answer->distance && *probe.truth.distance > 0)
-      worst.error = distance_error(*answer->distance, *probe.truth.distance).relative;
+      worst.error = distance_error(*answer->distance, *probe.truth.distance);
     const auto held = std::find_if(block.worst.begin(), block.worst.end(),
                                    [&](const WorstCase& other) { return other.method == method; });
     if (held != block.worst.end() && !worst.worse_than(*held)) return;

@@ -77,13 +77,13 @@ struct TestResult {
 enum class Quantity { Distance, Point };
 [[nodiscard]] std::string_view to_string(Quantity quantity);
 
-/// The error of a number. For `distance`: the difference from the correctly rounded value, relative to it and in its
-/// ulps. For `point`: the largest difference in a coordinate, relative to the largest coordinate of the correctly
-/// rounded point and in its ulps. Infinite if the method's answer is not finite.
+/// The error of a number. For `distance`: the difference from the correctly rounded value, relative to it. For
+/// `point`: the largest difference in a coordinate, relative to the largest coordinate of the correctly rounded point.
+/// Infinite if the method's answer is not finite.
 struct NumberError {
   std::size_t level, method;
   Quantity quantity;
-  double relative, ulps;
+  double relative;
 };
 
 struct BoundResult {

@@ -20,11 +20,7 @@ void Summary::add(const Block& block) {
     run::add(
         failures[{axis, r.nearness, r.test, r.method, r.level}],
         {.samples = {.trials = 1, .wrong = r.wrong > 0 ? 1U : 0U}, .answers = {.trials = r.asked, .wrong = r.wrong}});
-  for (const NumberError& e : block.errors) {
-    ErrorSummary& summary = errors[{axis, e.quantity, e.method, e.level}];
-    summary.relative.add(e.relative);
-    summary.ulps.add(e.ulps);
-  }
+  for (const NumberError& e : block.errors) errors[{axis, e.quantity, e.method, e.level}].add(e.relative);
   add_bounds(block, axis);
   for (const WorstCase& candidate : block.worst) keep_worse(worst[axis][candidate.method], candidate);
   missing[axis] += block.missing;

@@ -17,12 +17,6 @@
 
 namespace touchstone::stability {
 
-struct ErrorSummary {
-  statistics::Distribution relative, ulps;
-
-  auto members() { return std::tie(relative, ulps); }
-};
-
 using cases::SampledFailures;
 
 /// The checks of a bound. Polygons are independent, observations on one polygon are not: a polygon fails if a bound is
@@ -58,7 +52,7 @@ struct Summary {
 
   std::uint64_t blocks = 0;
   std::map<Cell, SampledFailures> failures;  ///< a sample fails if the method is wrong with any of its balls
-  std::map<ErrorCell, ErrorSummary> errors;
+  std::map<ErrorCell, statistics::Distribution> errors;  ///< relative
   std::map<BoundCell, BoundSummary> bounds;
   std::map<std::size_t, BoundSummary> all_bounds;               ///< by quantity, over all axes
   std::map<std::uint64_t, std::vector<ConditionPoint>> points;  ///< from a few samples, by block
@@ -94,7 +88,7 @@ struct Summary {
 /// Computes the blocks that the summary does not contain yet and adds them. The result is a
 /// function of the settings and the number of its blocks, which are the first ones, independent of threads
 /// and stops.
-void run_study(const Settings& settings, const run::RunControl<Summary>& course, Summary& summary);
+void run_study(const Settings& settings, const run::RunControl<Summary>& control, Summary& summary);
 
 // Results only: byte for byte the same for the same settings, whatever the threads. Each throws std::runtime_error,
 // which names the file, if it cannot be written. tables() says what the tables hold.

@@ -61,12 +61,6 @@ const run::Table<FailureRow>& failures_table() {
   return table;
 }
 
-/// A level of an axis and the rate of failures there.
-struct LevelRate {
-  std::string_view level;
-  double rate;
-};
-
 /// The last level before the first failure.
 struct LevelBefore {
   std::string_view level;
@@ -79,7 +73,7 @@ struct FirstFailureRow {
   Nearness nearness;
   Test test;
   std::string_view method;
-  std::optional<LevelRate> first, above_half;
+  std::optional<std::string_view> first;
   std::optional<LevelBefore> before;
   cases::Failures all;  ///< samples of all levels
   run::Rate rate;
@@ -100,11 +94,7 @@ const run::Table<FirstFailureRow>& first_failure_table() {
             {"nearness", "how close the ball's radius is to the exact distance", &Row::nearness},
             {"test", "the decision that is compared", &Row::test},
             {"method", "the method", &Row::method},
-            {"first_failure", "the first level with a failure", optional_path(&Row::first, &LevelRate::level)},
-            {"rate_there", "the share of failed samples there", optional_path(&Row::first, &LevelRate::rate), "{:.6g}"},
-            {"first_above_half", "the first level at which more than half of the samples failed",
-             optional_path(&Row::above_half, &LevelRate::level)},
-            {"rate_there_above_half", "their share there", optional_path(&Row::above_half, &LevelRate::rate), "{:.6g}"},
+            {"first_failure", "the first level with a failure", &Row::first},
             {"level_before", "the level before the first failure; the last one if there was none",
              optional_path(&Row::before, &LevelBefore::level)},
             {"samples_before", "samples there", optional_path(&Row::before, &LevelBefore::samples)},
@@ -134,23 +124,21 @@ struct ErrorRow {
   std::size_t level;
   Quantity quantity;
   std::string_view method;
-  const ErrorSummary* errors;
+  const statistics::Distribution* errors;
 };
 
 const run::Table<ErrorRow>& errors_table() {
   static const run::Table<ErrorRow> table(
       "errors.csv", "an axis, level, quantity and method",
-      run::all_columns<ErrorRow>(
-          {level_columns<ErrorRow>(),
-           {{"quantity", "distance or point", &ErrorRow::quantity},
-            {"method", "the method", &ErrorRow::method},
-            {"numbers", "numbers", [](const ErrorRow& row) { return row.errors->relative.count(); }},
-            {"not_finite", "numbers that are not finite",
-             [](const ErrorRow& row) { return row.errors->relative.infinite(); }}},
-           quantile_columns<ErrorRow>({"relative_median", "relative_99", "relative_max"}, "the relative error",
-                                      path(&ErrorRow::errors, &ErrorSummary::relative)),
-           quantile_columns<ErrorRow>({"ulps_median", "ulps_99", "ulps_max"}, "the error in units in the last place",
-                                      path(&ErrorRow::errors, &ErrorSummary::ulps))}));
+      run::all_columns<ErrorRow>({level_columns<ErrorRow>(),
+                                  {{"quantity", "distance or point", &ErrorRow::quantity},
+                                   {"method", "the method", &ErrorRow::method},
+                                   {"numbers", "numbers", path(&ErrorRow::errors, &statistics::Distribution::count)},
+                                   {"not_finite", "numbers that are not finite",
+                                    path(&ErrorRow::errors, &statistics::Distribution::infinite)}},
+                                  quantile_columns<ErrorRow>(
+                                      {"relative_median", "relative_99", "relative_max"}, "the relative error",
+                                      [](const ErrorRow& row) -> const auto& { return *row.errors; })}));
   return table;
 }
 
@@ -199,16 +187,6 @@ const run::Table<ConditionRow>& conditions_table() {
   return table;
 }
 
-/// Returns the first level at which more than this share of the samples failed, if there is one.
-std::optional<LevelRate> first_above(const Settings& settings, const Summary& summary, const Summary::Cell& cell,
-                                     double share) {
-  const auto [axis, nearness, test, method, unused] = cell;
-  const auto level = summary.first_level(settings, axis, nearness, test, method, share);
-  if (!level) return std::nullopt;
-  return LevelRate{levels(settings.axes[axis])[*level].name,
-                   summary.at(axis, nearness, test, method, *level)->samples.share()};
-}
-
 /// Returns the level before the first one with a failure, or the last level if there is none.
 std::optional<LevelBefore> before_first(const Settings& settings, const Summary& summary, const Summary::Cell& cell) {
   const auto [axis, nearness, test, method, unused] = cell;
@@ -240,10 +218,10 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
             rows.push_back({axis, level, nearness, test, name, failures, failures->samples.rate()});
           }
           if (all.trials == 0) continue;
-          const Summary::Cell cell{a, nearness, test, m, 0};
-          firsts.push_back({axis, nearness, test, name, first_above(settings, summary, cell, 0),
-                            first_above(settings, summary, cell, 0.5), before_first(settings, summary, cell), all,
-                            all.rate()});
+          const auto first = summary.first_level(settings, a, nearness, test, m, 0);
+          firsts.push_back({axis, nearness, test, name,
+                            first ? std::optional<std::string_view>(levels(axis)[*first].name) : std::nullopt,
+                            before_first(settings, summary, {a, nearness, test, m, 0}), all, all.rate()});
         }
   failures_table().write(folder, rows);
   first_failure_table().write(folder, firsts);

@@ -115,8 +115,8 @@ std::string largest_errors(const Settings& settings, const Summary& summary) {
     std::size_t worst = 0;
     for (std::size_t level = 0; level < levels(settings.axes[axis]).size(); ++level) {
       const auto found = summary.errors.find({axis, Quantity::Distance, method, level});
-      if (found == summary.errors.end() || found->second.relative.largest() <= largest) continue;
-      largest = found->second.relative.largest();
+      if (found == summary.errors.end() || found->second.largest() <= largest) continue;
+      largest = found->second.largest();
       worst = level;
     }
     if (largest < 0) return "";

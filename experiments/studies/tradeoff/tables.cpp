@@ -93,13 +93,8 @@ struct PointRow {
   std::string_view method;
   Quantity quantity;
   UlpErrors ulps;
-  Worst worst;
 
   [[nodiscard]] double quantile(double share) const { return ulps.quantile_of_finite(share); }
-  /// Returns the stratum of the worst sample, if there is one.
-  [[nodiscard]] const cases::Stratum* stratum() const {
-    return worst.ulps == 0 ? nullptr : &all_strata()[worst.stratum];
-  }
 };
 
 const run::Table<PointRow>& points_table() {
@@ -116,15 +111,7 @@ const run::Table<PointRow>& points_table() {
             {"median", "the median error of finite ones", [](const PointRow& row) { return row.quantile(0.5); },
              kFormat},
             {"q99", "their 99 % quantile", [](const PointRow& row) { return row.quantile(0.99); }, kFormat},
-            {"worst", "their largest error", [](const PointRow& row) { return row.quantile(1); }, kFormat},
-            {"worst_family", "the family of the worst sample: one that is not finite, if there is any",
-             [](const PointRow& row) { return row.stratum() ? std::optional(row.stratum()->family) : std::nullopt; }},
-            {"worst_threshold", "its threshold",
-             [](const PointRow& row) {
-               return row.stratum() ? std::optional(row.stratum()->threshold) : std::nullopt;
-             }},
-            {"worst_sample", "its number",
-             [](const PointRow& row) { return row.stratum() ? std::optional(row.worst.n) : std::nullopt; }}}}));
+            {"worst", "their largest error", [](const PointRow& row) { return row.quantile(1); }, kFormat}}}));
   return table;
 }
 
@@ -416,7 +403,7 @@ void write_points(const std::filesystem::path& folder, const Settings& settings,
       const MethodErrors sum = errors.sum(strata, m);
       for (std::size_t q = 0; q < kQuantities.size(); ++q)
         if (sum.ulps[q].known.count() > sum.ulps[q].known.infinite())
-          rows.push_back({{family_name, placement}, name(settings, m), kQuantities[q], sum.ulps[q], sum.worst[q]});
+          rows.push_back({{family_name, placement}, name(settings, m), kQuantities[q], sum.ulps[q]});
     }
   });
   points_table().write(folder, rows);

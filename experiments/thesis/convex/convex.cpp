@@ -106,22 +106,6 @@ class PreparedConvex final : public cases::PreparedMethod {
   std::vector<fast::PreparedPolygon<double>> parts_;
 };
 
-class Convex final : public cases::Method {
- public:
-  using Parts = std::vector<Polygon> (*)(const Polygon& polygon);
-  Convex(std::string_view name, std::string_view summary, Parts parts)
-      : name_(name), summary_(summary), parts_(parts) {}
-  std::string_view name() const override { return name_; }
-  std::string_view summary() const override { return summary_; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<PreparedConvex>(parts_(polygon));
-  }
-
- private:
-  std::string_view name_, summary_;
-  Parts parts_;
-};
-
 }  // namespace
 
 Polygon convex_hull(const Polygon& polygon) {
@@ -156,10 +140,12 @@ std::vector<Polygon> convex_parts(const Polygon& polygon) {
 
 void add_methods() {
   methods::add_methods([](methods::MethodList& list) {
-    list.push_back(std::make_unique<Convex>("hull", "fast on the polygon's convex hull, which fills notches and holes",
-                                            [](const Polygon& polygon) { return std::vector{convex_hull(polygon)}; }));
-    list.push_back(std::make_unique<Convex>(
-        "convex-parts", "fast on convex parts of the polygon, joined from triangles", convex_parts));
+    list.push_back(std::make_unique<cases::Method>(
+        "hull", "fast on the polygon's convex hull, which fills notches and holes",
+        [](const Polygon& polygon) { return std::make_unique<PreparedConvex>(std::vector{convex_hull(polygon)}); }));
+    list.push_back(std::make_unique<cases::Method>(
+        "convex-parts", "fast on convex parts of the polygon, joined from triangles",
+        [](const Polygon& polygon) { return std::make_unique<PreparedConvex>(convex_parts(polygon)); }));
   });
 }
 

@@ -20,39 +20,35 @@ class PlantedMethod final : public cases::Method {
   using MovingChange = std::function<void(cases::PartialAnswer& answer, const Motion& motion)>;
 
   explicit PlantedMethod(Change change, std::string_view right = "exact")
-      : right_(*methods::find_method(right)), change_(std::move(change)) {}
+      : PlantedMethod(std::move(change), nullptr, *methods::find_method(right)) {}
   /// Changes what is said of moving balls.
   explicit PlantedMethod(MovingChange change, std::string_view right = "exact")
-      : right_(*methods::find_method(right)), moving_change_(std::move(change)) {}
-
-  [[nodiscard]] std::string_view name() const override { return "planted"; }
-  [[nodiscard]] std::string_view summary() const override { return ""; }
-  [[nodiscard]] std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    return std::make_unique<Prepared>(*this, right_.prepare(polygon));
-  }
+      : PlantedMethod(nullptr, std::move(change), *methods::find_method(right)) {}
 
  private:
   class Prepared final : public cases::PreparedMethod {
    public:
-    Prepared(const PlantedMethod& method, std::unique_ptr<cases::PreparedMethod> right)
-        : method_(method), right_(std::move(right)) {}
+    Prepared(std::unique_ptr<cases::PreparedMethod> right, Change change, MovingChange moving_change)
+        : right_(std::move(right)), change_(std::move(change)), moving_change_(std::move(moving_change)) {}
     [[nodiscard]] cases::PartialAnswer ask(const Ball& ball, cases::QueryKind kind) const override {
-      return method_.change_ ? method_.change_(*right_, ball, kind) : right_->ask(ball, kind);
+      return change_ ? change_(*right_, ball, kind) : right_->ask(ball, kind);
     }
     [[nodiscard]] std::optional<cases::PartialAnswer> ask_moving(const Motion& motion) const override {
       auto answer = right_->ask_moving(motion);
-      if (answer && method_.moving_change_) method_.moving_change_(*answer, motion);
+      if (answer && moving_change_) moving_change_(*answer, motion);
       return answer;
     }
 
    private:
-    const PlantedMethod& method_;
     std::unique_ptr<cases::PreparedMethod> right_;
+    Change change_;
+    MovingChange moving_change_;
   };
 
-  const cases::Method& right_;
-  Change change_;
-  MovingChange moving_change_;
+  PlantedMethod(const Change& change, const MovingChange& moving_change, const cases::Method& right)
+      : Method("planted", "", [change, moving_change, &right](const Polygon& polygon) {
+          return std::make_unique<Prepared>(right.prepare(polygon), change, moving_change);
+        }) {}
 };
 
 }  // namespace touchstone::run_tests

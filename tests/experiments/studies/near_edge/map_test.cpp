@@ -42,13 +42,12 @@ class Watching : public cases::Method {
     std::vector<Ball> balls;
   };
 
-  std::string_view name() const override { return "watching"; }
-  std::string_view summary() const override { return ""; }
-  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
-    seen.push_back(std::make_unique<Seen>(Seen{polygon, {}}));
-    return std::make_unique<Prepared>(*seen.back());
-  }
-  mutable std::vector<std::unique_ptr<Seen>> seen;
+  Watching()
+      : Method("watching", "", [this](const Polygon& polygon) {
+          seen.push_back(std::make_unique<Seen>(Seen{polygon, {}}));
+          return std::make_unique<Prepared>(*seen.back());
+        }) {}
+  std::vector<std::unique_ptr<Seen>> seen;
 
  private:
   class Prepared : public cases::PreparedMethod {
@@ -66,7 +65,7 @@ class Watching : public cases::Method {
 
 // Where the contact changes, it does at the feature that the map is about; about a reflex vertex at both of its edges.
 TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
-  const Watching method;
+  Watching method;
   const auto maps = draw_maps({&method}, 3, 1, kNeverStop, kSilent);
   method.seen.erase(method.seen.begin());  // the square that shows whether the method knows the word boundary
   ASSERT_EQ(maps.size(), method.seen.size());
