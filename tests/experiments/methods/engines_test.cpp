@@ -44,7 +44,7 @@ Wrong wrong(const cases::Method& engine, const Workload& workload, double radius
   return wrong;
 }
 
-class Engine : public testing::TestWithParam<const char*> {
+class OwnEngine : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     engine = find_method(GetParam());
@@ -58,7 +58,7 @@ const Workload kOutlines{.family = workloads::Family::Star, .ball = BallPlace::N
 const Workload kTangent{.family = workloads::Family::Triangle, .ball = BallPlace::LatticeTangent};
 
 // Excludes small balls with large coordinates, for which floats, and GJK with its tolerance of 1e-10, may err.
-TEST_P(Engine, IsRightATenthFromTheBoundaryAsFarAsItsNumbersReach) {
+TEST_P(OwnEngine, IsRightATenthFromTheBoundaryAsFarAsItsNumbersReach) {
   const std::string name = GetParam();
   const bool coarse = name == "bullet-float" || name == "libccd" || name == "ode";
   const int allowed = coarse ? 3 * TOUCHSTONE_SAMPLES / 5 + 5 : 0;  // a fifth, and what few samples scatter
@@ -71,7 +71,7 @@ TEST_P(Engine, IsRightATenthFromTheBoundaryAsFarAsItsNumbersReach) {
     }
 }
 
-TEST_P(Engine, IsWrongAboutExactTangencyUnlessItIsExact) {
+TEST_P(OwnEngine, IsWrongAboutExactTangencyUnlessItIsExact) {
   const Wrong counted = wrong(*engine, kTangent, 1);
   const std::string name = GetParam();
   if (name == "cgal-epeck-distance" || name == "cgal-epeck-intersect" || name == "cgal-epick-intersect") {
@@ -81,7 +81,7 @@ TEST_P(Engine, IsWrongAboutExactTangencyUnlessItIsExact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, Engine,
+INSTANTIATE_TEST_SUITE_P(Engines, OwnEngine,
                          testing::Values("fcl", "libccd", "bullet", "bullet-float", "ode", "embree-fast",
                                          "cgal-double-distance", "cgal-double-intersect", "cgal-epick-distance",
                                          "cgal-epick-intersect", "cgal-epeck-distance", "cgal-epeck-intersect"),
