@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "experiments/cases/workloads/degrees.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/thesis/cell/kinematics/aristo.h"
 #include "tests/experiments/support/message_of.h"
