@@ -12,7 +12,7 @@
 namespace touchstone::run {
 
 Option declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about) {
-  const Option option = command.whole(samples, options.samples, about, 1, kMostSamples);
+  Option option = command.whole(samples, options.samples, about, 1, kMostSamples);
   command.seed(options.seed).changes_results();
   declare_parts(command, options);
   return option;

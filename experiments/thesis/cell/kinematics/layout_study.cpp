@@ -185,9 +185,10 @@ Member study_home(const Linkage& linkage, const LinkAngles& home) {
 std::size_t free_parameters() { return kParameters.size() + 1; }  // and the storage's height
 
 std::uint64_t layout_work(HomeSteps steps) {
-  const auto grid = static_cast<std::size_t>(2 * kHomeReach / steps.grid + 1);
-  const auto line = static_cast<std::size_t>(2 * kHomeReach / steps.line + 1);
-  return kCouplings.size() * kHands.size() * (grid * grid + line) + free_parameters() + kCases.size() * kAngles;
+  const auto angles = [](int step) { return 2 * std::size_t{kHomeReach} / static_cast<std::size_t>(step) + 1; };
+  const std::size_t grid = angles(steps.grid);
+  return kCouplings.size() * kHands.size() * (grid * grid + angles(steps.line)) + free_parameters() +
+         kCases.size() * kAngles;
 }
 
 std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>& stop,

@@ -84,7 +84,7 @@ Zone::Face read_face(const CellEntry& entry) {
 
 Eigen::AlignedBox3d read_cuboid(const CellEntry& entry) {
   entry.has_only({"from", "to"});
-  const Eigen::AlignedBox3d box(entry.at("from").point(), entry.at("to").point());
+  Eigen::AlignedBox3d box(entry.at("from").point(), entry.at("to").point());
   if (!(box.min().array() < box.max().array()).all()) entry.bad("\"from\" must be less than \"to\" in each coordinate");
   return box;
 }

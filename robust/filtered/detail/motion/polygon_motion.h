@@ -36,7 +36,8 @@ TOUCHSTONE_INLINE void walk(const EdgeIndex& index, const SweptDisc& disc, const
   while (open > 0) {
     const std::int32_t number = stack[--open];
     if (number < 0) {
-      visit_near(tree.leaves()[static_cast<std::size_t>(~number)]);
+      const std::int32_t leaf = ~number;
+      visit_near(tree.leaves()[static_cast<std::size_t>(leaf)]);
       continue;
     }
     const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(number)];
