@@ -352,7 +352,7 @@ void compute_cases(const Study& study, Computed& computed) {
   computed.numbers["case 1: moves"] = first.process.moves.size();
   computed.numbers["case 2: angle, clockwise"] = -second.cell.storage.angle;
   computed.texts["outward"] = fmt::format("{:.1f}", second.cell.storage.radius - first.cell.storage.radius);
-  for (const std::size_t moment : {0, 2, 5, 8})
+  for (const std::size_t moment : {0U, 2U, 5U, 8U})
     for (const auto& [axis, name] : {std::pair(0, 'x'), {1, 'y'}, {2, 'z'}}) {
       auto& number = computed.numbers[fmt::format("moment {}: {}", moment, name)];
       if (moment < first.moments.size()) number = first.process.stops[first.moments[moment].stop].sphere.center[axis];

@@ -68,7 +68,7 @@ void compute_false_hits(const Study& study, Computed& computed) {
     misses += ends.misses(), hits += ends.misses() + ends.true_hits();
     false_hits += ends.false_hits(), culled += flowchart.culled;
   }
-  for (const std::size_t outline : {4, 5, 3, 6, 2, 0})
+  for (const std::size_t outline : {4U, 5U, 3U, 6U, 2U, 0U})
     for (std::size_t k = 0; k < kRadii.size(); ++k) {
       auto& value =
           computed.numbers[fmt::format("false hits: {}, {:g} %", study.outlines[outline].name, 100 * kRadii[k])];
