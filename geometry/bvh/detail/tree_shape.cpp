@@ -114,7 +114,7 @@ class Builder {
         [&](Result result, const Result& other) {
           const FloatingPointState nearest;
           join(result, other);
-          return result;
+          return pinned(result);
         });
   }
 

@@ -94,7 +94,7 @@ Lengths lengths_of(const std::vector<Triangle>& triangles) {
       },
       [](const Lengths& a, const Lengths& b) {
         const FloatingPointState nearest;
-        return a.joined(b);
+        return pinned(a.joined(b));
       });
 }
 
