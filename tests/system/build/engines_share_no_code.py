@@ -18,7 +18,7 @@ for line in symbols.stdout.splitlines():
         if kind in "TWVu":
             compiled.append(name)
             # The pointer to the personality routine is data. nm leaves the longest names mangled.
-            if not re.search(r"::avx2::|^_ZN\w*4avx2|::avx2_(kernels|walks)\(\)$|^DW\.ref\.", name):
+            if not re.search(r"::avx2::|^_ZZ?N\w*4avx2|::avx2_(kernels|walks)\(\)$|^DW\.ref\.", name):
                 shared.append(name)
 if not compiled:
     sys.exit("nothing is compiled for AVX2 in " + sys.argv[1])
