@@ -40,7 +40,7 @@ inline namespace TOUCHSTONE_TARGET {
 /// @{
 /// What the functions below need of words. Packs of doubles (lane_vector.h) have the same.
 __attribute__((always_inline)) inline double multiplied(double factor, double a) { return factor * a; }
-#if defined(__FMA__)
+#if defined(TOUCHSTONE_FUSED)
 __attribute__((always_inline)) inline double fused_multiply_subtract(double a, double b, double c) {
   return __builtin_fma(a, b, -c);
 }
@@ -71,7 +71,7 @@ __attribute__((always_inline)) inline DoubleWord<Word> two_difference(const Word
 template <class Word>
 __attribute__((always_inline)) inline DoubleWord<Word> two_product(const Word& a, const Word& b) {
   const Word product = a * b;
-#if defined(__FMA__)
+#if defined(TOUCHSTONE_FUSED)
   return {product, fused_multiply_subtract(a, b, product)};
 #else
   constexpr double splitter = 0x1p27 + 1;

@@ -14,7 +14,7 @@ namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 using PackPair = DoubleWord<Pack>;
 
 TOUCHSTONE_INLINE Pack multiplied(double factor, const Pack& a) { return all_lanes(factor) * a; }
-#if defined(__FMA__)
+#if defined(TOUCHSTONE_FUSED)
 TOUCHSTONE_INLINE Pack fused_multiply_subtract(const Pack& a, const Pack& b, const Pack& c) {
   return multiply_subtract(a, b, c);
 }

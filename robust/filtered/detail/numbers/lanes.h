@@ -117,6 +117,15 @@ TOUCHSTONE_INLINE __m128d fused_difference(__m128d a, __m128d b, __m128d c) { re
 TOUCHSTONE_INLINE __m256d fused_difference(__m256d a, __m256d b, __m256d c) { return _mm256_fmsub_pd(a, b, c); }
 TOUCHSTONE_INLINE __m128 fused_difference(__m128 a, __m128 b, __m128 c) { return _mm_fmsub_ps(a, b, c); }
 TOUCHSTONE_INLINE __m256 fused_difference(__m256 a, __m256 b, __m256 c) { return _mm256_fmsub_ps(a, b, c); }
+#elif defined(TOUCHSTONE_FUSED)
+template <class T>
+TOUCHSTONE_INLINE T fused_sum(T a, T b, T c) {
+  return std::fma(a, b, c);
+}
+template <class T>
+TOUCHSTONE_INLINE T fused_difference(T a, T b, T c) {
+  return std::fma(a, b, -c);
+}
 #endif
 
 template <class T, int N>
@@ -185,7 +194,7 @@ struct Lanes {
   friend TOUCHSTONE_INLINE Lanes square_root(const Lanes& a) {
     return each([&](int i) { return Part::square_root(a.parts[i]); });
   }
-#if defined(__FMA__)
+#if defined(TOUCHSTONE_FUSED)
   friend TOUCHSTONE_INLINE Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) {
     return each([&](int i) { return fused_sum(a.parts[i], b.parts[i], c.parts[i]); });
   }

@@ -7,3 +7,9 @@
 #if !defined(TOUCHSTONE_TARGET)
 #define TOUCHSTONE_TARGET baseline
 #endif
+
+/// Defined if one instruction of the target multiplies and adds with one rounding. Products are then exact by it, which
+/// no contraction can spoil.
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+#define TOUCHSTONE_FUSED
+#endif
