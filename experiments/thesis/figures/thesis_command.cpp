@@ -25,7 +25,7 @@ struct Options : run::FolderOptions {
     Settings settings;
     if (quick)
       settings = {
-          .samples = 2'000, .angle_step = 15, .radius_step = 50, .radius_scan = 20, .height_scan = 20, .home_step = 30};
+          .samples = 2'000, .angle_step = 30, .radius_step = 100, .radius_scan = 52, .height_scan = 44, .home_step = 30};
     if (samples > 0) settings.samples = samples;
     settings.seed = seed;
     return settings;
