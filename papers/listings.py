@@ -17,7 +17,7 @@ sys.path.append(str(ROOT / "robust/proofs"))
 import claims  # noqa: E402
 import prove  # noqa: E402
 
-CONSTANT, ARITHMETIC = "kVertex", "doubles"
+SIGN = "triangle_filter vertex_out"
 
 
 def source():
@@ -34,8 +34,8 @@ def record_of(node):
 
 def listings(program):
     model, records = prove.read(program)
-    record = next(record for record in records if record["constant"] == CONSTANT)
-    claim = next(claim for claim in claims.of_record(model, record) if claim.arithmetic == ARITHMETIC)
+    record = next(record for record in records if SIGN in record.get("uses", ()) and not prove.is_fused(record))
+    claim, = claims.of_record(model, record)
     wrapped = re.sub(r" -> ", " ->\n  ", claim.says.for_coq())
     return {"source": source(), "record": "".join(record_of(node) + "\n" for node in record["nodes"]), "gappa": claim.says.for_gappa(),
             "coq": re.sub(r"\n\s*\n", "\n", wrapped) + "\n"}

@@ -9,14 +9,20 @@ of them at 1.
 import itertools
 
 
+def value(operation, left, right, added=0):
+    """What an operation would be without its rounding; one that is fused adds to a product, or subtracts from it."""
+    if operation in ("+", "-"):
+        return left + right if operation == "+" else left - right
+    return left * right - added if operation == "fused -" else left * right + added
+
+
 def computed(record, inputs, relative_errors):
     """The value of every node, with relative_errors[node] in each operation."""
     values = dict(inputs)
     for node in record["nodes"]:
         if "input" in node:
             continue
-        left, right = (values[i] for i in node["of"])
-        exact = left + right if node["operation"] == "+" else left - right if node["operation"] == "-" else left * right
+        exact = value(node["operation"], *(values[i] for i in node["of"]))
         values[node["node"]] = exact * (1 + relative_errors.get(node["node"], 0))
     return values
 
@@ -29,14 +35,16 @@ def derivatives(record, values):
     for node in reversed(record["nodes"]):
         if "input" in node:
             continue
-        left, right = node["of"]
+        *factors, last = node["of"]
         above = derivative[node["node"]]
-        if node["operation"] == "*":
+        if node["operation"] in ("+", "-"):
+            derivative[factors[0]] += above
+        else:
+            left, right = factors if len(factors) == 2 else node["of"]
             derivative[left] += above * values[right]
             derivative[right] += above * values[left]
-        else:
-            derivative[left] += above
-            derivative[right] += above if node["operation"] == "+" else -above
+        if node["operation"] != "*":
+            derivative[last] += -above if node["operation"][-1] == "-" else above
     return derivative
 
 

@@ -6,9 +6,11 @@ import fractions
 import re
 
 import double_words
+import prove
 import quotients
 import signs
 import statement
+import uses
 
 
 @dataclasses.dataclass
@@ -29,17 +31,13 @@ class Claim:
         return re.sub(r"\W+", "_", self.name.replace("/", "quotient").replace("-", "_"))
 
 
-ARITHMETICS = {"doubles": "unit", "double-doubles": "double_double_unit", "floats": "float_unit"}
-
-
 def of_record(model, record):
     """The claims of one record."""
     constant, instance = record["constant"], record["instance"]
     if "nodes" in record:
-        value = record["value"] - model["rounding_of_bound"]
-        for arithmetic, unit in ARITHMETICS.items():
-            says = signs.claim(record, model[unit], value)
-            yield Claim(constant, instance, arithmetic, f"{float(value)} units", model[unit], says)
+        value, unit = record["value"] - model["rounding_of_bound"], model[uses.UNITS[record["arithmetic"]]]
+        arithmetic = f"fused {record['arithmetic']}" if prove.is_fused(record) else record["arithmetic"]
+        yield Claim(constant, instance, arithmetic, f"{float(value)} units", unit, signs.claim(record, unit, value))
     elif "words" in record:
         says = double_words.claim(record, record["proved"])
         yield Claim(constant, instance, "double-doubles", f"{record['proved']} u^2", double_words.UNIT, says)

@@ -89,22 +89,53 @@ def table(head, rows):
     return "\n".join([lines[0], "|" + "---|" * len(head), *lines[1:]])
 
 
-def rows_of_claims(all_claims, records):
+def named(record, listed):
+    """The constants of bounds.h that may be that of the signs: the record knows only its value."""
+    values = dict(re.findall(r"constexpr double (k\w+) = ([\d.]+);", (ROOT / BOUNDS).read_text()))
+    declared = {name for use in record["uses"] if (name := use.split()[1]) in values}
+    return sorted(declared or {name for name, value in values.items()
+                               if float(value) == float(record["value"]) and name not in {*LEFT, *listed}})
+
+
+def defining(function):
+    """The header that defines a function, or a class, which decides."""
+    definition = re.compile(rf"^(class|(TOUCHSTONE_INLINE |inline )?(FilterResult|int)) {function}\b", re.MULTILINE)
+    return [path for path in sources("robust") if path.suffix == ".h" and definition.search(path.read_text())][:1]
+
+
+def joined(rows):
+    """Rows that differ in their arithmetic alone, the last column, are one."""
+    found = {}
+    for *row, arithmetic in rows:
+        found.setdefault(tuple(row), []).append(arithmetic)
+    return [[*row, ", ".join(dict.fromkeys(arithmetics))] for row, arithmetics in found.items()]
+
+
+def rows_of_uses(model, used, listed):
+    """What each function takes to be certain, by claim."""
+    for record in used:
+        claim, = claims.of_record(model, record)
+        by_function = collections.defaultdict(list)
+        for use in record["uses"]:
+            function, _, sign = use.partition(" ")
+            by_function[function].append(f"`{sign}`")
+        signs = "; ".join(f"{links(defining(function))}: {', '.join(its)}" for function, its in by_function.items())
+        names = ", ".join(f"`{name}`" for name in named(record, listed))
+        yield [signs, names, str(float(record["value"])), claim.proved, claim.arithmetic]
+
+
+def rows_of_list(model, listed):
     expressions = listed_expressions()
-    by_record = collections.defaultdict(list)
-    for claim in all_claims:
-        by_record[claim.constant, claim.instance].append(claim)
-    values = {(record["constant"], record["instance"]): record["value"] for record in records}
-    if set(by_record) != set(expressions):
-        raise ValueError(f"record and expressions.h differ: {set(by_record) ^ set(expressions)}")
-    for (constant, instance), some in by_record.items():
+    for record in listed:
+        constant, instance = record["constant"], record["instance"]
+        claim, = claims.of_record(model, record)
         yield [f"`{expressions[constant, instance]}`", f"`{constant}`{' ' + instance if instance else ''}",
-               str(float(values[constant, instance])), some[0].proved, ", ".join(claim.arithmetic for claim in some),
-               links(users(constant, "robust"))]
+               str(float(record["value"])), links(users(constant, "robust")), claim.proved, claim.arithmetic]
 
 
-def rows_left(records):
-    proved = {record["constant"] for record in records}
+def rows_left(used, listed):
+    proved = {record["constant"] for record in listed}
+    proved |= {name for record in used for name in named(record, proved)}
     constants = [constant for constant in constants_of(BOUNDS) if constant not in proved]
     if set(constants) ^ set(LEFT):
         raise ValueError(f"nothing is said, or too much, about {sorted(set(constants) ^ set(LEFT))}")
@@ -118,20 +149,20 @@ def rows_left(records):
 
 
 def page(model, records):
-    all_claims = claims.of_records(model, records)
-    once = sum(count == 1 for count in collections.Counter((claim.constant, claim.instance) for claim in all_claims).values())
+    used = [record for record in records if "uses" in record]
+    listed = [record for record in records if "uses" not in record]
+    constants = {record["constant"] for record in listed}
+    signs = {use for record in used for use in record["uses"]}
     axioms = ",\n  ".join(f"`{axiom}`" for axiom in coq.AXIOMS)
     return f"""# Claims, and what they rest on
 
 <!-- Written by robust/proofs/claims_page.py --write; a test compares. -->
 
-The filters rest on {len(records)} expressions. For {len(records) - once} of them the same statement is proved at three units, those of
-doubles, double-doubles and floats (in floats, queries use `kLanePoint` and `kLaneProduct` alone); for {once}, of
-double-doubles, once. That makes {len(all_claims)} claims. `./check` has Gappa prove them from the record of the source templates; `./check
---quick` leaves this out. `./check --full` passes only if Coq checks all {len(all_claims)} as well, the rules of the error calculus, each
-of its steps that the tests carry out, and the lemma of parity. See [the proofs](README.md) for how.
-
-## Claims that Coq checks
+The filters rest on {len(records)} claims. From {len(used)} of them follow all {len(signs)} signs that functions take to be certain in lanes
+of doubles and in double-doubles. The functions that answer record what they compute, for SSE2 and for AVX2, whose
+products are fused. The other {len(listed)} claims are about parts of other bounds. `./check` has Gappa prove all from the record;
+`./check --quick` leaves this out. `./check --full` passes only if Coq checks all {len(records)} as well, the rules of the error
+calculus, each of its steps that the tests carry out, and the lemma of parity. See [the proofs](README.md) for how.
 
 A claim says: for inputs whose magnitudes are at most 1 and whose errors are those that `bounds.h` states, the computed
 value differs from the exact one by at most `proved`, if each operation has a relative error of at most one unit. The
@@ -139,7 +170,18 @@ unit is 2^-52 for doubles, 2^-103 for double-doubles, 2^-23 for floats; u is 2^-
 by what the rounding of the bound may take. Each file `build/coq/CLAIM.v` that the stage leaves begins with the claim in
 full.
 
-{table(["expression", "constant", "value", "proved", "arithmetic", "used in"], rows_of_claims(all_claims, records))}
+## Signs that functions take to be certain
+
+The record holds the value of the constant, the maxima by which it is multiplied, what they bound, and the operations of the
+sign. It does not hold the name of the constant: all names with this value are listed.
+
+{table(["signs", "constant", "value", "proved", "arithmetic"], joined(rows_of_uses(model, used, constants)))}
+
+## Parts of other bounds
+
+{table(["expression", "constant", "value", "used in", "proved", "arithmetic"], joined(rows_of_list(model, listed)))}
+
+## How Coq checks them
 
 Gappa finds the proofs and prints them for Coq, assuming its hints. Here Coq proves the hints (`ring`, `field`), and from
 Gappa's result the claim as [statement.py](statement.py) writes it. So neither Gappa nor the proof that it prints has to
@@ -157,7 +199,7 @@ be trusted.
 
 ## Constants that Coq does not prove
 
-{table(["constant", "used in", "tests", "what is left to trust"], rows_left(records))}
+{table(["constant", "used in", "tests", "what is left to trust"], rows_left(used, listed))}
 
 The roundings of permanents (`Roundings`) are counted by templates and compared with a calculus of factors in
 [permanent_test.cpp](../../tests/robust/proofs/permanent_test.cpp). The errors that `NewellSums` and `numbers/bounded.h`
@@ -169,10 +211,11 @@ Of the claims that Coq checks:
 - Coq's kernel, and what its library assumes of real numbers and of logic. The stage fails if a theorem assumes anything
   but
   {axioms}.
-- [record.cpp](record.cpp) records the operations of the source templates, over a type in place of doubles.
-  [statement.py](statement.py) and [signs.py](signs.py) state what was recorded. Object code is not looked at.
-- The lanes of doubles, the first stage, add in [another order](README.md#assumptions) than the record; an argument on paper
-  covers them, no proof. Constant, maxima and expression are paired by hand where a filter uses them.
+- [record.cpp](record.cpp) runs the functions that decide over a type in place of doubles. [uses.py](uses.py) finds out what
+  each sign rests on. [statement.py](statement.py) and [signs.py](signs.py) state it. Object code is not looked at.
+- What a maximum bounds is recorded, with two exceptions: the maximum of `ahead_out`, by the triangle inequality; and the
+  maxima of double-doubles, which callers ensure.
+- For the other bounds, expression and constant are paired by hand in [expressions.h](expressions.h).
 - What combines the signs is tested, not proved.
 - [Scaling](README.md#what-is-proved) from maxima of 1 to all maxima, the 1/32 of a constant and the addition of `kTiny`,
   which the tests of bounds compare in rationals.

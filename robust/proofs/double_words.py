@@ -29,8 +29,8 @@ def multiplied_out(nodes, inputs, roundings):
         value = collections.Counter()
         if "input" in node:
             value.update(inputs(node))
-        elif "rest_of" in node:
-            value[(("rounding", node["rest_of"]),)] = 0 if "forgotten" in node else -1
+        elif node["operation"] == "rest":
+            value[(("rounding", node["of"][0]),)] = 0 if "forgotten" in node else -1
         else:
             left, right = (values[i] for i in node["of"])
             if node["operation"] == "*":
@@ -52,12 +52,13 @@ def claim(record, constant):
     for node in record["words"]:
         name = f"c{node['node']}"
         if "input" in node:
-            says.comment(f"{node['input']}, {node['word']} word: {name}")
-            says.within(name, WORD if node["word"] == "high" else WORD * UNIT)
-            words_of.setdefault(node["input"], []).append(name)
-        elif "rest_of" in node:
+            number, word = node["input"].split()
+            says.comment(f"{number}, {word} word: {name}")
+            says.within(name, WORD if word == "high" else WORD * UNIT)
+            words_of.setdefault(number, []).append(name)
+        elif node["operation"] == "rest":
             factor = "0 * " if "forgotten" in node else "-"
-            says.defined(name, f"{factor}{rounding[node['rest_of']]}")
+            says.defined(name, f"{factor}{rounding[node['of'][0]]}")
         else:
             left, right = node["of"]
             operation = f"c{left} {node['operation']} c{right}"
@@ -79,7 +80,7 @@ def claim(record, constant):
 def faulty(record):
     """The record once for each error-free transformation, with its rest forgotten."""
     for rest in record["words"]:
-        if "rest_of" in rest:
+        if rest.get("operation") == "rest":
             yield dict(record, words=[dict(node, forgotten=True) if node is rest else node for node in record["words"]])
 
 

@@ -97,6 +97,10 @@ Inputs<Number> make_inputs(Make make) {
           number("second_weight", One, 0)};
 }
 
+/// The numbers over which a filter evaluates an expression of the list. Signs have none: what takes them to be certain
+/// is recorded whole (record.cpp).
+enum class Over { Doubles, Lanes, FloatLanes, DoubleDoubles };
+
 /// A claim: computed and exact value differ by at most constant factor unit (product of maxima) + kTiny.
 struct Claim {
   std::string_view constant;  ///< its name in bounds.h
@@ -104,6 +108,7 @@ struct Claim {
   double value;
   double factor;
   std::vector<Maximum> maxima;
+  std::vector<Over> over = {};
 
   /// Returns whether the proof must treat squares as products of different numbers. If a maximum bounds inputs of two
   /// groups, scaling the maxima to 1 leaves one group smaller than 1: one factor of `edge` is scaled by m_e, the other
@@ -159,11 +164,11 @@ void for_each_claim(Visit visit) {
         [](const auto& in) { return signs::beyond(in.to_center, in.edge); });
   visit(Claim{"kLine", "", kLine, 1, {Ball, Ball, Edge, Edge}},
         [](const auto& in) { return signs::line(in.to_center, in.edge, in.radius); });
-  visit(Claim{"kNormal", "x", kNormal, 2, {FirstEdge, SecondEdge}},
+  visit(Claim{"kNormal", "x", kNormal, 2, {FirstEdge, SecondEdge}, {Over::DoubleDoubles}},
         [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).x; });
-  visit(Claim{"kNormal", "y", kNormal, 2, {FirstEdge, SecondEdge}},
+  visit(Claim{"kNormal", "y", kNormal, 2, {FirstEdge, SecondEdge}, {Over::DoubleDoubles}},
         [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).y; });
-  visit(Claim{"kNormal", "z", kNormal, 2, {FirstEdge, SecondEdge}},
+  visit(Claim{"kNormal", "z", kNormal, 2, {FirstEdge, SecondEdge}, {Over::DoubleDoubles}},
         [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).z; });
   visit(Claim{"kFront", "", kFront, 1, {Normal, Ball}},
         [](const auto& in) { return signs::front(in.normal, in.to_center); });
@@ -187,22 +192,22 @@ void for_each_claim(Visit visit) {
         [](const auto& in) { return signs::on_edge(in.to_center, in.edge, in.velocity); });
   visit(Claim{"kOnWay", "", kOnWay, 1, {Ball, Edge, Edge, Velocity}},
         [](const auto& in) { return signs::on_way(in.to_center, in.edge, in.velocity); });
-  visit(Claim{"kCoordinate", "", kCoordinate, 1, {One, Centre}},
+  visit(Claim{"kCoordinate", "", kCoordinate, 1, {One, Centre}, {Over::Doubles, Over::Lanes}},
         [](const auto& in) { return frame::coordinate(in.axis, in.from_origin); });
-  visit(Claim{"kEdgeFrame", "along", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {
+  visit(Claim{"kEdgeFrame", "along", kEdgeFrame, 1, {Foot, One}, {Over::Lanes}}, [](const auto& in) {
     return frame::along(in.foot_x, in.foot_y, in.start_x, in.start_y, in.direction_x, in.direction_y);
   });
-  visit(Claim{"kEdgeFrame", "across", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {
+  visit(Claim{"kEdgeFrame", "across", kEdgeFrame, 1, {Foot, One}, {Over::Lanes}}, [](const auto& in) {
     return frame::across(in.foot_x, in.foot_y, in.start_x, in.start_y, in.direction_x, in.direction_y);
   });
-  visit(Claim{"kRoundedDot", "", kRoundedDot, 1, {One, One}},
+  visit(Claim{"kRoundedDot", "", kRoundedDot, 1, {One, One}, {Over::Lanes}},
         [](const auto& in) { return dot(in.first_exact, in.second_exact); });
-  visit(Claim{"kRoundedCross", "x", kRoundedCross, 1, {One, One}},
+  visit(Claim{"kRoundedCross", "x", kRoundedCross, 1, {One, One}, {Over::Lanes}},
         [](const auto& in) { return cross(in.first_exact, in.second_exact).x; });
-  visit(Claim{"kLanePoint", "", kLanePoint, 1, {One, Foot}}, [](const auto& in) {
+  visit(Claim{"kLanePoint", "", kLanePoint, 1, {One, Foot}, {Over::FloatLanes}}, [](const auto& in) {
     return lane::coordinate(in.first_weight, in.second_weight, in.lane_vertex.x, in.lane_edge.x, in.lane_edge.y);
   });
-  visit(Claim{"kLaneProduct", "", kLaneProduct, 1, {One, Foot}},
+  visit(Claim{"kLaneProduct", "", kLaneProduct, 1, {One, Foot}, {Over::FloatLanes}},
         [](const auto& in) { return lane::product(in.first_exact, in.lane_vertex); });
 }
 

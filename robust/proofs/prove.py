@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Usage: python3 prove.py RECORD GAPPA
+"""Usage: python3 prove.py RECORD GAPPA [--uses]
 
-RECORD prints the constants of bounds.h and the operations of the expressions that they bound (record.cpp). Gappa must
-prove every claim, at the units of doubles, double-doubles and floats. It must refuse a constant that inputs and
-rounding errors of the model exceed (adversary.py), which shows that the check can fail, and one within a sixteenth of
-the claimed one, which shows that this is not loose. For sums of products of double-doubles it must refuse a constant
-that is one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out; for quotients and
-roots one that is one u^2 smaller. Exit status 1 if a claim is not proved or a smaller one is.
+RECORD prints the constants of bounds.h, the operations of the expressions that they bound, and what functions compute that
+take signs to be certain (record.cpp). Every such sign must follow from a claim (uses.py); --uses: nothing but this, up to
+the first fault. Gappa must prove every claim, at the unit of its arithmetic. It must refuse a constant that inputs and rounding errors of the
+model exceed (adversary.py) or, where that is larger and no operation is fused, a sixteenth less than the claimed one: so
+the check can fail, and the constant is not loose. For sums of products of double-doubles it must refuse a constant that is
+one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out; for quotients and roots one that
+is one u^2 smaller. Exit status 1 if a claim is not proved or a smaller one is.
 """
 
 import concurrent.futures
@@ -22,14 +23,30 @@ import double_words
 import gappa
 import quotients
 import signs
+import uses
 
 
 def read(program):
-    """The model and the records; every number is a Fraction."""
+    """The model and the record of each claim; every number is a Fraction."""
     lines = subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines()
     model, *records = [json.loads(line, parse_float=lambda text: fractions.Fraction(float(text)),
                                   parse_int=fractions.Fraction) for line in lines]
-    return model, records
+    functions = [record for record in records if "function" in record]
+    listed = [renumbered(record) if "nodes" in record else record for record in records if "function" not in record]
+    once = [record for i, record in enumerate(listed) if record not in listed[:i]]  # lanes of two targets may do the same
+    return model, once + uses.claims(model, functions)
+
+
+def renumbered(record):
+    """The record with its nodes numbered from 0."""
+    number = {node["node"]: i for i, node in enumerate(record["nodes"])}
+    nodes = [{**node, "node": i, **({"of": [number[of] for of in node["of"]]} if "of" in node else {})}
+             for i, node in enumerate(record["nodes"])]
+    return {**record, "nodes": nodes}
+
+
+def is_fused(record):
+    return any("fused" in node.get("operation", "") for node in record["nodes"])
 
 
 def below(value):
@@ -38,7 +55,10 @@ def below(value):
 
 
 def name_of(record):
-    return " ".join(filter(None, (record["constant"], record["instance"])))
+    words = [record["constant"], record["instance"]]
+    if "nodes" in record:
+        words += ["in", "fused" if is_fused(record) else "", record["arithmetic"]]
+    return " ".join(filter(None, words))
 
 
 def judge_sum_of_products(program, model, record):
@@ -76,33 +96,42 @@ def judge_quotient(program, model, record):
     return faults, f"{name}: {float(record['value'])}; proved {proved} u^2; too small {proved - 1} u^2"
 
 
+def unproved(program, model, record):
+    """The fault of a claim that Gappa does not prove, if any."""
+    unit, claimed = model[uses.UNITS[record["arithmetic"]]], record["value"] - model["rounding_of_bound"]
+    if not gappa.proves(program, signs.claim(record, unit, claimed), unit):
+        yield f"{name_of(record)}: {float(claimed)} is not proved"
+
+
 def judge(program, model, record):
     """The faults of one claim, and a line that says what is proved."""
     name = name_of(record)
-    value, unit = record["value"], model["unit"]
+    value, unit = record["value"], model[uses.UNITS[record["arithmetic"]]]
     claimed = value - model["rounding_of_bound"]
-    faults = []
-
-    def proves(constant, at):
-        return gappa.proves(program, signs.claim(record, at, constant), at)
-
-    for at in (unit, model["double_double_unit"], model["float_unit"]):
-        if not proves(claimed, at):
-            faults.append(f"{name}: {float(claimed)} is not proved at unit {float(at):.3g}")
+    faults = list(unproved(program, model, record))
     reached = adversary.reached(record, unit)
     if reached > claimed:
         faults.append(f"{name}: the model's errors reach {float(reached)}")
-    smaller = sorted({below(reached), max(below(reached), value * fractions.Fraction(15, 16))})
-    for constant in smaller:
-        if proves(constant, unit):
-            faults.append(f"{name}: {float(constant)} is proved too, and the model's errors reach {float(reached)}")
+    smaller = below(reached)
+    if not is_fused(record):  # what is fused rounds less than the constant allows for
+        smaller = max(smaller, value * fractions.Fraction(15, 16))
+    if gappa.proves(program, signs.claim(record, unit, smaller), unit):
+        faults.append(f"{name}: {float(smaller)} is proved too, and the model's errors reach {float(reached)}")
     return faults, (f"{name}: {float(value)}; proved {float(claimed)}; errors reach {float(reached):.3f}; too small "
-                    + ", ".join(str(float(constant)) for constant in smaller))
+                    f"{float(smaller)}")
 
 
-def main(recorder, program):
+def main(recorder, program, *options):
     start = time.monotonic()
-    model, records = read(recorder)
+    try:
+        model, records = read(recorder)
+    except uses.Misuse as misuse:
+        print(misuse)
+        return 1
+    if options:
+        fault = next((fault for record in records if "uses" in record for fault in unproved(program, model, record)), None)
+        print(fault or "every sign that is taken to be certain is proved to be")
+        return 1 if fault else 0
     faults = []
     judges = {"nodes": judge, "words": judge_sum_of_products, "numbers": judge_quotient}
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:

@@ -31,10 +31,11 @@ def exact(node, values):
 
 def claim(record, constant):
     """|computed / exact - 1| <= constant u^2."""
-    values = {0: "1", 1: "1"}
+    values = {node["node"]: "1" for node in record["numbers"] if "input" in node}
+    operations = [node for node in record["numbers"] if "operation" in node]
     says, unrounded, of_kind = statement.Statement(), {}, {}
-    operands = {i for node in record["numbers"] for i in node["of"]}
-    for node in record["numbers"]:
+    operands = {i for node in operations for i in node["of"]}
+    for node in operations:
         number, operation = node["node"], node["operation"]
         if operation in ("low", "rest") or operation == "high" and number not in operands:
             continue  # rests are part of exact sums, low words of no operation

@@ -18,11 +18,17 @@ def claim(record, unit, constant):
                 says.comment(f"{node['input']}: computed c{name}, exact e{name}")
                 says.known(f"c{name}", f"e{name}", 1, node["error"] * unit)
         else:
-            (left, right), operation = node["of"], node["operation"]
+            (left, right, *added), operation = node["of"], node["operation"]
             if left == right and record["squares_are_products"]:
                 right = f"{right}_right"
-            says.operation(f"c{name}", f"c{left} {operation} c{right}", f"d{name}", unit)
-            says.defined(f"e{name}", f"e{left} {operation} e{right}")
+
+            def expression(prefix):
+                if added:  # a product and a sum, rounded once
+                    return f"{prefix}{left} * {prefix}{right} {operation[-1]} {prefix}{added[0]}"
+                return f"{prefix}{left} {operation} {prefix}{right}"
+
+            says.operation(f"c{name}", expression("c"), f"d{name}", unit)
+            says.defined(f"e{name}", expression("e"))
     result = record["nodes"][-1]["node"]
     says.at_most(f"c{result} - e{result}", constant * record["factor"] * unit)
     return says

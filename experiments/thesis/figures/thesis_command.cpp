@@ -24,8 +24,12 @@ struct Options : run::FolderOptions {
   [[nodiscard]] Settings settings() const {
     Settings settings;
     if (quick)
-      settings = {
-          .samples = 2'000, .angle_step = 30, .radius_step = 100, .radius_scan = 52, .height_scan = 44, .home_step = 30};
+      settings = {.samples = 2'000,
+                  .angle_step = 30,
+                  .radius_step = 100,
+                  .radius_scan = 52,
+                  .height_scan = 44,
+                  .home_step = 30};
     if (samples > 0) settings.samples = samples;
     settings.seed = seed;
     return settings;

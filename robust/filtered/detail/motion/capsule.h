@@ -30,6 +30,84 @@ struct CapsuleSigns {
   double velocity;                ///< maximum
 };
 
+/// The ends of a motion as seen from a triangle's corners and edges, with the sides of the plane on which they lie.
+template <class P>
+struct CapsuleEnds {
+  BallAtTriangle<P> start, end;
+  LaneSigns<P> starts_front, ends_front;
+
+  TOUCHSTONE_INLINE CapsuleEnds(const TriangleLanes<P>& triangle, const Vector3<P>& vertex, const Vector3<P>& center,
+                                const Vector3<P>& to, const P& radius)
+      : start(triangle, difference(center, vertex), radius),
+        end(triangle, difference(to, vertex), radius),
+        starts_front(front(triangle, start)),
+        ends_front(front(triangle, end)) {}
+
+  [[nodiscard]] TOUCHSTONE_INLINE P stays() const {
+    return (starts_front.positive & ends_front.positive) | (starts_front.negative & ends_front.negative);
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE P crosses() const {
+    return (starts_front.positive & ends_front.negative) | (starts_front.negative & ends_front.positive);
+  }
+
+ private:
+  static TOUCHSTONE_INLINE LaneSigns<P> front(const TriangleLanes<P>& triangle, const BallAtTriangle<P>& ball) {
+    return certain_signs(signs::front(triangle.normal, ball.to_center), bounds::kFront,
+                         triangle.m_normal * ball.m_center);
+  }
+};
+
+/// The segment of a motion between its ends, as seen from a triangle's corners and edges.
+template <class P>
+struct CapsuleSide {
+  P m_velocity, m_start, beyond;                 ///< maxima
+  LaneSigns<P> approaches, departs, vertex_out;  ///< a vertex, with the segment as an edge
+  /// An edge.
+  LaneSigns<P> apart, lines_out, after_start, after_end, starts_past, ends_past, ahead_out;
+
+  TOUCHSTONE_INLINE CapsuleSide(const TriangleLanes<P>& triangle, const CapsuleEnds<P>& ends,
+                                const Vector3<P>& velocity, const P& radius)
+      : m_velocity(not_too_small(largest_component(velocity))) {
+    const auto &start = ends.start, &end = ends.end;
+    const Vector3<P>& edge = triangle.edge;
+    const P m_center = maximum(start.m_center, end.m_center), m_vertex = m_center * m_velocity;
+    approaches = certain_signs(signs::along(start.to_center, velocity), bounds::kAlong, m_vertex);
+    departs = certain_signs(signs::along(end.to_center, velocity), bounds::kAlong, m_vertex);
+    vertex_out = certain_signs(signs::line(start.to_center, velocity, radius), bounds::kLine, m_vertex * m_vertex);
+
+    const Vector3<P> from_end = next_of_three(start.to_center);
+    m_start = maximum(m_center, next_of_three(m_center));
+    const P m_all = m_start * (m_velocity * triangle.m_edge);
+    const P m_edge_sign = m_all * m_velocity, m_way_sign = m_all * triangle.m_edge;
+    apart = certain_signs(signs::apart(start.to_center, edge, velocity), bounds::kApart, m_all);
+    lines_out = certain_signs(signs::lines(start.to_center, edge, velocity, radius), bounds::kLines, m_all * m_all);
+    after_start = certain_signs(signs::on_edge(start.to_center, edge, velocity), bounds::kOnEdge, m_edge_sign);
+    after_end = certain_signs(signs::on_edge(from_end, edge, velocity), bounds::kOnEdge, m_edge_sign);
+    starts_past = certain_signs(signs::on_way(start.to_center, edge, velocity), bounds::kOnWay, m_way_sign);
+    ends_past = certain_signs(signs::on_way(end.to_center, edge, velocity), bounds::kOnWay, m_way_sign);
+    beyond = end.m_center + m_velocity;
+    const P m_ahead = triangle.m_edge * (beyond + beyond);
+    const Vector3<P> ahead{end.to_center.x + velocity.x, end.to_center.y + velocity.y, end.to_center.z + velocity.z};
+    ahead_out =
+        certain_signs(signs::line_ahead(start.to_center, ahead, edge, radius), bounds::kLineAhead, m_ahead * m_ahead);
+  }
+
+  [[nodiscard]] TOUCHSTONE_INLINE P vertex_hit() const {
+    return vertex_out.negative & approaches.negative & departs.positive;
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE P vertex_missed() const {
+    return vertex_out.positive | approaches.positive | departs.negative;
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE P edge_hit() const {
+    return lines_out.negative & after_start.positive & after_end.negative & starts_past.negative & ends_past.positive;
+  }
+  /// `start_out`: the sign of the edge's line as seen from the start.
+  [[nodiscard]] TOUCHSTONE_INLINE P edge_missed(const LaneSigns<P>& start_out) const {
+    return (start_out.positive & ahead_out.positive) | lines_out.positive | after_start.negative | after_end.positive |
+           starts_past.positive | ends_past.negative;
+  }
+};
+
 /// Returns whether the capsule touches the triangle, if doubles can decide it. Writes `signs` if they cannot, and
 /// `signs.at_start` if it touches.
 ///
@@ -40,65 +118,25 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view, bounds::kLargest)) [[unlikely]]
     return FilterResult::OutOfRange;
-  const TriangleLanes triangle = triangle_lanes(vertex);
-  const Vector3<Pack>&edge = triangle.edge, &normal = triangle.normal;
-  const Pack &m_edge = triangle.m_edge, &m_normal = triangle.m_normal;
+  const TriangleLanes<Pack> triangle = triangle_lanes(vertex);
   const Vector3<Pack> center = point_lanes(view.motion), to = point_lanes(view.motion + 4);
   const Pack radius = all_lanes(view.radius());
-  constexpr unsigned all = BallAtTriangle<>::all;
-  const auto lanes = BallAtTriangle<>::lanes;
+  constexpr unsigned all = BallAtTriangle<Pack>::all;
+  const auto lanes = BallAtTriangle<Pack>::lanes;
 
-  const BallAtTriangle<> start(triangle, difference(center, vertex), radius);
-  const BallAtTriangle<> end(triangle, difference(to, vertex), radius);
-  const auto front = [&](const BallAtTriangle<>& ball) {
-    return certain_signs(signs::front(normal, ball.to_center), bounds::kFront, m_normal * ball.m_center);
-  };
-  const LaneSigns starts_front = front(start), ends_front = front(end);
-  const Pack stays = (starts_front.positive & ends_front.positive) | (starts_front.negative & ends_front.negative);
-  const Pack crosses = (starts_front.positive & ends_front.negative) | (starts_front.negative & ends_front.positive);
+  const CapsuleEnds<Pack> ends(triangle, vertex, center, to, radius);
+  const auto &start = ends.start, &end = ends.end;
+  const Pack stays = ends.stays();
   if (lanes(stays & start.plane_out.positive & end.plane_out.positive) != 0) return FilterResult::No;
 
-  const Vector3<Pack> velocity = difference(to, center);
-  const Pack m_velocity = not_too_small(largest_component(velocity));
-  const Pack m_center = maximum(start.m_center, end.m_center);
-
-  // A vertex and the motion's segment, as an edge and a centre.
-  const Pack m_vertex = m_center * m_velocity;
-  const LaneSigns approaches = certain_signs(signs::along(start.to_center, velocity), bounds::kAlong, m_vertex);
-  const LaneSigns departs = certain_signs(signs::along(end.to_center, velocity), bounds::kAlong, m_vertex);
-  const LaneSigns vertex_out =
-      certain_signs(signs::line(start.to_center, velocity, radius), bounds::kLine, m_vertex * m_vertex);
-  const Pack vertex_hit = vertex_out.negative & approaches.negative & departs.positive;
-  const Pack vertex_missed = vertex_out.positive | approaches.positive | departs.negative;
-
-  // An edge and the motion's segment.
-  const Vector3<Pack> from_end = next_of_three(start.to_center);
-  const Pack m_start = maximum(m_center, next_of_three(m_center)), m_both = m_velocity * m_edge;
-  const Pack m_all = m_start * m_both, m_edge_sign = m_all * m_velocity, m_way_sign = m_all * m_edge;
-  const LaneSigns apart = certain_signs(signs::apart(start.to_center, edge, velocity), bounds::kApart, m_all);
-  const LaneSigns lines_out =
-      certain_signs(signs::lines(start.to_center, edge, velocity, radius), bounds::kLines, m_all * m_all);
-  const LaneSigns after_start =
-      certain_signs(signs::on_edge(start.to_center, edge, velocity), bounds::kOnEdge, m_edge_sign);
-  const LaneSigns after_end = certain_signs(signs::on_edge(from_end, edge, velocity), bounds::kOnEdge, m_edge_sign);
-  const LaneSigns starts_past =
-      certain_signs(signs::on_way(start.to_center, edge, velocity), bounds::kOnWay, m_way_sign);
-  const LaneSigns ends_past = certain_signs(signs::on_way(end.to_center, edge, velocity), bounds::kOnWay, m_way_sign);
-  const Pack edge_hit =
-      lines_out.negative & after_start.positive & after_end.negative & starts_past.negative & ends_past.positive;
-  const Pack beyond = end.m_center + m_velocity, m_ahead = m_edge * (beyond + beyond);
-  const Vector3<Pack> ahead{end.to_center.x + velocity.x, end.to_center.y + velocity.y, end.to_center.z + velocity.z};
-  const LaneSigns ahead_out =
-      certain_signs(signs::line_ahead(start.to_center, ahead, edge, radius), bounds::kLineAhead, m_ahead * m_ahead);
-  const Pack edge_missed = (start.line_out.positive & ahead_out.positive) | lines_out.positive | after_start.negative |
-                           after_end.positive | starts_past.positive | ends_past.negative;
-
-  const unsigned left = lanes(apart.positive), right = lanes(apart.negative);
-  const bool pierces = (left == all || right == all) && lanes(crosses) != 0;
+  const CapsuleSide<Pack> side(triangle, ends, difference(to, center), radius);
+  const Pack vertex_missed = side.vertex_missed(), edge_missed = side.edge_missed(start.line_out);
+  const unsigned left = lanes(side.apart.positive), right = lanes(side.apart.negative);
+  const bool pierces = (left == all || right == all) && lanes(ends.crosses()) != 0;
   const bool passes_by = (left != 0 && right != 0) || lanes(stays) != 0;
 
   // Without branches, which random motions would mispredict.
-  const unsigned hit = lanes(vertex_hit | edge_hit), missed = lanes(vertex_missed & edge_missed);
+  const unsigned hit = lanes(side.vertex_hit() | side.edge_hit()), missed = lanes(vertex_missed & edge_missed);
   const bool touches_start = start.certainly_touches(), touches_end = end.certainly_touches();
   const bool misses_start = start.certainly_misses(), misses_end = end.certainly_misses();
   const bool yes = touches_start | touches_end | (hit != 0) | pierces;
@@ -109,61 +147,100 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
   signs.at_end = misses_end ? FilterResult::No : FilterResult::Unsure;
   signs.vertices = lanes(vertex_missed) ^ all, signs.edges = lanes(edge_missed) ^ all;
   signs.may_pierce = !passes_by;
-  store(signs.center, maximum(m_start, beyond));
-  store(signs.edge, m_edge);
+  store(signs.center, maximum(side.m_start, side.beyond));
+  store(signs.edge, triangle.m_edge);
   double velocities[kLanes];
-  store(velocities, m_velocity);
+  store(velocities, side.m_velocity);
   signs.velocity = velocities[0];
   return FilterResult::Unsure;
 }
 
-/// Decides with the signs of signs.h what may be hit. A sign that is not certain is 0.
+// The same in double-doubles. Vertices, edges and maxima of one lane; a sign that is not certain is 0.
+
+/// `out`: the sign of the gap; `within`: whether the nearest points certainly lie inside.
+inline FilterResult hit(int out, bool within) {
+  if (out > 0) return FilterResult::No;
+  return out < 0 && within ? FilterResult::Yes : FilterResult::Unsure;
+}
+
+/// A vertex and a motion's segment.
+template <class Value, class Number>
+struct CapsuleVertex {
+  Vector3<Value> to_center, to_end, velocity;
+  Value radius;
+  Number most;  ///< the maximum of centres, times that of the velocity
+
+  [[nodiscard]] Estimate<Number> approaches() const {
+    return estimate(signs::along(to_center, velocity), bounds::kAlong * most);
+  }
+  [[nodiscard]] Estimate<Number> departs() const {
+    return estimate(signs::along(to_end, velocity), bounds::kAlong * most);
+  }
+  [[nodiscard]] Estimate<Number> out() const {
+    return estimate(signs::line(to_center, velocity, radius), bounds::kLine * most * most);
+  }
+  [[nodiscard]] FilterResult is_hit() const {
+    const int begins = approaches().sign(), ends = departs().sign();
+    return begins > 0 || ends < 0 ? FilterResult::No : hit(out().sign(), begins < 0 && ends > 0);
+  }
+};
+
+/// An edge and a motion's segment.
+template <class Value, class Number>
+struct CapsuleEdge {
+  Vector3<Value> to_center, from_next, to_end, edge, velocity;
+  Value radius;
+  Number m_center, m_edge, m_velocity;
+
+  [[nodiscard]] Number all() const { return m_center * m_edge * m_velocity; }
+  [[nodiscard]] Estimate<Number> after_start() const {
+    return estimate(signs::on_edge(to_center, edge, velocity), bounds::kOnEdge * (all() * m_velocity));
+  }
+  [[nodiscard]] Estimate<Number> after_end() const {
+    return estimate(signs::on_edge(from_next, edge, velocity), bounds::kOnEdge * (all() * m_velocity));
+  }
+  [[nodiscard]] Estimate<Number> starts_past() const {
+    return estimate(signs::on_way(to_center, edge, velocity), bounds::kOnWay * (all() * m_edge));
+  }
+  [[nodiscard]] Estimate<Number> ends_past() const {
+    return estimate(signs::on_way(to_end, edge, velocity), bounds::kOnWay * (all() * m_edge));
+  }
+  [[nodiscard]] Estimate<Number> out() const {
+    return estimate(signs::lines(to_center, edge, velocity, radius), bounds::kLines * all() * all());
+  }
+  [[nodiscard]] FilterResult is_hit() const {
+    const int start = after_start().sign(), end = after_end().sign();
+    const int starts = starts_past().sign(), ends = ends_past().sign();
+    if (start < 0 || end > 0 || starts > 0 || ends < 0) return FilterResult::No;
+    return hit(out().sign(), start > 0 && end < 0 && starts < 0 && ends > 0);
+  }
+};
+
+/// Sees the vertices and edges that doubles leave open.
 class CapsuleInDoubles {
  public:
   /// Requires round to nearest.
   CapsuleInDoubles(const MotionTriangleView& view, const CapsuleSigns& signs)
-      : view_(view), signs_(signs), velocity_(difference(view.motion + 4, view.motion)) {}
+      : view_(view), signs_(signs), velocity_(exact_difference(view.motion + 4, view.motion)) {}
 
   [[nodiscard]] FilterResult vertex(int i) const {
-    const double maximum = signs_.center[i] * signs_.velocity;
-    const auto to_center = from(i), to_end = from_end(i);
-    const int approaches = sign(signs::along(to_center, velocity_), bounds::kAlong * maximum);
-    const int departs = sign(signs::along(to_end, velocity_), bounds::kAlong * maximum);
-    if (approaches > 0 || departs < 0) return FilterResult::No;
-    return hit(sign(signs::line(to_center, velocity_, radius()), bounds::kLine * maximum * maximum),
-               approaches < 0 && departs > 0);
+    return CapsuleVertex<DoubleDouble, double>{from(i), from_end(i), velocity_, view_.radius(),
+                                               signs_.center[i] * signs_.velocity}
+        .is_hit();
   }
   [[nodiscard]] FilterResult edge(int i) const {
-    const double all = signs_.center[i] * signs_.edge[i] * signs_.velocity;
-    const double edge_bound = bounds::kOnEdge * (all * signs_.velocity);
-    const double way_bound = bounds::kOnWay * (all * signs_.edge[i]);
     const int next = i == 2 ? 0 : i + 1;
-    const auto to_center = from(i), to_end = from_end(i), edge = difference(view_.vertex[next], view_.vertex[i]);
-    const int after_start = sign(signs::on_edge(to_center, edge, velocity_), edge_bound);
-    const int after_end = sign(signs::on_edge(from(next), edge, velocity_), edge_bound);
-    const int starts_past = sign(signs::on_way(to_center, edge, velocity_), way_bound);
-    const int ends_past = sign(signs::on_way(to_end, edge, velocity_), way_bound);
-    if (after_start < 0 || after_end > 0 || starts_past > 0 || ends_past < 0) return FilterResult::No;
-    return hit(sign(signs::lines(to_center, edge, velocity_, radius()), bounds::kLines * all * all),
-               after_start > 0 && after_end < 0 && starts_past < 0 && ends_past > 0);
+    const Vector3<DoubleDouble> edge = exact_difference(view_.vertex[next], view_.vertex[i]);
+    return CapsuleEdge<DoubleDouble, double>{from(i),        from(next),     from_end(i),      edge,
+                                             velocity_,      view_.radius(), signs_.center[i], signs_.edge[i],
+                                             signs_.velocity}
+        .is_hit();
   }
 
  private:
-  static Vector3<DoubleDouble> difference(const double* a, const double* b) {
-    return {two_difference(a[0], b[0]), two_difference(a[1], b[1]), two_difference(a[2], b[2])};
-  }
-  [[nodiscard]] Vector3<DoubleDouble> from(int i) const { return difference(view_.motion, view_.vertex[i]); }
-  [[nodiscard]] Vector3<DoubleDouble> from_end(int i) const { return difference(view_.motion + 4, view_.vertex[i]); }
-  [[nodiscard]] DoubleDouble radius() const { return view_.radius(); }
-  /// Returns the sign of a value with error `bound` kDoubleDoubleUnit + kTiny.
-  static int sign(const DoubleDouble& value, double bound) {
-    const double largest = bounds::kDoubleDoubleUnit * bound + bounds::kTiny;
-    return (value.high > largest) - (value.high < -largest);
-  }
-  /// `out`: the sign of the gap; `within`: whether the nearest points certainly lie inside.
-  static FilterResult hit(int out, bool within) {
-    if (out > 0) return FilterResult::No;
-    return out < 0 && within ? FilterResult::Yes : FilterResult::Unsure;
+  [[nodiscard]] Vector3<DoubleDouble> from(int i) const { return exact_difference(view_.motion, view_.vertex[i]); }
+  [[nodiscard]] Vector3<DoubleDouble> from_end(int i) const {
+    return exact_difference(view_.motion + 4, view_.vertex[i]);
   }
 
   const MotionTriangleView& view_;

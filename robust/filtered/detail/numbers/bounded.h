@@ -44,11 +44,9 @@ using ErrorOf = typename ErrorTraits<Number>::Error;
 /// @{
 /// The operations of lanes for single numbers. Truth values are bits of lanes, here of one.
 TOUCHSTONE_INLINE double magnitude(const DoubleDouble& a) { return std::abs(a.high); }
-TOUCHSTONE_INLINE double maximum(double a, double b) { return a > b ? a : b; }
 TOUCHSTONE_INLINE unsigned below(double a, double b) { return a < b ? 1U : 0U; }
 TOUCHSTONE_INLINE unsigned below(const Pack& a, const Pack& b) { return negative_lanes(a - b); }
 TOUCHSTONE_INLINE Pack leading(const Pack& a) { return a; }
-TOUCHSTONE_INLINE double leading(const DoubleDouble& a) { return a.high; }
 TOUCHSTONE_INLINE Pack magnitude_of(const Pack& a) { return magnitude(a); }
 TOUCHSTONE_INLINE DoubleDouble magnitude_of(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
 TOUCHSTONE_INLINE DoubleDouble square_root(const DoubleDouble& a) { return sqrt(a); }

@@ -153,6 +153,10 @@ inline DoubleWord<Word> sqrt(const DoubleWord<Word>& a) {
   return quick_two_sum(root, rest.high / (2 * root));
 }
 
+/// The double that is nearest to the sum, and has its sign.
+__attribute__((always_inline)) inline double leading(const DoubleDouble& a) { return a.high; }
+__attribute__((always_inline)) inline double leading(double a) { return a; }
+
 /// Sign of the sum, exact: high decides, as |low| <= |high|.
 inline int sign(const DoubleDouble& value) { return (value.high > 0) - (value.high < 0); }
 

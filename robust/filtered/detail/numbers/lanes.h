@@ -331,19 +331,23 @@ TOUCHSTONE_INLINE float least_of_first(const FloatPack& a, unsigned count) {
 }
 #endif
 
-TOUCHSTONE_INLINE Pack dot(const Vector3<Pack>& a, const Vector3<Pack>& b) {
+template <class T, int N>
+TOUCHSTONE_INLINE Lanes<T, N> dot(const Vector3<Lanes<T, N>>& a, const Vector3<Lanes<T, N>>& b) {
   return multiply_add(a.x, b.x, multiply_add(a.y, b.y, a.z * b.z));
 }
-TOUCHSTONE_INLINE Vector3<Pack> cross(const Vector3<Pack>& a, const Vector3<Pack>& b) {
+template <class T, int N>
+TOUCHSTONE_INLINE Vector3<Lanes<T, N>> cross(const Vector3<Lanes<T, N>>& a, const Vector3<Lanes<T, N>>& b) {
   return {multiply_subtract(a.y, b.z, a.z * b.y), multiply_subtract(a.z, b.x, a.x * b.z),
           multiply_subtract(a.x, b.y, a.y * b.x)};
 }
 
-TOUCHSTONE_INLINE Vector3<Pack> difference(const Vector3<Pack>& a, const Vector3<Pack>& b) {
+template <class T, int N>
+TOUCHSTONE_INLINE Vector3<Lanes<T, N>> difference(const Vector3<Lanes<T, N>>& a, const Vector3<Lanes<T, N>>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 /// Returns the largest magnitude of a component.
-TOUCHSTONE_INLINE Pack largest_component(const Vector3<Pack>& v) {
+template <class T, int N>
+TOUCHSTONE_INLINE Lanes<T, N> largest_component(const Vector3<Lanes<T, N>>& v) {
   return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
 

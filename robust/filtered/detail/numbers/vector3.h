@@ -29,6 +29,8 @@ constexpr auto multiply_subtract(const A& a, const B& b, const C& c) {
 }
 /// @}
 
+__attribute__((always_inline)) constexpr double maximum(double a, double b) { return a > b ? a : b; }
+
 template <class A, class B>
 constexpr auto dot(const Vector3<A>& a, const Vector3<B>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

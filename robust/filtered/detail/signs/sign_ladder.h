@@ -138,16 +138,6 @@ class IntegerView {
   bool fits_;
 };
 
-/// Returns the sign of the expression in double-doubles if their error bound makes it certain, else 0.
-template <SignKind kind>
-int certain_sign(const EdgeOperands& operands) {
-  const double value = expression<kind>(DoubleDoubleView{operands}).high;
-  // `high` differs from the double-double by at most half a unit in its last place and has the same sign; each constant
-  // covers that and the rounding of the bound.
-  const double largest = bounds::kDoubleDoubleUnit * bound<kind>(operands.maxima) + bounds::kTiny;
-  return (value > largest) - (value < -largest);
-}
-
 [[nodiscard]] inline bool is_zero(const Vector3<DoubleDouble>& v) {
   return v.x.high == 0 && v.y.high == 0 && v.z.high == 0;  // exact: the tails are zero with them
 }
@@ -192,7 +182,7 @@ int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& b
       return expression<kind>(view).sign();
     }
   }
-  if (const int sign = double_double ? certain_sign<kind>(operands) : 0) {
+  if (const int sign = double_double ? estimate<kind>(DoubleDoubleView{operands}, operands.maxima).sign() : 0) {
     counts.count(Stage::DoubleDouble);
     return sign;
   }

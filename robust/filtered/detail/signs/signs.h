@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/target.h"
 #include "robust/filtered/detail/numbers/vector3.h"
 #include "robust/filtered/detail/signs/bounds.h"
@@ -119,9 +120,11 @@ constexpr auto on_way(const Vector3<V>& to_center, const Vector3<V>& edge, const
 }  // namespace signs
 
 /// The largest magnitudes of the components of `to_center` (and of r), `edge` and `normal`.
-struct Maxima {
-  double to_center, edge, normal;
+template <class Number>
+struct MaximaOf {
+  Number to_center, edge, normal;
 };
+using Maxima = MaximaOf<double>;
 
 /// Returns the sign's expression over the numbers of an edge relative to a ball: `to_center`, `edge`, `normal`,
 /// `radius` and, for Above, the coordinate.
@@ -158,18 +161,38 @@ int expression_sign(SignKind kind, const View& view) {
 }
 
 /// Returns the error bound of the expression in units of relative rounding, without kTiny.
-template <SignKind kind>
-constexpr double bound(const Maxima& m) {
+template <SignKind kind, class Number>
+constexpr Number bound(const MaximaOf<Number>& m) {
   switch (kind) {
     case SignKind::Vertex: return bounds::kVertex * (m.to_center * m.to_center);
     case SignKind::Along: return bounds::kAlong * (m.to_center * m.edge);
-    case SignKind::Beyond: return bounds::kBeyond * (m.edge * (m.to_center > m.edge ? m.to_center : m.edge));
+    case SignKind::Beyond: return bounds::kBeyond * (m.edge * maximum(m.to_center, m.edge));
     case SignKind::Line: return bounds::kLine * (m.to_center * m.edge) * (m.to_center * m.edge);
     case SignKind::Front: return bounds::kFront * (m.normal * m.to_center);
     case SignKind::Plane: return bounds::kPlane * (m.normal * m.to_center) * (m.normal * m.to_center);
     case SignKind::Side: return bounds::kSide * (m.normal * m.edge * m.to_center);
     case SignKind::Above: return bounds::kAbove * (m.normal * m.normal * m.to_center);
   }
+}
+
+/// A value in double-doubles, of which the leading double tells the sign, and a bound of its error.
+template <class Number>
+struct Estimate {
+  Number value, error;
+
+  /// Returns +1, -1, or 0 if the sign is not certain.
+  [[nodiscard]] constexpr int sign() const { return (value > error) - (value < -error); }
+};
+/// Returns the estimate of a value whose error is at most `units` kDoubleDoubleUnit + kTiny. A leading double differs
+/// from its double-double by at most half a unit in its last place, and has the same sign. Each constant covers that
+/// and the rounding of the bound.
+template <class Value, class Number>
+constexpr Estimate<Number> estimate(const Value& value, const Number& units) {
+  return {leading(value), bounds::kDoubleDoubleUnit * units + bounds::kTiny};
+}
+template <SignKind kind, class View, class Number>
+constexpr Estimate<Number> estimate(const View& view, const MaximaOf<Number>& maxima) {
+  return estimate(expression<kind>(view), bound<kind>(maxima));
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -90,8 +90,8 @@ inline FilterResult scaled_filter(const BallTriangleView& view, TriangleSigns& s
   };
   const Vector3<Pack> edges = lanes(edge);
   const Vector3<Pack> previous{previous_of_three(edges.x), previous_of_three(edges.y), previous_of_three(edges.z)};
-  const TriangleLanes triangle(edges, signs::normal(previous, edges));
-  return filter_edges<false>(triangle, BallAtTriangle<true>(triangle, lanes(to_center), load(radius)), signs);
+  const TriangleLanes<Pack> triangle(edges, signs::normal(previous, edges));
+  return filter_edges<false>(triangle, BallAtTriangle<Pack, true>(triangle, lanes(to_center), load(radius)), signs);
 }
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -70,11 +70,10 @@ TOUCHSTONE_INLINE bool contact_by(const BallTriangleView& view, const LoneSign& 
   if constexpr (uses<Counts>(Stage::DoubleDouble)) {
     if (has_few_bits(view.center)) return exact_sign<kind, Stage::DoubleDouble>(view, maxima, i, counts) <= 0;
     maxima.normal = 2 * maxima.edge * maxima.edge;
-    const double value = expression<kind>(LaneView{view, i});
-    const double error = bounds::kDoubleDoubleUnit * bound<kind>(maxima) + bounds::kTiny;
-    if (std::abs(value) > error) [[likely]] {
+    const Estimate<double> number = estimate<kind>(LaneView{view, i}, maxima);
+    if (std::abs(number.value) > number.error) [[likely]] {
       counts.count(Stage::DoubleDouble);
-      return value < 0;
+      return number.value < 0;
     }
     return exact_sign<kind, Stage::FixedInteger>(view, maxima, i, counts) <= 0;
   } else {

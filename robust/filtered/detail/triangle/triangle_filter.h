@@ -9,48 +9,59 @@
 /// The first stage for a ball and a triangle: all signs in doubles, one edge per lane, without branches.
 namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
+// What decides is written once, over lanes `P` of any numbers: of doubles, and of numbers that record their operations
+// for the proofs (robust/proofs).
+
 /// The certain signs of one expression, as sign bits of the lanes.
+template <class P>
 struct LaneSigns {
-  Pack positive, negative;
+  P positive, negative;
 };
 
 /// Returns the certain signs of a value with error `constant` kUnit (product of maxima). Maxima are so large that kTiny
 /// need not be added.
-TOUCHSTONE_INLINE LaneSigns certain_signs(const Pack& value, double constant, const Pack& maxima) {
-  const Pack factor = all_lanes(constant * bounds::kUnit);
+template <class P>
+TOUCHSTONE_INLINE LaneSigns<P> certain_signs(const P& value, double constant, const P& maxima) {
+  const P factor = P::all(constant * bounds::kUnit);
   return {multiply_subtract(factor, maxima, value), multiply_add(factor, maxima, value)};
 }
 
 /// Returns a maximum that is at least kSmallest. Maxima may be larger than necessary, and from kSmallest on every bound
 /// is above kTiny, which need not be added.
-TOUCHSTONE_INLINE Pack not_too_small(const Pack& largest) { return maximum(largest, all_lanes(bounds::kSmallest)); }
+template <class P>
+TOUCHSTONE_INLINE P not_too_small(const P& largest) {
+  return maximum(largest, P::all(bounds::kSmallest));
+}
 
 // Vectors of lanes are copied by component: g++ 12 copies a whole one through memory in pieces, which costs more than
 // the arithmetic.
 
 /// A triangle as seen from its corners, one corner and the edge from it a lane; lane 3 repeats a corner.
+template <class P>
 struct TriangleLanes {
-  Vector3<Pack> edge, normal;
-  Pack m_edge, m_normal;  ///< maxima
+  Vector3<P> edge, normal;
+  P m_edge, m_normal;  ///< maxima
 
-  TOUCHSTONE_INLINE TriangleLanes(const Vector3<Pack>& edges, const Vector3<Pack>& normals)
+  TOUCHSTONE_INLINE TriangleLanes(const Vector3<P>& edges, const Vector3<P>& normals)
       : edge{edges.x, edges.y, edges.z},
         normal{normals.x, normals.y, normals.z},
         m_edge(not_too_small(largest_component(edges))) {
-    const Pack m_edges = m_edge * previous_of_three(m_edge);
+    const P m_edges = m_edge * previous_of_three(m_edge);
     m_normal = m_edges + m_edges;
   }
 };
 
 /// Returns the vector that each lane's successor holds.
-TOUCHSTONE_INLINE Vector3<Pack> next_of_three(const Vector3<Pack>& v) {
+template <class P>
+TOUCHSTONE_INLINE Vector3<P> next_of_three(const Vector3<P>& v) {
   return {next_of_three(v.x), next_of_three(v.y), next_of_three(v.z)};
 }
 
 /// Returns the triangle with these vertices.
-TOUCHSTONE_INLINE TriangleLanes triangle_lanes(const Vector3<Pack>& vertex) {
-  const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
-  const Vector3<Pack> edge = difference(next_of_three(vertex), vertex);
+template <class P>
+TOUCHSTONE_INLINE TriangleLanes<P> triangle_lanes(const Vector3<P>& vertex) {
+  const Vector3<P> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
+  const Vector3<P> edge = difference(next_of_three(vertex), vertex);
   return {edge, signs::normal(edge, difference(previous, vertex))};
 }
 
@@ -69,17 +80,17 @@ TOUCHSTONE_INLINE Vector3<Pack> point_lanes(const double* point) {
 ///
 /// If `scaled`, every vector is in a unit of its own: the radius of a lane in that of `to_center`, the normal in those
 /// of the edges before and after the lane's vertex.
-template <bool scaled = false>
+template <class P, bool scaled = false>
 struct BallAtTriangle {
-  Vector3<Pack> to_center;
-  Pack m_center;  ///< maximum
-  LaneSigns vertex_out, after_start, after_end, line_out, side_in, plane_out;
+  Vector3<P> to_center;
+  P m_center;  ///< maximum
+  LaneSigns<P> vertex_out, after_start, after_end, line_out, side_in, plane_out;
 
-  TOUCHSTONE_INLINE BallAtTriangle(const TriangleLanes& triangle, const Vector3<Pack>& from_corners, const Pack& radius)
+  TOUCHSTONE_INLINE BallAtTriangle(const TriangleLanes<P>& triangle, const Vector3<P>& from_corners, const P& radius)
       : to_center{from_corners.x, from_corners.y, from_corners.z},
         m_center(not_too_small(maximum(largest_component(from_corners), radius))) {
     const auto& [edge, normal, m_edge, m_normal] = triangle;
-    const Pack m_both = m_center * m_edge, m_plane = m_normal * m_center;
+    const P m_both = m_center * m_edge, m_plane = m_normal * m_center;
     vertex_out = certain_signs(signs::vertex(to_center, radius), bounds::kVertex, m_center * m_center);
     after_start = certain_signs(signs::along(to_center, edge), bounds::kAlong, m_both);
     if constexpr (scaled)  // as seen from the end of the edge, all terms have the same units
@@ -93,7 +104,7 @@ struct BallAtTriangle {
   }
 
   static constexpr unsigned all = 0b111;
-  static TOUCHSTONE_INLINE unsigned lanes(const Pack& signs_of) { return negative_lanes(signs_of) & all; }
+  static TOUCHSTONE_INLINE unsigned lanes(const P& signs_of) { return negative_lanes(signs_of) & all; }
 
   /// Returns the lanes of edges that the ball certainly touches, and of those that it certainly misses.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned edges_touched() const {
@@ -133,19 +144,20 @@ TOUCHSTONE_INLINE bool in_range(const Vector3<Pack>& vertex, const double* ball)
 
 /// Writes all signs.
 template <bool scaled>
-TOUCHSTONE_INLINE void write(TriangleSigns& signs, const TriangleLanes& triangle, const BallAtTriangle<scaled>& ball) {
-  const auto both = [](const LaneSigns& s) {
-    return CertainSigns{BallAtTriangle<>::lanes(s.positive), BallAtTriangle<>::lanes(s.negative)};
+TOUCHSTONE_INLINE void write(TriangleSigns& signs, const TriangleLanes<Pack>& triangle,
+                             const BallAtTriangle<Pack, scaled>& ball) {
+  const auto both = [](const LaneSigns<Pack>& s) {
+    return CertainSigns{BallAtTriangle<Pack>::lanes(s.positive), BallAtTriangle<Pack>::lanes(s.negative)};
   };
   signs.vertex = both(ball.vertex_out), signs.line = both(ball.line_out);
   signs.along = both(ball.after_start), signs.beyond = both(ball.after_end);
   signs.side = both(ball.side_in), signs.plane = both(ball.plane_out);
-  signs.reachable = ball.edges_missed() ^ BallAtTriangle<>::all;
+  signs.reachable = ball.edges_missed() ^ BallAtTriangle<Pack>::all;
   store(signs.to_center, ball.m_center);
   store(signs.edge, triangle.m_edge);
 }
 /// Writes the lone sign, if doubles cannot decide contact.
-TOUCHSTONE_INLINE void write(LoneSign& sign, const TriangleLanes& triangle, const BallAtTriangle<>& ball) {
+TOUCHSTONE_INLINE void write(LoneSign& sign, const TriangleLanes<Pack>& triangle, const BallAtTriangle<Pack>& ball) {
   sign.bit = ball.lone_sign();
   store(sign.to_center, ball.m_center);
   store(sign.edge, triangle.m_edge);
@@ -154,8 +166,8 @@ TOUCHSTONE_INLINE void write(LoneSign& sign, const TriangleLanes& triangle, cons
 /// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
 /// `always`.
 template <bool always, class Signs, bool scaled>
-TOUCHSTONE_INLINE FilterResult filter_edges(const TriangleLanes& triangle, const BallAtTriangle<scaled>& ball,
-                                            Signs& signs) {
+TOUCHSTONE_INLINE FilterResult filter_edges(const TriangleLanes<Pack>& triangle,
+                                            const BallAtTriangle<Pack, scaled>& ball, Signs& signs) {
   const bool yes = ball.certainly_touches(), no = ball.certainly_misses();
   // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted.
   if (!always && yes != no) [[likely]]
@@ -173,8 +185,8 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Sig
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view.center)) [[unlikely]]
     return FilterResult::OutOfRange;
-  const TriangleLanes triangle = triangle_lanes(vertex);
-  const BallAtTriangle<> ball(triangle, difference(point_lanes(view.center), vertex), all_lanes(view.radius()));
+  const TriangleLanes<Pack> triangle = triangle_lanes(vertex);
+  const BallAtTriangle<Pack> ball(triangle, difference(point_lanes(view.center), vertex), all_lanes(view.radius()));
   return filter_edges<always>(triangle, ball, signs);
 }
 

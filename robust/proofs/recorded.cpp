@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/proofs/recorded.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace touchstone::proofs {
+
+Recording& Recording::current() {
+  static Recording recording;
+  return recording;
+}
+
+int Recording::add(const Node& node) {
+  const auto [found, is_new] =
+      numbers_.try_emplace({node.operation, node.of, node.name, node.number}, static_cast<int>(nodes_.size()));
+  if (is_new) nodes_.push_back(node);
+  return found->second;
+}
+
+void Recording::print(std::ostream& out, const std::vector<int>& results) const {
+  std::vector<bool> is_needed(nodes_.size(), false);
+  for (const int result : results) is_needed[static_cast<std::size_t>(result)] = true;
+  for (std::size_t i = nodes_.size(); i-- > 0;)
+    if (is_needed[i])
+      for (const int of : nodes_[i].of) is_needed[static_cast<std::size_t>(of)] = true;
+  const char* separator = "";
+  out << "[";
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!is_needed[i]) continue;
+    const Node& node = nodes_[i];
+    out << std::exchange(separator, ", ") << R"({"node": )" << i << ", ";
+    if (node.operation == "input") {
+      out << R"("input": ")" << node.name << R"(", "error": )" << node.number;
+    } else if (node.operation == "constant") {
+      out << R"("constant": )" << node.number;
+    } else {
+      out << R"("operation": ")" << node.operation << R"(", "of": [)";
+      const char* comma = "";
+      for (const int of : node.of) out << std::exchange(comma, ", ") << of;
+      out << "]";
+    }
+    out << "}";
+  }
+  out << "]";
+}
+
+Recorded Recorded::of(std::string operation, std::vector<int> operands) {
+  Recorded result;
+  result.node = Recording::current().add({std::move(operation), std::move(operands), "", 0});
+  return result;
+}
+Recorded Recorded::input(std::string name, double error) {
+  Recorded result;
+  result.node = Recording::current().add({"input", {}, std::move(name), error});
+  return result;
+}
+Recorded::Recorded(double constant) : node(Recording::current().add({"constant", {}, "", constant})) {}
+
+Recorded operator+(const Recorded& a, const Recorded& b) { return Recorded::of("+", {a.node, b.node}); }
+Recorded operator-(const Recorded& a, const Recorded& b) { return Recorded::of("-", {a.node, b.node}); }
+Recorded operator*(const Recorded& a, const Recorded& b) { return Recorded::of("*", {a.node, b.node}); }
+Recorded operator/(const Recorded& a, const Recorded& b) { return Recorded::of("/", {a.node, b.node}); }
+Recorded sqrt(const Recorded& a) { return Recorded::of("sqrt", {a.node}); }
+Recorded fused_sum(const Recorded& a, const Recorded& b, const Recorded& c) {
+  return Recorded::of("fused +", {a.node, b.node, c.node});
+}
+Recorded fused_difference(const Recorded& a, const Recorded& b, const Recorded& c) {
+  return Recorded::of("fused -", {a.node, b.node, c.node});
+}
+Recorded minimum(const Recorded& a, const Recorded& b) { return Recorded::of("minimum", {a.node, b.node}); }
+Recorded maximum(const Recorded& a, const Recorded& b) { return Recorded::of("maximum", {a.node, b.node}); }
+Recorded magnitude(const Recorded& a) { return Recorded::of("magnitude", {a.node}); }
+
+namespace {
+
+DoubleWord<Recorded> with_rest(const Recorded& rounded) { return {rounded, Recorded::of("rest", {rounded.node})}; }
+
+DoubleWord<Recorded> whole(const char* operation, const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b) {
+  const int left = number_of(a), right = number_of(b);
+  return words_of(Recorded::of(operation, {left, right}).node);
+}
+
+}  // namespace
+
+DoubleWord<Recorded> two_sum(const Recorded& a, const Recorded& b) { return with_rest(a + b); }
+DoubleWord<Recorded> two_difference(const Recorded& a, const Recorded& b) { return with_rest(a - b); }
+DoubleWord<Recorded> two_product(const Recorded& a, const Recorded& b) { return with_rest(a * b); }
+DoubleWord<Recorded> quick_two_sum(const Recorded& a, const Recorded& b) { return with_rest(a + b); }
+
+DoubleWord<Recorded> words_of(int number) { return {Recorded::of("high", {number}), Recorded::of("low", {number})}; }
+int number_of(const DoubleWord<Recorded>& a) {
+  const Recording::Node low = Recording::current().nodes()[static_cast<std::size_t>(a.low.node)];
+  if (low.operation == "constant") return a.high.node;  // a single word
+  return low.operation == "low" ? low.of.front() : Recorded::of("exact +", {a.high.node, a.low.node}).node;
+}
+
+DoubleWord<Recorded> operator+(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b) {
+  return whole("double-double +", a, b);
+}
+DoubleWord<Recorded> operator-(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b) {
+  return whole("double-double -", a, b);
+}
+DoubleWord<Recorded> operator*(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b) {
+  return whole("double-double *", a, b);
+}
+
+RecordedFunction::RecordedFunction(std::string_view name, std::string_view target, std::string_view arithmetic)
+    : head_(fmt::format(R"("function": "{}", "target": "{}", "arithmetic": "{}")", name, target, arithmetic)) {
+  Recording::current().begin();
+}
+void RecordedFunction::known(const std::vector<Recorded>& numbers, const Recorded& maximum, double error,
+                             std::string_view constant, std::string_view why) {
+  std::vector<int> bounds;
+  for (const Recorded& number : numbers) bounds.push_back(number.node);
+  known_ += fmt::format(R"({}{{"maximum": {}, "error": {}, "constant": "{}", "why": "{}", "bounds": [{}]}})",
+                        known_.empty() ? "" : ", ", maximum.node, error, constant, why, fmt::join(bounds, ", "));
+}
+void RecordedFunction::use(std::string_view name, const Recorded& positive, const Recorded& negative) {
+  uses_ += fmt::format(R"({}{{"name": "{}", "positive": {}, "negative": {}}})", uses_.empty() ? "" : ", ", name,
+                       positive.node, negative.node);
+}
+void RecordedFunction::use(std::string_view name, const filtered::detail::Estimate<Recorded>& estimate) {
+  uses_ += fmt::format(R"({}{{"name": "{}", "value": {}, "error": {}}})", uses_.empty() ? "" : ", ", name,
+                       estimate.value.node, estimate.error.node);
+}
+void RecordedFunction::print(std::ostream& out) const {
+  std::vector<int> all(Recording::current().nodes().size());
+  std::iota(all.begin(), all.end(), 0);
+  out << fmt::format(R"({{{}, "known": [{}], "uses": [{}], "recorded": )", head_, known_, uses_);
+  Recording::current().print(out, all);
+  out << "}\n";
+}
+
+void print_claim(std::ostream& out, const Claim& claim, Over over, const Recorded& result) {
+  const char* arithmetic = over == Over::DoubleDoubles ? "double-doubles"
+                           : over == Over::FloatLanes  ? "floats"
+                                                       : "doubles";
+  out << R"({"constant": ")" << claim.constant << R"(", "instance": ")" << claim.instance << R"(", "value": )"
+      << claim.value << R"(, "factor": )" << claim.factor << R"(, "squares_are_products": )"
+      << claim.squares_are_products() << R"(, "arithmetic": ")" << arithmetic << R"(", "nodes": )";
+  Recording::current().print(out, {result.node});
+  out << "}\n";
+}
+
+}  // namespace touchstone::proofs

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <map>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/proofs/expressions.h"
+
+/// Numbers that compute nothing and record their operations, over which the filters run for the proofs.
+namespace touchstone::proofs {
+
+/// The operations that were carried out, each once, in order, without branches. Nodes are numbered in this order,
+/// inputs included.
+class Recording {
+ public:
+  struct Node {
+    std::string operation;  ///< "input" and "constant" have no operands; the others as the functions below
+    std::vector<int> of;
+    std::string name;   ///< of an input
+    double number = 0;  ///< a constant, or the error of an input in units of its maximum
+  };
+
+  /// Returns the recording to which all operations are added.
+  static Recording& current();
+  /// Forgets all nodes.
+  void begin() { *this = {}; }
+  /// Returns the node of this operation, a new one if it was not carried out yet.
+  int add(const Node& node);
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  /// Prints the nodes from which some results are computed, as a JSON array.
+  void print(std::ostream& out, const std::vector<int>& results) const;
+
+ private:
+  std::vector<Node> nodes_;
+  std::map<std::tuple<std::string, std::vector<int>, std::string, double>, int> numbers_;
+};
+
+struct Recorded {
+  int node;
+
+  Recorded() : Recorded(0.0) {}
+  Recorded(double constant);  // NOLINT: it is one
+  static Recorded of(std::string operation, std::vector<int> operands);
+  static Recorded input(std::string name, double error = 0);
+};
+
+/// @{
+/// A rounded operation, and a b + c and a b - c rounded once.
+Recorded operator+(const Recorded& a, const Recorded& b);
+Recorded operator-(const Recorded& a, const Recorded& b);
+Recorded operator*(const Recorded& a, const Recorded& b);
+Recorded operator/(const Recorded& a, const Recorded& b);
+template <std::same_as<int> Two>
+Recorded operator*(Two, const Recorded& a) {  ///< twice a, exact
+  return Recorded::of("doubled", {a.node});
+}
+Recorded sqrt(const Recorded& a);
+Recorded fused_sum(const Recorded& a, const Recorded& b, const Recorded& c);
+Recorded fused_difference(const Recorded& a, const Recorded& b, const Recorded& c);
+/// @}
+/// @{
+/// Not rounded.
+Recorded minimum(const Recorded& a, const Recorded& b);
+Recorded maximum(const Recorded& a, const Recorded& b);
+Recorded magnitude(const Recorded& a);
+/// @}
+/// Returns false: recorded numbers are assumed to be nonzero.
+inline bool operator==(const Recorded&, int) { return false; }
+
+/// The error-free transformations of double_double.h: a rounded operation and its exact rounding error.
+DoubleWord<Recorded> two_sum(const Recorded& a, const Recorded& b);
+DoubleWord<Recorded> two_difference(const Recorded& a, const Recorded& b);
+DoubleWord<Recorded> two_product(const Recorded& a, const Recorded& b);
+DoubleWord<Recorded> quick_two_sum(const Recorded& a, const Recorded& b);
+
+/// Returns the words of a double-double, or the double-double of two words.
+DoubleWord<Recorded> words_of(int number);
+int number_of(const DoubleWord<Recorded>& a);
+/// @{
+/// Operations on double-doubles as a whole.
+DoubleWord<Recorded> operator+(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b);
+DoubleWord<Recorded> operator-(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b);
+DoubleWord<Recorded> operator*(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b);
+/// @}
+
+/// Returns itself: the number stands for a double-double and its leading double alike.
+inline Recorded leading(const Recorded& a) { return a; }
+
+/// A function that takes signs to be certain, as recorded.
+class RecordedFunction {
+ public:
+  /// Forgets what was recorded before.
+  RecordedFunction(std::string_view name, std::string_view target, std::string_view arithmetic);
+  /// Says that the maximum bounds the numbers, each known to `error` units of it: for the reason `why`, or by a claim
+  /// of its own about the `constant`.
+  void known(const std::vector<Recorded>& numbers, const Recorded& maximum, double error, std::string_view constant,
+             std::string_view why = "");
+  /// Adds a sign that is taken to be certain where one of these is negative: a bound less a value, and their sum.
+  void use(std::string_view name, const Recorded& positive, const Recorded& negative);
+  /// Adds a sign that is taken to be certain where a value, or its opposite, exceeds its error.
+  void use(std::string_view name, const filtered::detail::Estimate<Recorded>& estimate);
+  void print(std::ostream& out) const;
+
+ private:
+  std::string known_, uses_, head_;
+};
+
+/// Prints a claim of the list, whose expression has this result.
+void print_claim(std::ostream& out, const Claim& claim, Over over, const Recorded& result);
+
+}  // namespace touchstone::proofs

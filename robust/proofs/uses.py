@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The claims that functions rest on which take signs in lanes to be certain, from what they are recorded to compute.
+
+Such a function takes a value to be positive where it exceeds a bound, and negative where it is below minus that bound. The
+record holds the operations of both comparisons, from the inputs on. It alone says what has to be proved: the constant and
+the maxima of the bound, which numbers each maximum bounds, and the operations of the value.
+"""
+
+import collections
+import fractions
+
+
+UNITS = {"doubles": "unit", "double-doubles": "double_double_unit", "floats": "float_unit"}  # names in the model
+
+
+class Misuse(Exception):
+    """A use from which no claim follows."""
+
+
+class Function:
+    """A recorded function."""
+
+    def __init__(self, record, model):
+        self.nodes = {node["node"]: node for node in record["recorded"]}
+        self.unit, self.smallest, self.tiny = model[UNITS[record["arithmetic"]]], model["smallest"], model["tiny"]
+        self.known = collections.defaultdict(dict)  # by maximum, the errors of the numbers that it is declared to bound
+        for known in record["known"]:
+            self.known[known["maximum"]].update(dict.fromkeys(known["bounds"], known["error"]))
+
+    def operation(self, node):
+        return self.nodes[node].get("operation")
+
+    def operands(self, node):
+        return self.nodes[node].get("of", [])
+
+    def constant(self, node):
+        return self.nodes[node].get("constant")
+
+    def is_input(self, node):
+        return "input" in self.nodes[node]
+
+    def is_difference(self, node):
+        return self.operation(node) == "-" and all(map(self.is_input, self.operands(node)))
+
+    def key(self, node):
+        """Equal for numbers whose magnitudes differ by their rounding at most: a - b and b - a."""
+        return frozenset(self.operands(node)) if self.is_difference(node) else node
+
+    def name(self, node):
+        """What a known number is called."""
+        if self.is_input(node):
+            return self.nodes[node]["input"]
+        return " - ".join(map(self.name, self.operands(node))) if self.is_difference(node) else f"known {node}"
+
+    def terms(self, node):
+        """What a maximum is the largest of."""
+        if self.operation(node) == "maximum":
+            return [term for operand in self.operands(node) for term in self.terms(operand)]
+        return [node]
+
+    def bounded(self, node):
+        """The keys of the numbers that a node bounds, and whether it is too large to need kTiny. None if it is no maximum."""
+        if node in self.known:
+            return set(map(self.key, self.known[node])), True
+        keys, is_large = set(), False
+        for term in self.terms(node) if self.operation(node) == "maximum" else [node]:
+            if term in self.known:
+                return None  # the largest of several maxima
+            if self.operation(term) == "magnitude":
+                keys.add(self.key(*self.operands(term)))
+            elif self.is_input(term) and term != node:
+                keys.add(self.key(term))  # a radius, which is not negative
+            elif self.constant(term) is not None and term != node:
+                is_large |= self.constant(term) >= self.smallest
+            else:
+                return None
+        return keys, is_large
+
+    def product(self, node):
+        """A bound as (factor, products): the factor times the largest of these products, each a Counter of maxima."""
+        if self.bounded(node):
+            return 1, [collections.Counter([node])]
+        if self.constant(node) is not None:
+            return self.constant(node), [collections.Counter()]
+        if self.operation(node) == "*":
+            (a, left), (b, right) = map(self.product, self.operands(node))
+            return a * b, [x + y for x in left for y in right]
+        if self.operation(node) == "maximum":
+            parts = list(map(self.product, self.terms(node)))
+            if all(factor == 1 for factor, _ in parts):
+                return 1, [product for _, products in parts for product in products]
+        if self.operation(node) == "+" and len(set(self.operands(node))) == 1:
+            factor, products = self.product(self.operands(node)[0])
+            return 2 * factor, products
+        raise Misuse(f"node {node} is no product of maxima")
+
+    def error(self, node, maxima):
+        """The error in units of its maximum of what the value takes as known: an input, a difference, or what a maximum is
+        declared to bound. None for what it computes."""
+        if self.is_input(node):
+            return self.nodes[node]["error"]
+        if self.is_difference(node):
+            return fractions.Fraction(1)
+        return next((self.known[maximum][node] for maximum in maxima if node in self.known.get(maximum, ())), None)
+
+    def claim(self, value, bound, adds_tiny=False):
+        """What has to hold of the value with this bound: its operations, and the bound's factor."""
+        factor, products = self.product(bound)
+        maxima = sorted(set().union(*products))
+        if not adds_tiny and not all(self.bounded(maximum)[1] for maximum in maxima):
+            raise Misuse("a maximum may be so small that the bound needs kTiny")
+        numbers, degrees, operations = {}, {}, []
+
+        def visit(node):
+            if node in numbers:
+                return
+            if (error := self.error(node, maxima)) is not None:
+                its = [maximum for maximum in maxima if self.key(node) in self.bounded(maximum)[0]]
+                if len(its) != 1:
+                    raise Misuse(f"{len(its)} maxima of the bound are those of node {node}")
+                degrees[node] = [collections.Counter(its)]
+                operations.append({"input": self.name(node), "error": error})
+            else:
+                operation, of = self.operation(node), self.operands(node)
+                if operation not in ("+", "-", "*", "fused +", "fused -"):
+                    raise Misuse(f"node {node} is neither known nor a sum or product")
+                for operand in of:
+                    visit(operand)
+                terms = [degrees[operand] for operand in of]
+                if operation not in ("+", "-"):
+                    terms[:2] = [product_of(*terms[:2])]
+                degrees[node] = [degree for i, degree in enumerate(sum(terms, [])) if degree not in sum(terms, [])[:i]]
+                operations.append({"operation": operation, "of": [numbers[operand] for operand in of]})
+            numbers[node] = len(numbers)
+            operations[-1]["node"] = numbers[node]
+
+        visit(value)
+        if not all(degree in products for degree in degrees[value]):
+            raise Misuse("value and bound are of different degrees")
+        return {"factor": factor, "squares_are_products": len(products) > 1, "nodes": operations}
+
+    def claim_of_use(self, use):
+        """The claim of a sign, with the constant that it takes."""
+        if "error" in use:
+            bound, *tiny = self.operands(use["error"])
+            if self.operation(use["error"]) != "+" or self.constant(tiny[0]) != self.tiny:
+                raise Misuse("its error has no kTiny")
+            claim = self.claim(use["value"], bound, adds_tiny=True)
+        else:
+            positive, negative = self.comparison(use["positive"], "-"), self.comparison(use["negative"], "+")
+            if positive != negative:
+                raise Misuse("its two comparisons are of different numbers")
+            constant, bound, value = positive
+            claim = self.claim(value, bound)
+            claim["factor"] *= self.constant(constant)
+        return {**claim, "value": claim["factor"] / self.unit, "factor": fractions.Fraction(1)}
+
+    def comparison(self, node, operation):
+        """(constant, bound, value): the node is constant * bound - value, or their sum."""
+        of = self.operands(node)
+        if self.operation(node) == operation and self.operation(of[0]) == "*":
+            of = [*self.operands(of[0]), of[1]]
+        elif self.operation(node) != f"fused {operation}":
+            raise Misuse(f"node {node} compares no value with a bound")
+        if self.constant(of[0]) is None:
+            raise Misuse(f"node {node} has no constant")
+        return tuple(of)
+
+
+def product_of(left, right):
+    if len(left) != 1 or len(right) != 1:
+        raise Misuse("it multiplies sums of different degrees")
+    return [left[0] + right[0]]
+
+
+def claims(model, records):
+    """The record of each claim that functions rest on, as those of expressions.h, with all uses that rest on it."""
+    found = {}
+
+    def add(record, name, claim_of):
+        try:
+            claim = claim_of()
+        except Misuse as misuse:
+            raise Misuse(f"{record['function']}, {record['target']}, {name}: {misuse}") from None
+        claim = {"arithmetic": record["arithmetic"], **claim}
+        key = repr([{**node, "input": ""} if "input" in node else node for node in claim["nodes"]] + [claim["value"], claim["factor"],
+                   claim["squares_are_products"], claim["arithmetic"]])  # whatever its inputs are called
+        found.setdefault(key, (claim, []))[1].append(f"{record['function']} {name}")
+
+    for record in records:
+        function = Function(record, model)
+        for known in filter(lambda known: known["constant"], record["known"]):
+            assumed = function.known.pop(known["maximum"])
+            for node in known["bounds"]:
+                add(record, known["constant"], lambda: {"value": known["error"], **function.claim(node, known["maximum"])})
+            function.known[known["maximum"]] = assumed
+        for use in record["uses"]:
+            add(record, use["name"], lambda: function.claim_of_use(use))
+    return [dict(claim, constant=names[0], instance="", uses=sorted(set(names))) for claim, names in found.values()]

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the first stage for triangles makes of signs, for all combinations of those that are positive, negative or not
+// certain.
+//
+// The definition of contact is monotone in each sign. So it holds for all numbers behind a sign that is not certain if
+// it holds for the worst of them, and for none if it does not hold for the best.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "robust/filtered/detail/triangle/triangle_filter.h"
+
+namespace touchstone::proofs {
+namespace {
+
+using namespace filtered::detail;
+
+enum Sign : int { Vertex, AfterStart, AfterEnd, Line, Side, Plane, kSigns };
+constexpr std::array<int, kSigns> kFavourable{-1, 1, -1, -1, 1, -1};  // towards contact
+constexpr int kCorners = 3, kStates = 729;                            // of a corner: three to the number of signs
+
+/// The signs at the three corners: +1, -1, or 0 where a sign is not certain.
+using Signs = std::array<std::array<int, kSigns>, kCorners>;
+
+std::array<int, kSigns> signs_of(int state) {
+  std::array<int, kSigns> signs{};
+  for (int& sign : signs) sign = state % 3 - 1, state /= 3;
+  return signs;
+}
+
+/// Whether signs are possible together: there is one plane, and a ball that it misses reaches no vertex and no line.
+bool are_possible(const Signs& signs) {
+  bool missed = false, cut = false, reached = false;
+  for (const auto& of : signs) {
+    missed = missed || of[Plane] > 0, cut = cut || of[Plane] < 0;
+    reached = reached || of[Vertex] < 0 || of[Line] < 0;
+  }
+  return !missed || (!cut && !reached);
+}
+
+/// Returns whether ball and triangle touch, if all signs that are not certain are favourable to it, or all are
+/// unfavourable, as far as that is possible.
+bool touch(const Signs& given, bool favourable) {
+  Signs signs = given;
+  for (auto& of : signs)
+    for (int i = 0; i < kSigns; ++i)
+      if (of[i] == 0) of[i] = favourable ? kFavourable[i] : -kFavourable[i];
+  bool cut = favourable;
+  for (const auto& of : given) {
+    if (of[Plane] > 0) return false;
+    cut = cut || of[Plane] < 0;
+  }
+  bool inside = true, edge = false;
+  for (const auto& of : signs) {
+    inside = inside && of[Side] > 0;
+    edge = edge || of[Vertex] < 0 || (of[Line] < 0 && of[AfterStart] > 0 && of[AfterEnd] < 0);
+  }
+  return edge || (inside && cut);
+}
+
+/// What the first stage knows.
+BallAtTriangle<Pack> at_triangle(const Signs& signs) {
+  const Vector3<Pack> some{all_lanes(1), all_lanes(1), all_lanes(1)};
+  BallAtTriangle<Pack> ball(TriangleLanes<Pack>(some, some), some, all_lanes(1));
+  const auto lanes = [&](Sign of) {
+    double positive[kLanes], negative[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+      const int sign = signs[static_cast<std::size_t>(i % kCorners)][of];
+      positive[i] = sign > 0 ? -1 : 1, negative[i] = sign < 0 ? -1 : 1;
+    }
+    return LaneSigns<Pack>{load(positive), load(negative)};
+  };
+  ball.vertex_out = lanes(Vertex), ball.after_start = lanes(AfterStart), ball.after_end = lanes(AfterEnd);
+  ball.line_out = lanes(Line), ball.side_in = lanes(Side), ball.plane_out = lanes(Plane);
+  return ball;
+}
+
+/// Calls visit(signs) with every state of one corner, and states of the others that are hit, missed or neither, with
+/// every side and plane: the decisions know no more of them.
+template <class Visit>
+void for_each_combination(const Visit& visit) {
+  std::vector<std::array<int, kSigns>> others;
+  for (int state = 0; state < kStates; ++state) {
+    const auto of = signs_of(state);
+    const bool all_certain = of[AfterStart] == 1 && of[AfterEnd] == -1 && of[Vertex] != 0;
+    if (all_certain && of[Line] == 0 && of[Vertex] == 1) others.push_back(of);  // neither
+    if (all_certain && of[Line] == 1) others.push_back(of);                     // hit, or missed
+  }
+  for (int state = 0; state < kStates; ++state)
+    for (const auto& second : others)
+      for (const auto& third : others)
+        for (std::size_t turn = 0; turn < kCorners; ++turn) {
+          Signs signs;
+          signs[turn] = signs_of(state), signs[(turn + 1) % 3] = second, signs[(turn + 2) % 3] = third;
+          if (are_possible(signs)) visit(signs);
+        }
+}
+
+TEST(Decisions, AreRightWhateverIsBehindSignsThatAreNotCertain) {
+  long sure = 0;
+  for_each_combination([&](const Signs& signs) {
+    const BallAtTriangle<Pack> ball = at_triangle(signs);
+    if (ball.certainly_touches()) {
+      ASSERT_TRUE(touch(signs, false)) << ::testing::PrintToString(signs);
+      ++sure;
+    } else if (ball.certainly_misses()) {
+      ASSERT_FALSE(touch(signs, true)) << ::testing::PrintToString(signs);
+      ++sure;
+    }
+  });
+  EXPECT_GT(sure, 400'000);
+}
+
+TEST(Decisions, DependOnTheLoneSignAlone) {
+  std::array<long, LoneSign::kNone> met{};
+  for_each_combination([&](const Signs& signs) {
+    const BallAtTriangle<Pack> ball = at_triangle(signs);
+    const unsigned bit = ball.certainly_touches() || ball.certainly_misses() ? 0 : ball.lone_sign();
+    if (bit == 0 || bit >= 1U << LoneSign::kNone) return;
+    const int place = std::countr_zero(bit);
+    ++met[static_cast<std::size_t>(place)];
+    Signs with = signs;
+    const auto decide = [&](int sign) {
+      if (place == LoneSign::kPlane)
+        for (auto& of : with) of[Plane] = sign;
+      else
+        with[static_cast<std::size_t>(place % kCorners)][place < LoneSign::kLines ? Vertex : Line] = sign;
+    };
+    decide(-1);
+    ASSERT_TRUE(touch(with, false)) << place << ' ' << ::testing::PrintToString(signs);
+    decide(1);
+    ASSERT_FALSE(touch(with, true)) << place << ' ' << ::testing::PrintToString(signs);
+  });
+  for (const long count : met) EXPECT_GT(count, 0);
+}
+
+}  // namespace
+}  // namespace touchstone::proofs
