@@ -39,20 +39,9 @@ using TrianglePassage = detail::Passage<double, TriangleFace>;
 
 }  // namespace
 
-#define TOUCHSTONE_INSTANTIATE(Scalar)                                                      \
-  template class PreparedPolygon<Scalar>;                                                   \
-  template bool contact(const Ball&, const PreparedPolygon<Scalar>&);                       \
-  template Relation relation(const Ball&, const PreparedPolygon<Scalar>&);                  \
-  template PlaneSide plane_side(const Ball&, const PreparedPolygon<Scalar>&);               \
-  template PointLocation foot(const Ball&, const PreparedPolygon<Scalar>&);                 \
-  template std::vector<std::size_t> edges_hit(const Ball&, const PreparedPolygon<Scalar>&); \
-  template Answer answer(const Ball&, const PreparedPolygon<Scalar>&);                      \
-  template bool contact(const Motion&, const PreparedPolygon<Scalar>&);                     \
-  template FirstContact first_contact(const Motion&, const PreparedPolygon<Scalar>&);
-
-TOUCHSTONE_INSTANTIATE(float)
-TOUCHSTONE_INSTANTIATE(double)
-TOUCHSTONE_INSTANTIATE(long double)
+TOUCHSTONE_FAST_OVER(float, )
+TOUCHSTONE_FAST_OVER(double, )
+TOUCHSTONE_FAST_OVER(long double, )
 
 bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon<>(polygon)); }
 Relation relation(const Ball& ball, const Polygon& polygon) { return relation(ball, PreparedPolygon<>(polygon)); }

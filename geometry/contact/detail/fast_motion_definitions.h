@@ -193,4 +193,22 @@ FirstContact first_contact(const Motion& motion, const PreparedPolygon<Scalar>& 
   return passage.starts_within() && contact(motion.ball, polygon) ? passage.start() : passage.way();
 }
 
+// All functions over a scalar. `before`: `extern`, except where they are compiled.
+#define TOUCHSTONE_FAST_OVER(Scalar, before)                                                       \
+  before template class PreparedPolygon<Scalar>;                                                   \
+  before template bool contact(const Ball&, const PreparedPolygon<Scalar>&);                       \
+  before template Relation relation(const Ball&, const PreparedPolygon<Scalar>&);                  \
+  before template PlaneSide plane_side(const Ball&, const PreparedPolygon<Scalar>&);               \
+  before template PointLocation foot(const Ball&, const PreparedPolygon<Scalar>&);                 \
+  before template std::vector<std::size_t> edges_hit(const Ball&, const PreparedPolygon<Scalar>&); \
+  before template Answer answer(const Ball&, const PreparedPolygon<Scalar>&);                      \
+  before template bool contact(const Motion&, const PreparedPolygon<Scalar>&);                     \
+  before template FirstContact first_contact(const Motion&, const PreparedPolygon<Scalar>&);
+
+// The library compiles these. Of a second version in another unit, which need not be optimised, it is not known which one
+// is linked.
+TOUCHSTONE_FAST_OVER(float, extern)
+TOUCHSTONE_FAST_OVER(double, extern)
+TOUCHSTONE_FAST_OVER(long double, extern)
+
 }  // namespace touchstone::fast
