@@ -205,8 +205,8 @@ FirstContact first_contact(const Motion& motion, const PreparedPolygon<Scalar>& 
   before template bool contact(const Motion&, const PreparedPolygon<Scalar>&);                     \
   before template FirstContact first_contact(const Motion&, const PreparedPolygon<Scalar>&);
 
-// The library compiles these. Of a second version in another unit, which need not be optimised, it is not known which one
-// is linked.
+// The library compiles these. If another unit, which need not be optimised, had a second version, either might be
+// linked.
 TOUCHSTONE_FAST_OVER(float, extern)
 TOUCHSTONE_FAST_OVER(double, extern)
 TOUCHSTONE_FAST_OVER(long double, extern)

@@ -128,6 +128,21 @@ TEST(CullingBall, KeepsEveryBoxThatIsTouched) {
   EXPECT_GT(culled, all / 4) << "it is blind";
 }
 
+// Boxes that are stored without rounding, and a centre that floats hold: only the wide reach covers the roundings.
+TEST(CullingBall, KeepsABoxThatIsTouchedWhereNothingElseIsRounded) {
+  for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
+    Random random(2026, index, 95);
+    const auto coordinate = [&] { return static_cast<double>(random.integer(1 << 15, (1 << 16) - 1)); };
+    const double x = coordinate(), y = coordinate();
+    const Eigen::Vector3d corner(x, y, coordinate());
+    const std::vector<Box> boxes{{corner, Eigen::Vector3d::Constant(1 << 16)}};
+    const BoxTree tree(boxes);
+    const double radius = root_rounded_up(squared_distance(boxes[0], std::vector<mpq_class>(3, 0)));
+    const scene::detail::CullingBall culling({{0, 0, 0}, radius}, tree);
+    EXPECT_EQ(culling.may_touch(tree.nodes().front()), 1U) << "index " << index;
+  }
+}
+
 // A ball 2^30 times as far away as the boxes are large is told from one that is a little smaller.
 TEST(CullingBall, CullsFromFarAway) {
   const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}};
