@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 
 #include "geometry/detail/floating_point_state.h"
@@ -49,6 +50,9 @@ class Builder {
   static constexpr std::size_t kBins = 16;
   /// From this depth on ranges are halved by number, so that the tree cannot become deep.
   static constexpr int kDeepest = 40;
+  // On each level a walk keeps all children but one open. From kDeepest on each level halves the number of boxes.
+  static constexpr int kLevels = kDeepest + std::bit_width(BoxTree::kMostBoxes / BoxTree::kMostInLeaf);
+  static_assert(BoxTree::kStackSize >= (BoxTree::kWidth - 1) * kLevels + 1);
 
   [[nodiscard]] Range range(std::uint32_t begin, std::uint32_t end) const {
     Range result{begin, end, {}};

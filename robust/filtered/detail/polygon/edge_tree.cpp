@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -156,6 +157,9 @@ class EdgeTree::Builder {
     std::int32_t child;
     std::vector<End> ends;
   };
+
+  // On each level a walk keeps all children but one open, and each level halves the number of leaves at least once.
+  static_assert(kStackSize >= (kWidth - 1) * std::bit_width(kMostEdges / kWidth) + 1);
 
   /// Splits a group into two halves of whole leaves, the first at least as large as the second: along the loops, if
   /// that separates them in the plane; else, as in a spiral, by position and direction of the segments.
