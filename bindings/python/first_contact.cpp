@@ -30,11 +30,11 @@ bool is_time_of(FirstContactKind kind, double time) {
 /// first contact has together.
 FirstContact first_contact_from(int kind, double time, bool momentary, int feature, std::size_t index,
                                 const Coordinates& point) {
-  const FirstContact first{enumerator_of<FirstContactKind>(kind, "kind"),
-                           time,
-                           momentary,
-                           feature_from(feature, index, "feature"),
-                           {point[0], point[1], point[2]}};
+  FirstContact first{enumerator_of<FirstContactKind>(kind, "kind"),
+                     time,
+                     momentary,
+                     feature_from(feature, index, "feature"),
+                     {point[0], point[1], point[2]}};
   require_member(is_time_of(first.kind, time), "time", "is 0 for 'start', 0 to 1 for 'way' and infinite for 'none'");
   require_member(!momentary || first.kind == FirstContactKind::Way, "momentary", "is for 'way' alone");
   require_member(first.contact() || first.feature == FirstContact().feature, "feature", "is the face for 'none'");

@@ -63,7 +63,8 @@ browser::Simulator simulator_of(RunOptions options, const browser::Variation& va
   auto methods = options.methods.methods();
   auto plant = std::make_shared<const Plant>(plant_of(options));
   const std::size_t piece = chosen(*plant, options);
-  return {cell_of(*plant, piece),
+  Cell cell = cell_of(*plant, piece);
+  return {std::move(cell),
           {.methods = std::move(methods), .rule = rule_of(options), .plant = std::move(plant), .piece = piece}};
 }
 

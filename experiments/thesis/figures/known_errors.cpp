@@ -207,7 +207,7 @@ FootErrors measure_foot_errors(const Polygon& polygon, double radius, std::uint6
   // Step (3): Q = C - (N.C + D) N.
   const auto foot = [](const auto& method, const Eigen::Vector3d& center) -> Eigen::Vector3d {
     using Vector = std::decay_t<decltype(method.normal())>;
-    const auto c = center.cast<typename Vector::Scalar>();
+    const auto& c = center.cast<typename Vector::Scalar>();
     const Vector q = c - (method.normal().dot(c) + method.offset()) * method.normal();
     return q.template cast<double>();
   };

@@ -81,7 +81,7 @@ ArcFace::ArcFace(const Arc& arc, double radius, const Polygon& polygon)
     add(face_.scale * exact::detail::vector(v));
   vertices_ = whole(all);
   const auto take = [&] {
-    const IntegerVector last = std::move(vertices_.back());
+    IntegerVector last = std::move(vertices_.back());
     vertices_.pop_back();
     return last;
   };
