@@ -158,10 +158,10 @@ def page(model, records):
 
 <!-- Written by robust/proofs/claims_page.py --write; a test compares. -->
 
-The filters rest on {len(records)} claims. From {len(used)} of them follow all {len(signs)} signs that functions take to be certain in lanes
-of doubles and in double-doubles. The functions that answer record what they compute, for SSE2 and for AVX2, whose
-products are fused. The other {len(listed)} claims are about parts of other bounds. `./check` has Gappa prove all from the record;
-`./check --quick` leaves this out. `./check --full` passes only if Coq checks all {len(records)} as well, the rules of the error
+The filters rest on {len(records)} claims. From {len(used)} of them follow the {len(signs)} signs on which it depends in lanes whether a ball,
+at rest or moving, touches a triangle, and those that double-doubles decide. What computes and combines these signs records
+itself, as compiled for SSE2 and for AVX2, whose products are fused. The other {len(listed)} claims are about parts of other bounds.
+`./check` has Gappa prove all from the record; `./check --quick` leaves this out.`./check --full` passes only if Coq checks all {len(records)} as well, the rules of the error
 calculus, each of its steps that the tests carry out, and the lemma of parity. See [the proofs](README.md) for how.
 
 A claim says: for inputs whose magnitudes are at most 1 and whose errors are those that `bounds.h` states, the computed
@@ -211,10 +211,12 @@ Of the claims that Coq checks:
 - Coq's kernel, and what its library assumes of real numbers and of logic. The stage fails if a theorem assumes anything
   but
   {axioms}.
-- [record.cpp](record.cpp) runs the functions that decide over a type in place of doubles. [uses.py](uses.py) finds out what
-  each sign rests on. [statement.py](statement.py) and [signs.py](signs.py) state it. Object code is not looked at.
-- What a maximum bounds is recorded, with two exceptions: the maximum of `ahead_out`, by the triangle inequality; and the
-  maxima of double-doubles, which callers ensure.
+- [record.cpp](record.cpp) runs what computes and combines signs over a type in place of doubles. It does so from differences
+  and vertices on: what calls these classes, and loads and shuffles vertices into lanes, is tested alone, and object code is
+  not looked at. [uses.py](uses.py) finds out what each sign rests on. [statement.py](statement.py) and [signs.py](signs.py)
+  state it.
+- What a maximum bounds is recorded, with exceptions: the maximum of `ahead_out` holds by the triangle inequality, and the
+  recorder says what it must be; callers ensure the maxima of double-doubles and the units of scaled triangles.
 - For the other bounds, expression and constant are paired by hand in [expressions.h](expressions.h).
 - What combines the signs is tested, not proved.
 - [Scaling](README.md#what-is-proved) from maxima of 1 to all maxima, the 1/32 of a constant and the addition of `kTiny`,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,16 +16,19 @@
 
 namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
-/// A register of one recorded number. Its signs are not known: whatever branches on them is refused.
+/// A register of one recorded number. Its sign is not known: decisions that depend on it are noted.
 template <>
 struct Register<proofs::Recorded> {
   using Type = proofs::Recorded;
   static Type all(Type value) { return value; }
-  static Type minimum(Type a, Type b) { return proofs::minimum(a, b); }
   static Type maximum(Type a, Type b) { return proofs::maximum(a, b); }
   static Type magnitude(Type a) { return proofs::magnitude(a); }
-  static Type square_root(Type a) { return proofs::sqrt(a); }
-  [[noreturn]] static int signs(Type) { throw std::logic_error("a branch depends on a recorded number"); }
+  static Type both(Type a, Type b) { return proofs::Recorded::of("both", {a.node, b.node}); }
+  static Type either(Type a, Type b) { return proofs::Recorded::of("either", {a.node, b.node}); }
+  static int signs(Type a) {
+    proofs::Recording::current().decide(a.node);
+    return 0;
+  }
 };
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET
@@ -55,11 +57,17 @@ class LaneFunction {
   static Vector3<RecordedPack> vectors(const std::string& name, double error = 0) {
     return {inputs(name + "_x", error), inputs(name + "_y", error), inputs(name + "_z", error)};
   }
-  /// Returns lanes of one input.
-  static RecordedPack all(const std::string& name) { return RecordedPack::all(Recorded::input(name)); }
+  /// Returns a point in all lanes, and a radius.
   static Vector3<RecordedPack> point(const std::string& name) {
-    return {all(name + "_x"), all(name + "_y"), all(name + "_z")};
+    const auto all = [&](const char* axis) { return RecordedPack::all(Recorded::input(name + axis)); };
+    return {all("_x"), all("_y"), all("_z")};
   }
+  static RecordedPack radius() { return RecordedPack::all(Recorded::length("radius")); }
+  /// Returns radii, each in a unit of its lane.
+  static RecordedPack radii() {
+    return RecordedPack::each([](int lane) { return Recorded::length("radius" + std::to_string(lane)); });
+  }
+  void has_own_units() { function_.has_own_units(); }
 
   void known(const std::vector<RecordedPack>& numbers, const RecordedPack& maximum, double error,
              std::string_view constant, std::string_view why = "") {
@@ -72,6 +80,7 @@ class LaneFunction {
   void use(std::string_view name, const LaneSigns<RecordedPack>& signs) {
     for (int lane = 0; lane < kLanesOfTriangle; ++lane)
       function_.use(name, signs.positive.parts[lane], signs.negative.parts[lane]);
+    function_.ignore(signs.positive.parts[kLanesOfTriangle]), function_.ignore(signs.negative.parts[kLanesOfTriangle]);
   }
   void print() const { function_.print(std::cout); }
 
@@ -93,6 +102,7 @@ void use(LaneFunction& uses, const BallAtTriangle<RecordedPack, scaled>& ball, c
   uses.use(of + "line_out", ball.line_out);
   uses.use(of + "side_in", ball.side_in);
   uses.use(of + "plane_out", ball.plane_out);
+  (void)ball.certainly_touches(), (void)ball.certainly_misses(), (void)ball.lone_sign();
 }
 
 /// Prints the claims of the list that are about lanes. All lanes do the same.
@@ -107,13 +117,13 @@ inline void print_claims_of_lanes() {
   });
 }
 
-/// Records all functions that decide in lanes.
+/// Records what computes and combines the signs of triangles in lanes.
 inline void print_functions_in_lanes(std::string_view target) {
   {
     LaneFunction uses("triangle_filter", target);
     const auto vertex = uses.vectors("vertex");
     const TriangleLanes<RecordedPack> triangle = triangle_lanes(vertex);
-    const BallAtTriangle<RecordedPack> ball(triangle, difference(uses.point("centre"), vertex), uses.all("radius"));
+    const BallAtTriangle<RecordedPack> ball(triangle, difference(uses.point("centre"), vertex), uses.radius());
     use(uses, triangle), use(uses, ball);
     uses.print();
   }
@@ -123,23 +133,31 @@ inline void print_functions_in_lanes(std::string_view target) {
                previous = Vector3<RecordedPack>{previous_of_three(edge.x), previous_of_three(edge.y),
                                                 previous_of_three(edge.z)};
     const TriangleLanes<RecordedPack> triangle(edge, signs::normal(previous, edge));
-    const BallAtTriangle<RecordedPack, true> ball(triangle, uses.vectors("to_center", 1), uses.inputs("radius"));
+    uses.has_own_units();
+    const BallAtTriangle<RecordedPack, true> ball(triangle, uses.vectors("to_center", 1), uses.radii());
     use(uses, triangle), use(uses, ball);
     uses.print();
   }
   {
     LaneFunction uses("capsule_filter", target);
     const auto vertex = uses.vectors("vertex"), center = uses.point("centre"), to = uses.point("to");
-    const RecordedPack radius = uses.all("radius");
+    const RecordedPack radius = uses.radius();
     const TriangleLanes<RecordedPack> triangle = triangle_lanes(vertex);
     const CapsuleEnds<RecordedPack> ends(triangle, vertex, center, to, radius);
     const auto velocity = difference(to, center);
     const CapsuleSide<RecordedPack> side(triangle, ends, velocity, radius);
     use(uses, triangle), use(uses, ends.start, "start."), use(uses, ends.end, "end.");
     const auto &start = ends.start.to_center, &end = ends.end.to_center;
-    const RecordedPack twice = side.beyond + side.beyond;
+    // What the function has to compute for this maximum.
+    const RecordedPack beyond = not_too_small(maximum(largest_component(end), radius)) +
+                                not_too_small(largest_component(velocity)),
+                       twice = beyond + beyond;
     uses.known({start.x, start.y, start.z, radius, end.x + velocity.x, end.y + velocity.y, end.z + velocity.z}, twice,
                1, "", "the triangle inequality; the sum of two differences");
+    const auto lanes = BallAtTriangle<RecordedPack>::lanes;
+    for (const RecordedPack& of : {ends.stays(), ends.crosses(), side.vertex_hit(), side.vertex_missed(),
+                                   side.edge_hit(), side.edge_missed(ends.start.line_out)})
+      (void)lanes(of);
     uses.use("starts_front", ends.starts_front), uses.use("ends_front", ends.ends_front);
     uses.use("approaches", side.approaches), uses.use("departs", side.departs);
     uses.use("vertex_out", side.vertex_out), uses.use("apart", side.apart), uses.use("lines_out", side.lines_out);

@@ -26,11 +26,22 @@ import signs
 import uses
 
 
+# The units of the arithmetics, in any rounding direction.
+LEAST_UNITS = {"unit": fractions.Fraction(1, 2**52), "double_double_unit": fractions.Fraction(1, 2**103),
+               "float_unit": fractions.Fraction(1, 2**23)}
+
+
 def read(program):
     """The model and the record of each claim; every number is a Fraction."""
-    lines = subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines()
+    done = subprocess.run([program], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise uses.Misuse(f"nothing is recorded: {done.stderr.strip()}")
+    lines = done.stdout.splitlines()
     model, *records = [json.loads(line, parse_float=lambda text: fractions.Fraction(float(text)),
                                   parse_int=fractions.Fraction) for line in lines]
+    for name, least in LEAST_UNITS.items():
+        if model[name] < least:
+            raise uses.Misuse(f"{name}: operations round by more than {float(model[name]):.3g}")
     functions = [record for record in records if "function" in record]
     listed = [renumbered(record) if "nodes" in record else record for record in records if "function" not in record]
     once = [record for i, record in enumerate(listed) if record not in listed[:i]]  # lanes of two targets may do the same

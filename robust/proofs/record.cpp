@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints, as JSON lines, the model and what the filters compute: for each claim of expressions.h the operations of its
-// expression, and for each function that decides in lanes all its operations and the signs that it takes to be certain.
+// expression; for each filter of triangles, and for signs in double-doubles, all operations from the inputs on, and the
+// signs that are taken to be certain.
 #include <iomanip>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 #include "robust/filtered/detail/numbers/double_double.h"
@@ -34,7 +36,7 @@ struct RecordedOperands {
   RecordedFunction function;
   Recorded m_center = Recorded::input("m_center"), m_edge = Recorded::input("m_edge");
   Recorded m_normal = Recorded::input("m_normal"), m_velocity = Recorded::input("m_velocity");
-  Recorded r = Recorded::input("radius");
+  Recorded r = Recorded::length("radius");
 
   explicit RecordedOperands(std::string_view name) : function(name, "baseline", "double-doubles") {
     function.known({r}, m_center, 0, "", kWhy);
@@ -63,7 +65,7 @@ struct RecordedView {
   [[nodiscard]] int axis() const { return k; }
 };
 
-/// Records what decides in double-doubles.
+/// Records the signs that double-doubles decide.
 void print_functions() {
   {
     RecordedOperands in("exact_sign");
@@ -138,6 +140,7 @@ template <class Expression>
 void print(const Quotient& claim, const Expression& expression) {
   Recording& recording = Recording::current();
   recording.begin();
+  recording.nothing_is_zero = true;  // a root asks
   const int a = Recorded::input("a").node, b = Recorded::input("b").node;
   const int result = number_of(expression(words_of(a), words_of(b)));
   print_head(claim);
@@ -149,13 +152,13 @@ void print(const Quotient& claim, const Expression& expression) {
 }  // namespace
 }  // namespace touchstone::proofs
 
-int main() {
+int main() try {
   using namespace touchstone;
   using namespace touchstone::filtered::detail;
   std::cout << std::boolalpha << std::setprecision(17) << R"({"unit": )" << bounds::kUnit
             << R"(, "double_double_unit": )" << bounds::kDoubleDoubleUnit << R"(, "float_unit": )" << bounds::kFloatUnit
-            << R"(, "smallest": )" << bounds::kSmallest << R"(, "tiny": )" << bounds::kTiny
-            << R"(, "rounding_of_bound": )" << proofs::kRoundingOfBound << "}\n";
+            << R"(, "smallest": )" << bounds::kSmallest << R"(, "largest": )" << bounds::kLargest << R"(, "tiny": )"
+            << bounds::kTiny << R"(, "rounding_of_bound": )" << proofs::kRoundingOfBound << "}\n";
   proofs::print_claims();
   proofs::print_functions();
   proofs::for_each_sum_of_products(
@@ -171,4 +174,7 @@ int main() {
   }
   proofs::print_avx2();
 #endif
+} catch (const std::logic_error& refused) {
+  std::cerr << refused.what() << '\n';
+  return 1;
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 namespace touchstone::proofs {
@@ -34,7 +35,8 @@ void Recording::print(std::ostream& out, const std::vector<int>& results) const 
     const Node& node = nodes_[i];
     out << std::exchange(separator, ", ") << R"({"node": )" << i << ", ";
     if (node.operation == "input") {
-      out << R"("input": ")" << node.name << R"(", "error": )" << node.number;
+      out << R"("input": ")" << node.name << R"(", "error": )" << node.number << R"(, "is_length": )"
+          << (node.is_length ? "true" : "false");
     } else if (node.operation == "constant") {
       out << R"("constant": )" << node.number;
     } else {
@@ -48,17 +50,15 @@ void Recording::print(std::ostream& out, const std::vector<int>& results) const 
   out << "]";
 }
 
+Recorded::Recorded(const Recording::Node& of) : node(Recording::current().add(of)) {}
+Recorded::Recorded(double constant) : Recorded(Recording::Node{"constant", {}, "", constant}) {}
 Recorded Recorded::of(std::string operation, std::vector<int> operands) {
-  Recorded result;
-  result.node = Recording::current().add({std::move(operation), std::move(operands), "", 0});
-  return result;
+  return Recorded(Recording::Node{std::move(operation), std::move(operands), "", 0});
 }
 Recorded Recorded::input(std::string name, double error) {
-  Recorded result;
-  result.node = Recording::current().add({"input", {}, std::move(name), error});
-  return result;
+  return Recorded(Recording::Node{"input", {}, std::move(name), error});
 }
-Recorded::Recorded(double constant) : node(Recording::current().add({"constant", {}, "", constant})) {}
+Recorded Recorded::length(std::string name) { return Recorded(Recording::Node{"input", {}, std::move(name), 0, true}); }
 
 Recorded operator+(const Recorded& a, const Recorded& b) { return Recorded::of("+", {a.node, b.node}); }
 Recorded operator-(const Recorded& a, const Recorded& b) { return Recorded::of("-", {a.node, b.node}); }
@@ -71,9 +71,19 @@ Recorded fused_sum(const Recorded& a, const Recorded& b, const Recorded& c) {
 Recorded fused_difference(const Recorded& a, const Recorded& b, const Recorded& c) {
   return Recorded::of("fused -", {a.node, b.node, c.node});
 }
-Recorded minimum(const Recorded& a, const Recorded& b) { return Recorded::of("minimum", {a.node, b.node}); }
 Recorded maximum(const Recorded& a, const Recorded& b) { return Recorded::of("maximum", {a.node, b.node}); }
 Recorded magnitude(const Recorded& a) { return Recorded::of("magnitude", {a.node}); }
+Recorded operator-(const Recorded& a) { return Recorded::of("negated", {a.node}); }
+
+bool operator>(const Recorded& a, const Recorded& b) {
+  Recording::current().compare(a.node, b.node);
+  return false;
+}
+bool operator<(const Recorded& a, const Recorded& b) { return b > a; }
+bool operator==(const Recorded&, int) {
+  if (!Recording::current().nothing_is_zero) throw std::logic_error("a branch depends on whether a number is 0");
+  return false;
+}
 
 namespace {
 
@@ -124,13 +134,18 @@ void RecordedFunction::use(std::string_view name, const Recorded& positive, cons
                        positive.node, negative.node);
 }
 void RecordedFunction::use(std::string_view name, const filtered::detail::Estimate<Recorded>& estimate) {
-  uses_ += fmt::format(R"({}{{"name": "{}", "value": {}, "error": {}}})", uses_.empty() ? "" : ", ", name,
-                       estimate.value.node, estimate.error.node);
+  const std::size_t before = Recording::current().compared().size();
+  (void)estimate.sign();
+  const auto& compared = Recording::current().compared();
+  if (compared.size() != before + 2) throw std::logic_error("the sign of an estimate depends on two comparisons");
+  uses_ += fmt::format(R"({}{{"name": "{}", "greater": [{}], "less": [{}]}})", uses_.empty() ? "" : ", ", name,
+                       fmt::join(compared[before], ", "), fmt::join(compared[before + 1], ", "));
 }
 void RecordedFunction::print(std::ostream& out) const {
   std::vector<int> all(Recording::current().nodes().size());
   std::iota(all.begin(), all.end(), 0);
-  out << fmt::format(R"({{{}, "known": [{}], "uses": [{}], "recorded": )", head_, known_, uses_);
+  out << fmt::format(R"({{{}, "known": [{}], "uses": [{}], "ignored": [{}], "decided": [{}], "recorded": )", head_,
+                     known_, uses_, fmt::join(ignored_, ", "), fmt::join(Recording::current().decided(), ", "));
   Recording::current().print(out, all);
   out << "}\n";
 }

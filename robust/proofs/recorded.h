@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <map>
 #include <ostream>
@@ -22,8 +23,9 @@ class Recording {
   struct Node {
     std::string operation;  ///< "input" and "constant" have no operands; the others as the functions below
     std::vector<int> of;
-    std::string name;   ///< of an input
-    double number = 0;  ///< a constant, or the error of an input in units of its maximum
+    std::string name;        ///< of an input
+    double number = 0;       ///< a constant, or the error of an input in units of its maximum
+    bool is_length = false;  ///< of an input: it is not negative
   };
 
   /// Returns the recording to which all operations are added.
@@ -33,21 +35,34 @@ class Recording {
   /// Returns the node of this operation, a new one if it was not carried out yet.
   int add(const Node& node);
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  /// Notes that a decision depends on the sign of a number, or on whether one exceeds another.
+  void decide(int node) { decided_.push_back(node); }
+  void compare(int greater, int less) { compared_.push_back({greater, less}); }
+  [[nodiscard]] const std::vector<int>& decided() const { return decided_; }
+  [[nodiscard]] const std::vector<std::array<int, 2>>& compared() const { return compared_; }
+  /// Whether numbers are assumed not to be 0 where they are compared with it; else that is refused.
+  bool nothing_is_zero = false;
   /// Prints the nodes from which some results are computed, as a JSON array.
   void print(std::ostream& out, const std::vector<int>& results) const;
 
  private:
   std::vector<Node> nodes_;
   std::map<std::tuple<std::string, std::vector<int>, std::string, double>, int> numbers_;
+  std::vector<int> decided_;
+  std::vector<std::array<int, 2>> compared_;
 };
 
 struct Recorded {
   int node;
 
-  Recorded() : Recorded(0.0) {}
-  Recorded(double constant);  // NOLINT: it is one
+  Recorded(double constant = 0);  // NOLINT: it is one
   static Recorded of(std::string operation, std::vector<int> operands);
   static Recorded input(std::string name, double error = 0);
+  /// Returns an input that is not negative.
+  static Recorded length(std::string name);
+
+ private:
+  explicit Recorded(const Recording::Node& of);
 };
 
 /// @{
@@ -66,12 +81,16 @@ Recorded fused_difference(const Recorded& a, const Recorded& b, const Recorded& 
 /// @}
 /// @{
 /// Not rounded.
-Recorded minimum(const Recorded& a, const Recorded& b);
 Recorded maximum(const Recorded& a, const Recorded& b);
 Recorded magnitude(const Recorded& a);
+Recorded operator-(const Recorded& a);
 /// @}
-/// Returns false: recorded numbers are assumed to be nonzero.
-inline bool operator==(const Recorded&, int) { return false; }
+/// @{
+/// A comparison, which is recorded, or refused if it is with 0. Returns false.
+bool operator>(const Recorded& a, const Recorded& b);
+bool operator<(const Recorded& a, const Recorded& b);
+bool operator==(const Recorded& a, int zero);
+/// @}
 
 /// The error-free transformations of double_double.h: a rounded operation and its exact rounding error.
 DoubleWord<Recorded> two_sum(const Recorded& a, const Recorded& b);
@@ -101,14 +120,19 @@ class RecordedFunction {
   /// of its own about the `constant`.
   void known(const std::vector<Recorded>& numbers, const Recorded& maximum, double error, std::string_view constant,
              std::string_view why = "");
+  /// Says that inputs have units of their own, so that only products of the same ones may be added.
+  void has_own_units() { head_ += R"(, "own_units": true)"; }
   /// Adds a sign that is taken to be certain where one of these is negative: a bound less a value, and their sum.
   void use(std::string_view name, const Recorded& positive, const Recorded& negative);
-  /// Adds a sign that is taken to be certain where a value, or its opposite, exceeds its error.
+  /// Says that nothing depends on a sign, though it is computed.
+  void ignore(const Recorded& sign) { ignored_.push_back(sign.node); }
+  /// Adds the sign of an estimate, by the comparisons on which it depends.
   void use(std::string_view name, const filtered::detail::Estimate<Recorded>& estimate);
   void print(std::ostream& out) const;
 
  private:
   std::string known_, uses_, head_;
+  std::vector<int> ignored_;
 };
 
 /// Prints a claim of the list, whose expression has this result.

@@ -4,7 +4,11 @@
 Maxima are 1: with relative errors alone, scaling every input of a group scales result and bound alike.
 """
 
+import fractions
+
 import statement
+
+EXCESS = fractions.Fraction(1, 2**50)  # by which magnitudes may exceed their maximum: kExcess of expressions.h
 
 
 def claim(record, unit, constant):
@@ -31,4 +35,6 @@ def claim(record, unit, constant):
             says.defined(f"e{name}", expression("e"))
     result = record["nodes"][-1]["node"]
     says.at_most(f"c{result} - e{result}", constant * record["factor"] * unit)
+    if "is_within_maximum" in record:  # other claims take it to be so
+        says.at_most(f"c{result}", record["factor"] * (1 + EXCESS))
     return says

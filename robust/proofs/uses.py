@@ -2,8 +2,9 @@
 """The claims that functions rest on which take signs in lanes to be certain, from what they are recorded to compute.
 
 Such a function takes a value to be positive where it exceeds a bound, and negative where it is below minus that bound. The
-record holds the operations of both comparisons, from the inputs on. It alone says what has to be proved: the constant and
-the maxima of the bound, which numbers each maximum bounds, and the operations of the value.
+record holds the operations of both comparisons, from the inputs on. It says what has to be proved: the constant and the
+maxima of the bound, which numbers each maximum bounds, and the operations of the value. A maximum whose numbers the record
+does not show is declared with them: a claim says that it bounds them, or a reason.
 """
 
 import collections
@@ -22,7 +23,8 @@ class Function:
 
     def __init__(self, record, model):
         self.nodes = {node["node"]: node for node in record["recorded"]}
-        self.unit, self.smallest, self.tiny = model[UNITS[record["arithmetic"]]], model["smallest"], model["tiny"]
+        self.unit, self.smallest, self.largest = model[UNITS[record["arithmetic"]]], model["smallest"], model["largest"]
+        self.tiny, self.own_units = model["tiny"], "own_units" in record
         self.known = collections.defaultdict(dict)  # by maximum, the errors of the numbers that it is declared to bound
         for known in record["known"]:
             self.known[known["maximum"]].update(dict.fromkeys(known["bounds"], known["error"]))
@@ -40,7 +42,8 @@ class Function:
         return "input" in self.nodes[node]
 
     def is_difference(self, node):
-        return self.operation(node) == "-" and all(map(self.is_input, self.operands(node)))
+        """Of two exact inputs: it is known to its rounding."""
+        return self.operation(node) == "-" and all(self.nodes[of].get("error") == 0 for of in self.operands(node))
 
     def key(self, node):
         """Equal for numbers whose magnitudes differ by their rounding at most: a - b and b - a."""
@@ -63,13 +66,13 @@ class Function:
         if node in self.known:
             return set(map(self.key, self.known[node])), True
         keys, is_large = set(), False
-        for term in self.terms(node) if self.operation(node) == "maximum" else [node]:
+        for term in self.terms(node):
             if term in self.known:
                 return None  # the largest of several maxima
             if self.operation(term) == "magnitude":
                 keys.add(self.key(*self.operands(term)))
-            elif self.is_input(term) and term != node:
-                keys.add(self.key(term))  # a radius, which is not negative
+            elif self.nodes[term].get("is_length") and term != node:
+                keys.add(self.key(term))
             elif self.constant(term) is not None and term != node:
                 is_large |= self.constant(term) >= self.smallest
             else:
@@ -107,8 +110,7 @@ class Function:
         """What has to hold of the value with this bound: its operations, and the bound's factor."""
         factor, products = self.product(bound)
         maxima = sorted(set().union(*products))
-        if not adds_tiny and not all(self.bounded(maximum)[1] for maximum in maxima):
-            raise Misuse("a maximum may be so small that the bound needs kTiny")
+        self.check_range(factor, products, adds_tiny)
         numbers, degrees, operations = {}, {}, []
 
         def visit(node):
@@ -139,13 +141,32 @@ class Function:
             raise Misuse("value and bound are of different degrees")
         return {"factor": factor, "squares_are_products": len(products) > 1, "nodes": operations}
 
+    def check_range(self, factor, products, adds_tiny):
+        """No bound may overflow, and one without kTiny must exceed it, whatever its maxima are."""
+        if self.own_units and len(products) > 1:
+            raise Misuse("it adds numbers of different units")
+        for product in products:
+            degree = sum(count * (2 if self.is_of_second_degree(maximum) else 1) for maximum, count in product.items())
+            is_large = all(self.bounded(maximum)[1] for maximum in product)
+            if not adds_tiny and not (is_large and factor * self.unit * self.smallest**degree > self.tiny):
+                raise Misuse("its maxima may be so small that the bound needs kTiny")
+            if factor * (2 * self.largest)**degree > 2**1023:
+                raise Misuse("its bound may overflow")
+
+    def is_of_second_degree(self, maximum):
+        """Whether a maximum is a sum of products, as that of a normal."""
+        return any(self.operation(of) == "*" for of in self.operands(maximum))
+
     def claim_of_use(self, use):
         """The claim of a sign, with the constant that it takes."""
-        if "error" in use:
-            bound, *tiny = self.operands(use["error"])
-            if self.operation(use["error"]) != "+" or self.constant(tiny[0]) != self.tiny:
+        if "greater" in use:
+            (value, error), (opposite, same) = use["greater"], use["less"]
+            if same != value or self.operation(opposite) != "negated" or self.operands(opposite) != [error]:
+                raise Misuse("its two comparisons are of different numbers")
+            bound, *tiny = self.operands(error)
+            if self.operation(error) != "+" or self.constant(tiny[0]) != self.tiny:
                 raise Misuse("its error has no kTiny")
-            claim = self.claim(use["value"], bound, adds_tiny=True)
+            claim = self.claim(value, bound, adds_tiny=True)
         else:
             positive, negative = self.comparison(use["positive"], "-"), self.comparison(use["negative"], "+")
             if positive != negative:
@@ -154,6 +175,18 @@ class Function:
             claim = self.claim(value, bound)
             claim["factor"] *= self.constant(constant)
         return {**claim, "value": claim["factor"] / self.unit, "factor": fractions.Fraction(1)}
+
+    def check_decisions(self, record):
+        """Every sign on which the function was seen to decide must be one of its uses."""
+        claimed = {node for use in record["uses"] for node in (use.get("positive"), use.get("negative"))}
+        claimed.update(record["ignored"])
+        open_nodes = list(record["decided"])
+        while open_nodes:
+            node = open_nodes.pop()
+            if self.operation(node) in ("both", "either"):
+                open_nodes += self.operands(node)
+            elif node not in claimed:
+                raise Misuse(f"it decides by node {node}, of which there is no claim")
 
     def comparison(self, node, operation):
         """(constant, bound, value): the node is constant * bound - value, or their sum."""
@@ -177,22 +210,27 @@ def claims(model, records):
     """The record of each claim that functions rest on, as those of expressions.h, with all uses that rest on it."""
     found = {}
 
-    def add(record, name, claim_of):
+    def checked(record, name, what):
         try:
-            claim = claim_of()
+            return what()
         except Misuse as misuse:
             raise Misuse(f"{record['function']}, {record['target']}, {name}: {misuse}") from None
+
+    def add(record, name, claim_of):
+        claim = checked(record, name, claim_of)
         claim = {"arithmetic": record["arithmetic"], **claim}
         key = repr([{**node, "input": ""} if "input" in node else node for node in claim["nodes"]] + [claim["value"], claim["factor"],
-                   claim["squares_are_products"], claim["arithmetic"]])  # whatever its inputs are called
+                   claim["squares_are_products"], claim["arithmetic"], "is_within_maximum" in claim])  # whatever its inputs are called
         found.setdefault(key, (claim, []))[1].append(f"{record['function']} {name}")
 
     for record in records:
         function = Function(record, model)
+        checked(record, "its decisions", lambda: function.check_decisions(record))
         for known in filter(lambda known: known["constant"], record["known"]):
             assumed = function.known.pop(known["maximum"])
             for node in known["bounds"]:
-                add(record, known["constant"], lambda: {"value": known["error"], **function.claim(node, known["maximum"])})
+                add(record, known["constant"], lambda: {"value": known["error"], "is_within_maximum": True,
+                                                        **function.claim(node, known["maximum"], adds_tiny=True)})
             function.known[known["maximum"]] = assumed
         for use in record["uses"]:
             add(record, use["name"], lambda: function.claim_of_use(use))

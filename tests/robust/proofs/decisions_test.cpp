@@ -8,6 +8,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <vector>
 
 #include "robust/filtered/detail/triangle/triangle_filter.h"
@@ -17,7 +18,7 @@ namespace {
 
 using namespace filtered::detail;
 
-enum Sign : int { Vertex, AfterStart, AfterEnd, Line, Side, Plane, kSigns };
+enum Sign : std::size_t { Vertex, AfterStart, AfterEnd, Line, Side, Plane, kSigns };
 constexpr std::array<int, kSigns> kFavourable{-1, 1, -1, -1, 1, -1};  // towards contact
 constexpr int kCorners = 3, kStates = 729;                            // of a corner: three to the number of signs
 
@@ -45,7 +46,7 @@ bool are_possible(const Signs& signs) {
 bool touch(const Signs& given, bool favourable) {
   Signs signs = given;
   for (auto& of : signs)
-    for (int i = 0; i < kSigns; ++i)
+    for (std::size_t i = 0; i < kSigns; ++i)
       if (of[i] == 0) of[i] = favourable ? kFavourable[i] : -kFavourable[i];
   bool cut = favourable;
   for (const auto& of : given) {
