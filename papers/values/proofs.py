@@ -8,7 +8,7 @@ from values.latex import table
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "robust/proofs/CLAIMS.md"
 SIGNS = re.compile(r"^\| \[.*\| ([a-z, -]+) \|$", re.M)  # a row of signs, by its arithmetics
 PARTS = re.compile(r"^\| `[^`]+` \| `(\w+)`.*\| ([a-z, -]+) \|$", re.M)
-COUNTED = re.compile(r"From (\d+) of them follow all (\d+) signs")
+COUNTED = re.compile(r"From (\d+) of them follow the (\d+) signs")
 ARITHMETICS = {"doubles": "doubles", "fused doubles": "doubles, fused", "double-doubles": "double-doubles", "floats": "floats",
                "fused floats": "floats, fused"}
 

@@ -152,7 +152,7 @@ def page(model, records):
     used = [record for record in records if "uses" in record]
     listed = [record for record in records if "uses" not in record]
     constants = {record["constant"] for record in listed}
-    signs = {use for record in used for use in record["uses"]}
+    signs = {use for record in used for use in record["uses"] if not use.endswith(" kNormal")}  # what is known is no sign
     axioms = ",\n  ".join(f"`{axiom}`" for axiom in coq.AXIOMS)
     return f"""# Claims, and what they rest on
 
@@ -161,8 +161,9 @@ def page(model, records):
 The filters rest on {len(records)} claims. From {len(used)} of them follow the {len(signs)} signs on which it depends in lanes whether a ball,
 at rest or moving, touches a triangle, and those that double-doubles decide. What computes and combines these signs records
 itself, as compiled for SSE2 and for AVX2, whose products are fused. The other {len(listed)} claims are about parts of other bounds.
-`./check` has Gappa prove all from the record; `./check --quick` leaves this out.`./check --full` passes only if Coq checks all {len(records)} as well, the rules of the error
-calculus, each of its steps that the tests carry out, and the lemma of parity. See [the proofs](README.md) for how.
+`./check` has Gappa prove all from the record; `./check --quick` leaves this out. `./check --full` passes only if Coq checks
+all {len(records)} as well, the rules of the error calculus, each of its steps that the tests carry out, and the lemma of parity. See
+[the proofs](README.md) for how.
 
 A claim says: for inputs whose magnitudes are at most 1 and whose errors are those that `bounds.h` states, the computed
 value differs from the exact one by at most `proved`, if each operation has a relative error of at most one unit. The
