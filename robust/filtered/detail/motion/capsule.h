@@ -49,6 +49,10 @@ struct CapsuleEnds {
   [[nodiscard]] TOUCHSTONE_INLINE P crosses() const {
     return (starts_front.positive & ends_front.negative) | (starts_front.negative & ends_front.positive);
   }
+  /// Returns whether the plane certainly misses the whole capsule.
+  [[nodiscard]] bool miss_plane() const {
+    return BallAtTriangle<P>::lanes(stays() & start.plane_out.positive & end.plane_out.positive) != 0;
+  }
 
  private:
   static TOUCHSTONE_INLINE LaneSigns<P> front(const TriangleLanes<P>& triangle, const BallAtTriangle<P>& ball) {
@@ -108,32 +112,20 @@ struct CapsuleSide {
   }
 };
 
-/// Returns whether the capsule touches the triangle, if doubles can decide it. Writes `signs` if they cannot, and
-/// `signs.at_start` if it touches.
+/// Returns whether the capsule touches the triangle, if its signs decide it. Writes the decisions that they leave open.
 ///
 /// The distance of the segment from the triangle is 0 if the segment pierces the triangle. Else it is that of one of
 /// the segment's ends from the triangle, of a vertex from the segment's interior, or of an edge's interior from the
 /// segment's interior.
-TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, CapsuleSigns& signs) {
-  const Vector3<Pack> vertex = vertex_lanes(view.vertex);
-  if (!in_range(vertex, view, bounds::kLargest)) [[unlikely]]
-    return FilterResult::OutOfRange;
-  const TriangleLanes<Pack> triangle = triangle_lanes(vertex);
-  const Vector3<Pack> center = point_lanes(view.motion), to = point_lanes(view.motion + 4);
-  const Pack radius = all_lanes(view.radius());
+TOUCHSTONE_INLINE FilterResult decide(const CapsuleEnds<Pack>& ends, const CapsuleSide<Pack>& side,
+                                      CapsuleSigns& signs) {
   constexpr unsigned all = BallAtTriangle<Pack>::all;
   const auto lanes = BallAtTriangle<Pack>::lanes;
-
-  const CapsuleEnds<Pack> ends(triangle, vertex, center, to, radius);
   const auto &start = ends.start, &end = ends.end;
-  const Pack stays = ends.stays();
-  if (lanes(stays & start.plane_out.positive & end.plane_out.positive) != 0) return FilterResult::No;
-
-  const CapsuleSide<Pack> side(triangle, ends, difference(to, center), radius);
   const Pack vertex_missed = side.vertex_missed(), edge_missed = side.edge_missed(start.line_out);
   const unsigned left = lanes(side.apart.positive), right = lanes(side.apart.negative);
   const bool pierces = (left == all || right == all) && lanes(ends.crosses()) != 0;
-  const bool passes_by = (left != 0 && right != 0) || lanes(stays) != 0;
+  const bool passes_by = (left != 0 && right != 0) || lanes(ends.stays()) != 0;
 
   // Without branches, which random motions would mispredict.
   const unsigned hit = lanes(side.vertex_hit() | side.edge_hit()), missed = lanes(vertex_missed & edge_missed);
@@ -147,12 +139,30 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
   signs.at_end = misses_end ? FilterResult::No : FilterResult::Unsure;
   signs.vertices = lanes(vertex_missed) ^ all, signs.edges = lanes(edge_missed) ^ all;
   signs.may_pierce = !passes_by;
-  store(signs.center, maximum(side.m_start, side.beyond));
-  store(signs.edge, triangle.m_edge);
-  double velocities[kLanes];
-  store(velocities, side.m_velocity);
-  signs.velocity = velocities[0];
   return FilterResult::Unsure;
+}
+
+/// Returns whether the capsule touches the triangle, if doubles can decide it. Writes `signs` if they cannot, and
+/// `signs.at_start` if it touches.
+TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, CapsuleSigns& signs) {
+  const Vector3<Pack> vertex = vertex_lanes(view.vertex);
+  if (!in_range(vertex, view, bounds::kLargest)) [[unlikely]]
+    return FilterResult::OutOfRange;
+  const TriangleLanes<Pack> triangle = triangle_lanes(vertex);
+  const Vector3<Pack> center = point_lanes(view.motion), to = point_lanes(view.motion + 4);
+  const Pack radius = all_lanes(view.radius());
+  const CapsuleEnds<Pack> ends(triangle, vertex, center, to, radius);
+  if (ends.miss_plane()) return FilterResult::No;
+  const CapsuleSide<Pack> side(triangle, ends, difference(to, center), radius);
+  const FilterResult result = decide(ends, side, signs);
+  if (result == FilterResult::Unsure) {
+    store(signs.center, maximum(side.m_start, side.beyond));
+    store(signs.edge, triangle.m_edge);
+    double velocities[kLanes];
+    store(velocities, side.m_velocity);
+    signs.velocity = velocities[0];
+  }
+  return result;
 }
 
 // The same in double-doubles. Vertices, edges and maxima of one lane; a sign that is not certain is 0.
@@ -161,6 +171,20 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
 inline FilterResult hit(int out, bool within) {
   if (out > 0) return FilterResult::No;
   return out < 0 && within ? FilterResult::Yes : FilterResult::Unsure;
+}
+/// Returns whether a CapsuleVertex, or whatever has its signs, is hit.
+template <class Vertex>
+FilterResult is_vertex_hit(const Vertex& vertex) {
+  const int begins = vertex.approaches().sign(), ends = vertex.departs().sign();
+  return begins > 0 || ends < 0 ? FilterResult::No : hit(vertex.out().sign(), begins < 0 && ends > 0);
+}
+/// Returns whether a CapsuleEdge, or whatever has its signs, is hit.
+template <class Edge>
+FilterResult is_edge_hit(const Edge& edge) {
+  const int start = edge.after_start().sign(), end = edge.after_end().sign();
+  const int starts = edge.starts_past().sign(), ends = edge.ends_past().sign();
+  if (start < 0 || end > 0 || starts > 0 || ends < 0) return FilterResult::No;
+  return hit(edge.out().sign(), start > 0 && end < 0 && starts < 0 && ends > 0);
 }
 
 /// A vertex and a motion's segment.
@@ -178,10 +202,6 @@ struct CapsuleVertex {
   }
   [[nodiscard]] Estimate<Number> out() const {
     return estimate(signs::line(to_center, velocity, radius), bounds::kLine * most * most);
-  }
-  [[nodiscard]] FilterResult is_hit() const {
-    const int begins = approaches().sign(), ends = departs().sign();
-    return begins > 0 || ends < 0 ? FilterResult::No : hit(out().sign(), begins < 0 && ends > 0);
   }
 };
 
@@ -208,12 +228,6 @@ struct CapsuleEdge {
   [[nodiscard]] Estimate<Number> out() const {
     return estimate(signs::lines(to_center, edge, velocity, radius), bounds::kLines * all() * all());
   }
-  [[nodiscard]] FilterResult is_hit() const {
-    const int start = after_start().sign(), end = after_end().sign();
-    const int starts = starts_past().sign(), ends = ends_past().sign();
-    if (start < 0 || end > 0 || starts > 0 || ends < 0) return FilterResult::No;
-    return hit(out().sign(), start > 0 && end < 0 && starts < 0 && ends > 0);
-  }
 };
 
 /// Sees the vertices and edges that doubles leave open.
@@ -224,17 +238,15 @@ class CapsuleInDoubles {
       : view_(view), signs_(signs), velocity_(exact_difference(view.motion + 4, view.motion)) {}
 
   [[nodiscard]] FilterResult vertex(int i) const {
-    return CapsuleVertex<DoubleDouble, double>{from(i), from_end(i), velocity_, view_.radius(),
-                                               signs_.center[i] * signs_.velocity}
-        .is_hit();
+    return is_vertex_hit(CapsuleVertex<DoubleDouble, double>{from(i), from_end(i), velocity_, view_.radius(),
+                                                             signs_.center[i] * signs_.velocity});
   }
   [[nodiscard]] FilterResult edge(int i) const {
     const int next = i == 2 ? 0 : i + 1;
     const Vector3<DoubleDouble> edge = exact_difference(view_.vertex[next], view_.vertex[i]);
-    return CapsuleEdge<DoubleDouble, double>{from(i),        from(next),     from_end(i),      edge,
-                                             velocity_,      view_.radius(), signs_.center[i], signs_.edge[i],
-                                             signs_.velocity}
-        .is_hit();
+    return is_edge_hit(CapsuleEdge<DoubleDouble, double>{from(i), from(next), from_end(i), edge, velocity_,
+                                                         view_.radius(), signs_.center[i], signs_.edge[i],
+                                                         signs_.velocity});
   }
 
  private:

@@ -235,8 +235,22 @@ struct EdgeMarks {
   }
 };
 
-/// Returns +1 if the ball certainly misses the polygon, -1 if it certainly overlaps it, 0 if neither is certain.
-/// `plane`: the certain sign of the distance to the plane less the radius, -1 or 0.
+/// The findings of a walk about a polygon's edges and the foot. If the walk stopped at a hit, the rest is unknown.
+struct EdgesAndFoot {
+  bool hit, near_boundary, unsure;  ///< of some edge, as in EdgeMarks
+  bool inside;                      ///< whether the foot is; unknown if near_boundary
+
+  /// Returns +1 if the ball certainly misses the polygon, -1 if it certainly overlaps it, 0 if neither is certain.
+  /// `plane`: the certain sign of the distance to the plane less the radius, -1 or 0.
+  [[nodiscard]] TOUCHSTONE_INLINE int certain_sign(int plane) const {
+    if (hit) return -1;
+    if (near_boundary) return 0;
+    // If the foot is inside, only the plane matters; if it is outside, only the edges do.
+    return inside ? plane : unsure ? 0 : 1;
+  }
+};
+
+/// As EdgesAndFoot::certain_sign, by a walk of the edges.
 TOUCHSTONE_INLINE int certain_distance_sign(int plane, const FrameQuery& query, const EdgeIndex& edges) {
   const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
   unsigned hit = 0, near_boundary = 0, unsure = 0;
@@ -245,10 +259,7 @@ TOUCHSTONE_INLINE int certain_distance_sign(int plane, const FrameQuery& query, 
     hit |= marks.hit, near_boundary |= marks.near_boundary, unsure |= marks.unsure;
     return hit != 0;
   });
-  if (hit != 0) return -1;
-  if (near_boundary != 0) return 0;
-  // If the foot is inside, only the plane matters; if it is outside, only the edges do.
-  return inside ? plane : unsure != 0 ? 0 : 1;
+  return EdgesAndFoot{hit != 0, near_boundary != 0, unsure != 0, inside}.certain_sign(plane);
 }
 TOUCHSTONE_INLINE int certain_distance_sign(const HeightQuery& height, const Frame& frame, const EdgeIndex& edges) {
   const int plane = height.plane_sign();

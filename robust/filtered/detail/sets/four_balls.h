@@ -15,6 +15,18 @@ struct CertainContacts {
   unsigned touching, separate;
 };
 
+/// EdgesAndFoot of four balls, a bit a ball.
+struct EdgesAndFeet {
+  unsigned hit, near_boundary, unsure, inside;
+
+  /// As EdgesAndFoot::certain_sign. A ball that misses the plane is separate, whatever its edges; of the others the
+  /// plane is certainly cut, or not certainly.
+  [[nodiscard]] CertainContacts contacts(unsigned missed_plane, unsigned cut_plane) const {
+    const unsigned met = ~missed_plane & 0xF, outside = met & ~(hit | near_boundary | unsure | inside);
+    return {met & (hit | (~near_boundary & inside & cut_plane)), missed_plane | outside};
+  }
+};
+
 /// HeightQuery and FrameQuery of four balls.
 struct BallLanes {
   Pack radius, above, height_error;
@@ -105,14 +117,13 @@ inline CertainContacts scan_for(const BallLanes& balls, const EdgeIndex& edges) 
   for (const EdgeTree::Leaf& leaf : edges.leaves())
     for (std::uint32_t lane = 0; lane < leaf.count; ++lane) view.add(leaf, lane, balls);
 
-  const auto above = [&](const Pack& limit_sq) { return negative_lanes(limit_sq - view.nearest_sq); };
+  const auto not_above = [&](const Pack& limit_sq) { return ~negative_lanes(limit_sq - view.nearest_sq); };
   // Without `may_hit`, 0 - 0 would report a hit where rounding is downward.
-  const unsigned hit = negative_lanes(view.nearest_sq - balls.certain_hit_sq) & balls.may_hit;
-  const unsigned inside = negative_lanes(view.crossed), off_boundary = above(balls.boundary_sq);
-  const unsigned misses_edges = off_boundary & ~inside & above(balls.certain_miss_sq);
-  const unsigned touching = ~balls.missed_plane & (hit | (off_boundary & inside & balls.cut_plane));
-  const unsigned separate = balls.missed_plane | (misses_edges & ~hit);
-  return {touching, separate};
+  return EdgesAndFeet{.hit = negative_lanes(view.nearest_sq - balls.certain_hit_sq) & balls.may_hit,
+                      .near_boundary = not_above(balls.boundary_sq),
+                      .unsure = not_above(balls.certain_miss_sq),
+                      .inside = negative_lanes(view.crossed)}
+      .contacts(balls.missed_plane, balls.cut_plane);
 }
 
 /// The same by the hierarchy of edges, for one ball after the other.
@@ -146,22 +157,20 @@ class WalkTogether {
   /// Returns which balls certainly touch the polygon, and which certainly do not. Requires that the walk did not give
   /// up.
   [[nodiscard]] CertainContacts contacts() {
-    unsigned hit = 0, near_boundary = 0, unsure = 0, inside = 0;
+    EdgesAndFeet seen{};
     for (std::size_t i = 0; i < leaf_count_; ++i) {
       const auto [number, ball] = leaves_[i];
       const EdgeTree::Leaf& leaf = tree_.leaves()[static_cast<std::uint32_t>(~number)];
       const LeafView view(leaf, queries_[ball]);
       crossings_[ball] ^= view.crossed;
       const EdgeMarks marks(leaf, view, queries_[ball]);
-      hit |= (marks.hit != 0 ? 1U : 0U) << ball;
-      near_boundary |= (marks.near_boundary != 0 ? 1U : 0U) << ball;
-      unsure |= (marks.unsure != 0 ? 1U : 0U) << ball;
+      seen.hit |= (marks.hit != 0 ? 1U : 0U) << ball;
+      seen.near_boundary |= (marks.near_boundary != 0 ? 1U : 0U) << ball;
+      seen.unsure |= (marks.unsure != 0 ? 1U : 0U) << ball;
     }
     for (int ball = 0; ball < kLanes; ++ball)
-      inside |= (static_cast<unsigned>(__builtin_popcount(crossings_[ball])) & 1) << ball;
-    // As in certain_distance_sign.
-    const unsigned met = balls_.met_plane(), clear = met & ~hit & ~near_boundary;
-    return {(met & hit) | (clear & inside & balls_.cut_plane), balls_.missed_plane | (clear & ~inside & ~unsure)};
+      seen.inside |= (static_cast<unsigned>(__builtin_popcount(crossings_[ball])) & 1) << ball;
+    return seen.contacts(balls_.missed_plane, balls_.cut_plane);
   }
 
  private:

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the first stage for triangles makes of signs, for all combinations of those that are positive, negative or not
 // certain.
 //
@@ -12,24 +12,16 @@
 #include <vector>
 
 #include "robust/filtered/detail/triangle/triangle_filter.h"
+#include "tests/robust/proofs/planted_signs.h"
 
 namespace touchstone::proofs {
 namespace {
 
-using namespace filtered::detail;
-
 enum Sign : std::size_t { Vertex, AfterStart, AfterEnd, Line, Side, Plane, kSigns };
 constexpr std::array<int, kSigns> kFavourable{-1, 1, -1, -1, 1, -1};  // towards contact
-constexpr int kCorners = 3, kStates = 729;                            // of a corner: three to the number of signs
 
 /// The signs at the three corners: +1, -1, or 0 where a sign is not certain.
 using Signs = std::array<std::array<int, kSigns>, kCorners>;
-
-std::array<int, kSigns> signs_of(int state) {
-  std::array<int, kSigns> signs{};
-  for (int& sign : signs) sign = state % 3 - 1, state /= 3;
-  return signs;
-}
 
 /// Whether signs are possible together: there is one plane, and a ball that it misses reaches no vertex and no line.
 bool are_possible(const Signs& signs) {
@@ -63,16 +55,8 @@ bool touch(const Signs& given, bool favourable) {
 
 /// What the first stage knows.
 BallAtTriangle<Pack> at_triangle(const Signs& signs) {
-  const Vector3<Pack> some{all_lanes(1), all_lanes(1), all_lanes(1)};
-  BallAtTriangle<Pack> ball(TriangleLanes<Pack>(some, some), some, all_lanes(1));
-  const auto lanes = [&](Sign of) {
-    double positive[kLanes], negative[kLanes];
-    for (int i = 0; i < kLanes; ++i) {
-      const int sign = signs[static_cast<std::size_t>(i % kCorners)][of];
-      positive[i] = sign > 0 ? -1 : 1, negative[i] = sign < 0 ? -1 : 1;
-    }
-    return LaneSigns<Pack>{load(positive), load(negative)};
-  };
+  BallAtTriangle<Pack> ball = ball_without_signs();
+  const auto lanes = [&](Sign of) { return in_lanes({signs[0][of], signs[1][of], signs[2][of]}); };
   ball.vertex_out = lanes(Vertex), ball.after_start = lanes(AfterStart), ball.after_end = lanes(AfterEnd);
   ball.line_out = lanes(Line), ball.side_in = lanes(Side), ball.plane_out = lanes(Plane);
   return ball;
@@ -83,23 +67,23 @@ BallAtTriangle<Pack> at_triangle(const Signs& signs) {
 template <class Visit>
 void for_each_combination(const Visit& visit) {
   std::vector<std::array<int, kSigns>> others;
-  for (int state = 0; state < kStates; ++state) {
-    const auto of = signs_of(state);
+  for (int state = 0; state < combinations(kSigns); ++state) {
+    const auto of = signs_of<kSigns>(state);
     const bool all_certain = of[AfterStart] == 1 && of[AfterEnd] == -1 && of[Vertex] != 0;
     if (all_certain && of[Line] == 0 && of[Vertex] == 1) others.push_back(of);  // neither
     if (all_certain && of[Line] == 1) others.push_back(of);                     // hit, or missed
   }
-  for (int state = 0; state < kStates; ++state)
+  for (int state = 0; state < combinations(kSigns); ++state)
     for (const auto& second : others)
       for (const auto& third : others)
         for (std::size_t turn = 0; turn < kCorners; ++turn) {
           Signs signs;
-          signs[turn] = signs_of(state), signs[(turn + 1) % 3] = second, signs[(turn + 2) % 3] = third;
+          signs[turn] = signs_of<kSigns>(state), signs[(turn + 1) % 3] = second, signs[(turn + 2) % 3] = third;
           if (are_possible(signs)) visit(signs);
         }
 }
 
-TEST(Decisions, AreRightWhateverIsBehindSignsThatAreNotCertain) {
+TEST(TriangleDecisions, AreRightWhateverIsBehindSignsThatAreNotCertain) {
   long sure = 0;
   for_each_combination([&](const Signs& signs) {
     const BallAtTriangle<Pack> ball = at_triangle(signs);
@@ -114,7 +98,7 @@ TEST(Decisions, AreRightWhateverIsBehindSignsThatAreNotCertain) {
   EXPECT_GT(sure, 400'000);
 }
 
-TEST(Decisions, DependOnTheLoneSignAlone) {
+TEST(TriangleDecisions, DependOnTheLoneSignAlone) {
   std::array<long, LoneSign::kNone> met{};
   for_each_combination([&](const Signs& signs) {
     const BallAtTriangle<Pack> ball = at_triangle(signs);
