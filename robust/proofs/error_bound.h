@@ -74,8 +74,10 @@ struct ErrorModel {
 
 /// Bounds of a number: its computed value lies in [low, high] and differs from the exact one by at most `error`.
 struct ErrorBound {
-  const ErrorModel* model;
+  const ErrorModel* model;  ///< null for a constant, which is exact in every model
   mpq_class low, high, error;
+
+  static ErrorBound all(double constant) { return {nullptr, constant, constant, 0}; }
 
   [[nodiscard]] mpq_class magnitude() const { return std::max<mpq_class>(abs(low), abs(high)); }
 };
@@ -105,20 +107,24 @@ inline ErrorBound rounded(const ErrorBound& a) {
               {a.model, a.low - below, a.high + above, a.error + std::max(below, above)});
 }
 
+/// Returns the model of two operands, of which one may be a constant.
+inline const ErrorModel* model_of(const ErrorBound& a, const ErrorBound& b) { return a.model ? a.model : b.model; }
+
 /// @{
 /// An exact operation.
 inline ErrorBound exact_sum(const ErrorBound& a, const ErrorBound& b) {
-  return step("sum", a, b, {a.model, a.low + b.low, a.high + b.high, a.error + b.error});
+  return step("sum", a, b, {model_of(a, b), a.low + b.low, a.high + b.high, a.error + b.error});
 }
 inline ErrorBound exact_difference(const ErrorBound& a, const ErrorBound& b) {
-  return step("difference", a, b, {a.model, a.low - b.high, a.high - b.low, a.error + b.error});
+  return step("difference", a, b, {model_of(a, b), a.low - b.high, a.high - b.low, a.error + b.error});
 }
 /// a b - A B = a (b - B) + (a - A) B, and |B| <= |b| + |b - B|.
 inline ErrorBound exact_product(const ErrorBound& a, const ErrorBound& b) {
   const mpq_class corners[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
-  const bool is_square = a.model->knows_squares && &a == &b;
+  const ErrorModel* const model = model_of(a, b);
+  const bool is_square = model->knows_squares && &a == &b && a.low < 0;
   return step(is_square ? "square" : "product", a, b,
-              {a.model, is_square ? mpq_class(0) : *std::min_element(std::begin(corners), std::end(corners)),
+              {model, is_square ? mpq_class(0) : *std::min_element(std::begin(corners), std::end(corners)),
                *std::max_element(std::begin(corners), std::end(corners)),
                a.magnitude() * b.error + a.error * (b.magnitude() + b.error)});
 }
@@ -172,7 +178,8 @@ inline ErrorBound multiply_subtract(const ErrorBound& a, const ErrorBound& b, co
 
 /// The larger of two numbers, and a magnitude: neither is rounded.
 inline ErrorBound maximum(const ErrorBound& a, const ErrorBound& b) {
-  return step("maximum", a, b, {a.model, std::max(a.low, b.low), std::max(a.high, b.high), std::max(a.error, b.error)});
+  return step("maximum", a, b,
+              {model_of(a, b), std::max(a.low, b.low), std::max(a.high, b.high), std::max(a.error, b.error)});
 }
 inline ErrorBound magnitude(const ErrorBound& a) {
   return step("magnitude", {}, a, {a.model, 0, a.magnitude(), a.error});

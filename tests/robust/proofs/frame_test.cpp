@@ -29,8 +29,8 @@ const ErrorBound kZero{&kAnyRounding, 0, 0, 0};
 /// What a subnormal number that was flushed to zero may have been worth, scaled by 2^900 (Frame::kSubnormal).
 const mpq_class kFlushed = mpq_class(0x1p-122);
 
-/// The most by which a computed `constant unit size` may be short: the product is rounded once.
-mpq_class bound_of(double constant) { return mpq_class(constant) * kUnit * kSize * (1 - kUnit); }
+/// The bound of distances as the first stage computes it, S = kSize.
+ErrorBound distance_error() { return frame::distance_error(ErrorBound{&kAnyRounding, kSize, kSize, 0}); }
 
 // Vertices are within 1/4 of vertex 0 in each coordinate, and no component of the normal is larger than the one along
 // which they are lifted: the plane through the mean is at most 3/4 above vertex 0, measured along that axis, and rises
@@ -42,25 +42,29 @@ TEST(FrameBounds, ExtentIsThatOfALiftedPolygon) {
   EXPECT_LE(3 * other, bounds::kExtent) << "of the plane";
 }
 
-/// The error of a height, of the radius that it is compared with, and of one rounded sum of it and this error.
-mpq_class error_of_height(const ErrorModel& model) {
+/// A height as the first stage computes it, W = 1.
+frame::Height<ErrorBound> height_in(const ErrorModel& model) {
   const ErrorBound axis = known(1, kUnit, model), from = known(1, kUnit + 2 * kFlushed, model);
-  const ErrorBound height = frame::height(Vector3<ErrorBound>{axis, axis, axis}, Vector3<ErrorBound>{from, from, from},
-                                          known(bounds::kExtent, kUnit + kFlushed, model));
+  return {{from, from, from}, {axis, axis, axis}, known(bounds::kExtent, kUnit + kFlushed, model)};
+}
+/// The error of a height, of the radius that it is compared with, and of one rounded sum of it and this error.
+mpq_class error_of(const frame::Height<ErrorBound>& height) {
   const mpq_class of_radius = kFlushed;
-  return height.error + of_radius + kUnit * (height.magnitude() + bound_of(bounds::kHeight));
+  return height.value.error + of_radius + kUnit * (height.value.magnitude() + height.error.high);
 }
 
 TEST(FrameBounds, OfHeightsCoverTheirComparison) {
-  const mpq_class needed = error_of_height(kAnyRounding);
-  EXPECT_LE(needed, bound_of(bounds::kHeight));
-  EXPECT_GT(needed, bound_of(bounds::kHeight) * 15 / 16) << "it is loose";
+  const frame::Height<ErrorBound> height = height_in(kAnyRounding);
+  EXPECT_LE(error_of(height), height.error.low);
+  EXPECT_GT(error_of(height), height.error.low * 15 / 16) << "it is loose";
+  EXPECT_GE(height.size.low, kSize * (1 - 2 * kUnit));
 }
 
 // In the caller's unit of length everything is up to 2^900 times as small, so underflow costs as much more.
 TEST(FrameBounds, OfHeightsCoverUnderflowInTheGivenUnit) {
   const ErrorModel given{kUnit, kAnyRounding.underflow * power(2, -Frame::kSubnormal), true};
-  EXPECT_LE(error_of_height(given), bound_of(bounds::kHeight));
+  const frame::Height<ErrorBound> height = height_in(given);
+  EXPECT_LE(error_of(height), height.error.low);
 }
 
 // S is twice the larger of the unit and W, which is at most the sum of the ball's and the origin's largest numbers,
@@ -144,14 +148,13 @@ TEST(FrameBounds, OfDistancesCoverRoots) {
   Edge edge(known(kSize, 0), known(bounds::kExtent, 0));
   edge.along.error = edge.across.error = bounds::kEdgeFrame * kUnit * kSize;  // proved by Gappa
   edge.overshoot = frame::overshoot(edge.along, known(bounds::kExtent, bounds::kFrameLength * kUnit), kZero);
-  // A flushed coordinate of the centre moves the foot, a flushed radius the bound that the distance is held to.
-  const mpq_class needed = edge.error(edge.longest()) + 8 * kFlushed;
-  EXPECT_LE(needed, bound_of(bounds::kDistance));
-  EXPECT_GT(needed, bound_of(bounds::kDistance) * 15 / 16) << "it is loose";
+  // A flushed coordinate of the centre moves the foot, a flushed radius the bound that the distance is held to. So does
+  // a disc whose square underflows.
+  const mpq_class needed = edge.error(edge.longest()) + 8 * kFlushed + root_above(3 * kAnyRounding.underflow);
+  EXPECT_LE(needed, distance_error().low);
+  EXPECT_GT(needed, distance_error().low * 15 / 16) << "it is loose";
 }
 
-// FrameQuery's `outer`: two sums and a product, halved by the root; the root, the product with kWide, the sum. Then a
-// square and one more product. Five roundings in a row at most; `inner` likewise.
 TEST(FrameBounds, WideAndNarrowCoverFourteenRoundings) {
   EXPECT_GE(bounds::kWide * power(1 - kUnit, 14), 1);
   EXPECT_LE(bounds::kNarrow * power(1 + kUnit, 14), 1);
@@ -159,8 +162,34 @@ TEST(FrameBounds, WideAndNarrowCoverFourteenRoundings) {
   EXPECT_GT(bounds::kNarrow * power(1 + kUnit, 17), 1) << "it is loose";
 }
 
+/// A computed number that is not negative, by its ratio to what it is without rounding, kWide and kNarrow being 1.
+struct Ratio {
+  mpq_class least = 1, most = 1;
+
+  static Ratio all(double constant) {
+    const bool is_factor = constant == bounds::kWide || constant == bounds::kNarrow;  // exact
+    return is_factor ? Ratio{constant, constant} : Ratio{};
+  }
+};
+Ratio rounded_ratio(const Ratio& a) { return {a.least * (1 - kUnit), a.most * (1 + kUnit)}; }
+Ratio maximum(const Ratio& a, const Ratio& b) { return {std::min(a.least, b.least), std::max(a.most, b.most)}; }
+Ratio operator+(const Ratio& a, const Ratio& b) { return rounded_ratio(maximum(a, b)); }
+Ratio operator*(const Ratio& a, const Ratio& b) { return rounded_ratio({a.least * b.least, a.most * b.most}); }
+Ratio square_root(const Ratio& a) { return rounded_ratio({root_below(a.least), root_above(a.most)}); }
+/// p A - q B <= p (A - B) if p <= q. So a difference has a bound on the side on which its operands allow this.
+Ratio operator-(const Ratio& a, const Ratio& b) {
+  const mpq_class any = 1'000'000;
+  return rounded_ratio({b.most <= a.least ? a.least : mpq_class(0), a.most <= b.least ? a.most : any});
+}
+
+TEST(FrameBounds, OfDiscsCoverTheirRoundings) {
+  const frame::Disc<Ratio> disc({}, {}, {}, {});
+  EXPECT_GE(disc.outer_sq.least, 1);
+  EXPECT_LE(disc.inner_sq.most, 1);
+}
+
 /// The least distance that may be taken for one beyond `boundary_sq`.
-mpq_class near_distance() { return bounds::kNear * bound_of(bounds::kDistance) * power(1 - kUnit, 3); }
+mpq_class near_distance() { return root_below(frame::boundary_square(distance_error()).low); }
 
 /// How far foot and vertices as stored may be from the exact ones, both together.
 mpq_class stored_off() {
@@ -179,7 +208,7 @@ mpq_class ends_apart() {
 // Off the edge even where both the distance and its bound are off, and by so much more that what is stored of the edge
 // and of the foot may be taken for the exact ones: a point that moves by less than its distance crosses nothing.
 TEST(FrameBounds, NearIsFurtherThanAllThatIsStoredMayBeOff) {
-  EXPECT_GT(near_distance() - bound_of(bounds::kDistance), stored_off());
+  EXPECT_GT(near_distance() - distance_error().high, stored_off());
   // Within the box that is upright about both stored ends nothing overshoots them: the distance is the one across, of
   // the sign that tells the sides, unless both ends are apart.
   const Edge stored(known(2 * bounds::kExtent, 0), kZero);

@@ -20,6 +20,9 @@ inline mpq_class root_above(const mpq_class& square) {
   return mpq_class(sqrt(scaled) + 1, mpz_class(1) << kBits);
 }
 
+/// A number below the root, by less than 2^-499 where that is below 2^500.
+inline mpq_class root_below(const mpq_class& square) { return root_above(square) - mpq_class(1, mpz_class(1) << 500); }
+
 inline const mpq_class kU = 0x1p-53;  ///< the unit of rounding to nearest
 inline const mpq_class kSmallestDouble = power(mpq_class(1, 2), 1074);
 

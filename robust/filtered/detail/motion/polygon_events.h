@@ -35,7 +35,7 @@ struct FrameMotion {
     };
     const Vector3<double> given{component(0), component(1), component(2)};
     const double widest =
-        larger(larger(std::abs(given.x), std::abs(given.y)), larger(std::abs(given.z), 1 / bounds::kLongestMotion));
+        maximum(maximum(std::abs(given.x), std::abs(given.y)), maximum(std::abs(given.z), 1 / bounds::kLongestMotion));
     velocity = {frame::coordinate(frame.x, given), frame::coordinate(frame.y, given),
                 frame::coordinate(frame.normal, given)};
     // Along an edge and across it both are known to kEdgeFrame units of what bounds the coordinates in the plane. That
@@ -82,18 +82,18 @@ class SweptDisc {
     // The times between which the height is at most r, up to the margin. Its errors are far below the margin, too.
     if (const double speed = std::abs(change); speed > margin_) {
       const double middle = -first / change, half = (radius + margin_) / speed;
-      begin_ = larger(middle - half, 0);
+      begin_ = maximum(middle - half, 0);
       end_ = middle + half;
     }
     // The least height above the plane, on either side.
     const double last = first + change;
-    const double low = larger(larger(first < last ? first : last, first < last ? -last : -first) - margin_, 0);
-    reach_ = std::sqrt(larger((radius - low) * (radius + low), 0)) * bounds::kWide + margin_;
+    const double low = maximum(maximum(first < last ? first : last, first < last ? -last : -first) - margin_, 0);
+    reach_ = std::sqrt(maximum((radius - low) * (radius + low), 0)) * bounds::kWide + margin_;
     end_at(1);
   }
   /// Ends the motion at this time, if it does not end before.
   TOUCHSTONE_INLINE void end_at(double time) {
-    end_ = larger(begin_, time < end_ ? time : end_);
+    end_ = maximum(begin_, time < end_ ? time : end_);
     const double middle = 0.5 * (begin_ + end_), half = 0.5 * (end_ - begin_);
     middle_x_ = motion_.x + middle * motion_.velocity.x, half_x_ = half * motion_.velocity.x;
     middle_y_ = motion_.y + middle * motion_.velocity.y, half_y_ = half * motion_.velocity.y;

@@ -50,14 +50,6 @@ TOUCHSTONE_INLINE Pack leading(const Pack& a) { return a; }
 TOUCHSTONE_INLINE Pack magnitude_of(const Pack& a) { return magnitude(a); }
 TOUCHSTONE_INLINE DoubleDouble magnitude_of(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
 TOUCHSTONE_INLINE DoubleDouble square_root(const DoubleDouble& a) { return sqrt(a); }
-/// Returns a number of this type with one value.
-template <class Number>
-TOUCHSTONE_INLINE Number constant(double value) {
-  if constexpr (std::is_same_v<Number, Pack>)
-    return all_lanes(value);
-  else
-    return value;
-}
 TOUCHSTONE_INLINE Pack quotient(const Pack& a, const Pack& b) { return a / b; }
 TOUCHSTONE_INLINE double quotient(double a, double b) { return a / b; }
 TOUCHSTONE_INLINE DoubleDouble quotient(const DoubleDouble& a, const DoubleDouble& b) { return a / b; }

@@ -345,10 +345,5 @@ template <class T, int N>
 TOUCHSTONE_INLINE Vector3<Lanes<T, N>> difference(const Vector3<Lanes<T, N>>& a, const Vector3<Lanes<T, N>>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-/// Returns the largest magnitude of a component.
-template <class T, int N>
-TOUCHSTONE_INLINE Lanes<T, N> largest_component(const Vector3<Lanes<T, N>>& v) {
-  return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
-}
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

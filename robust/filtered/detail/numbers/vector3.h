@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "robust/filtered/detail/numbers/target.h"
 
 namespace touchstone::filtered::detail {
@@ -29,7 +31,27 @@ constexpr auto multiply_subtract(const A& a, const B& b, const C& c) {
 }
 /// @}
 
+/// @{
+/// As the operations of the same names on lanes.
 __attribute__((always_inline)) constexpr double maximum(double a, double b) { return a > b ? a : b; }
+__attribute__((always_inline)) inline double magnitude(double a) { return std::abs(a); }
+__attribute__((always_inline)) inline double square_root(double a) { return std::sqrt(a); }
+/// @}
+
+/// Returns a constant as a number, or in all lanes.
+template <class Number>
+__attribute__((always_inline)) constexpr Number constant(double value) {
+  if constexpr (requires { Number::all(value); })
+    return Number::all(value);
+  else
+    return Number(value);
+}
+
+/// Returns the largest magnitude of a component.
+template <class Number>
+__attribute__((always_inline)) constexpr Number largest_component(const Vector3<Number>& v) {
+  return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+}
 
 template <class A, class B>
 constexpr auto dot(const Vector3<A>& a, const Vector3<B>& b) {

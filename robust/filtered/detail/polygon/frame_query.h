@@ -14,15 +14,13 @@
 /// The first stage for prepared polygons: computes in the isometric frame, in doubles, with absolute error bounds.
 namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
-TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
-
 /// The height of a ball's centre above a frame's plane.
 ///
 /// Like FrameQuery, it is valid in every rounding direction and, in frames from Frame::kSubnormal up, under
 /// flush-to-zero, and raises no flags except INEXACT and UNDERFLOW.
 struct HeightQuery {
   Vector3<double> to_center;  ///< from the frame's origin to the centre
-  double size;                ///< at least 1 and at least every coordinate of the centre in the frame
+  double size;                ///< as in frame::Height
   double radius;
   double height, height_error;  ///< the height of the centre above the plane
 
@@ -55,10 +53,8 @@ struct HeightQuery {
   HeightQuery(const Vector3<double>& center, double ball_radius, const Vector3<double>& origin,
               const Vector3<double>& normal, double plane_height)
       : to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z}, radius(ball_radius) {
-    height = frame::height(normal, to_center, plane_height);
-    const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
-    size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
-    height_error = bounds::kHeight * bounds::kUnit * size;
+    const frame::Height<double> above(to_center, normal, plane_height);
+    size = above.size, height = above.value, height_error = above.error;
   }
 };
 
@@ -75,20 +71,16 @@ struct FrameQuery {
   /// A foot alone, whose coordinates are known to `error` beyond the error of feet.
   FrameQuery(double foot_x, double foot_y, double foot_size, double error)
       : x(foot_x), y(foot_y), certain_hit_sq(-1), certain_miss_sq(-1) {
-    const double margin = bounds::kNear * (bounds::kDistance * bounds::kUnit * foot_size + error);
-    boundary_sq = margin * margin;
+    boundary_sq = frame::boundary_square(frame::distance_error(foot_size) + error);
   }
   FrameQuery(const HeightQuery& ball, const Frame& frame)
       : x(frame::coordinate(frame.x, ball.to_center)), y(frame::coordinate(frame.y, ball.to_center)) {
-    using bounds::kNarrow, bounds::kWide;
-    const double error = bounds::kDistance * bounds::kUnit * ball.size;
-    const double above = std::abs(ball.height), radius = ball.radius;
-    const double low = larger(above - ball.height_error, 0.0), high = above + ball.height_error;
-    const double outer = std::sqrt(larger((radius - low) * (radius + low), 0.0)) * kWide + error;
-    const double inner = std::sqrt(larger((radius - high) * (radius + high), 0.0)) * kNarrow - error;
-    certain_miss_sq = radius < low ? -1 : outer * outer * kWide;
-    certain_hit_sq = inner > 0 ? inner * inner * kNarrow : -1;
-    boundary_sq = (bounds::kNear * error) * (bounds::kNear * error);
+    const double above = std::abs(ball.height), error = frame::distance_error(ball.size);
+    const double low = maximum(above - ball.height_error, 0.0), high = above + ball.height_error;
+    const frame::Disc<double> disc(ball.radius, low, high, error);
+    certain_miss_sq = ball.radius < low ? -1 : disc.outer_sq;
+    certain_hit_sq = disc.inner > 0 ? disc.inner_sq : -1;
+    boundary_sq = frame::boundary_square(error);
   }
 };
 
@@ -252,7 +244,7 @@ struct EdgesAndFoot {
 
 /// As EdgesAndFoot::certain_sign, by a walk of the edges.
 TOUCHSTONE_INLINE int certain_distance_sign(int plane, const FrameQuery& query, const EdgeIndex& edges) {
-  const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
+  const double limit_sq = maximum(query.certain_miss_sq, query.boundary_sq);
   unsigned hit = 0, near_boundary = 0, unsure = 0;
   const bool inside = walk(edges, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     const EdgeMarks marks(leaf, view, query);
@@ -271,7 +263,7 @@ class SeenLeaves {
  public:
   /// Walks, unless more than kMost leaves are met: then nothing was seen.
   SeenLeaves(const EdgeIndex& index, const FrameQuery& query)
-      : limit_sq_(index.is_scanned() ? 0x1p1000 : larger(query.certain_miss_sq, query.boundary_sq)) {
+      : limit_sq_(index.is_scanned() ? 0x1p1000 : maximum(query.certain_miss_sq, query.boundary_sq)) {
     bool overflows = false;
     crossed_ = walk(index, query, limit_sq_, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
       if (count_ == kMost) return overflows = true;

@@ -122,7 +122,7 @@ int PolygonQuery<Counts>::distance_sign() {
   if (height_.plane_sign() > 0) return 1;
   const EdgeIndex& index = *parts_.edges;
   const FrameQuery& query = this->query();
-  const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
+  const double limit_sq = maximum(query.certain_miss_sq, query.boundary_sq);
   bool hit = false, near_boundary = false, unsure = false;
   const bool inside = walk(index, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     hit = (below(view.squared, query.certain_hit_sq) & lanes(leaf)) != 0;
@@ -257,7 +257,7 @@ std::vector<std::size_t> PolygonQuery<Counts>::edges_hit_uncounted() {
   std::vector<std::size_t> hit;
   if (height_.plane_sign() > 0) return hit;
   const FrameQuery& query = this->query();
-  near_edges(larger(query.certain_miss_sq, query.boundary_sq), [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+  near_edges(maximum(query.certain_miss_sq, query.boundary_sq), [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     const unsigned certain = below(view.squared, query.certain_hit_sq) & lanes(leaf);
     if (certain != 0 && hit.empty()) hit.reserve(EdgeTree::kWidth);
     any_edge(leaf, certain, [&](std::size_t edge) { return hit.push_back(edge), false; });
@@ -289,20 +289,20 @@ Feature PolygonQuery<Counts>::nearest_on_boundary() {
   double least = 0x1p500, bound = least;  // larger than any distance, and finite
   if (seen_ != nullptr) {
     least = seen_->least_sq();
-    bound = larger(least, query.boundary_sq);
+    bound = maximum(least, query.boundary_sq);
   }
   near_edges<true>(bound, [&](const EdgeTree::Leaf&, const LeafView& view) {
     double squared[kLanes];
     store(squared, view.squared);
     for (const double s : squared) least = std::min(least, s);
-    bound = larger(least, query.boundary_sq);
+    bound = maximum(least, query.boundary_sq);
     return false;
   });
   // Visit all edges that may be as near as the nearest. Both distances may be off, together by less than kNear errors.
   // That is also more than the errors of `along` and `length` together.
   const double margin = std::sqrt(query.boundary_sq) * bounds::kWide;
   const double wider = std::sqrt(least) * bounds::kWide + margin,
-               limit_sq = larger(wider * wider * bounds::kWide, query.boundary_sq);
+               limit_sq = maximum(wider * wider * bounds::kWide, query.boundary_sq);
   std::optional<Feature> nearest;
   near_edges(limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     unsigned near = not_above(view.squared, limit_sq) & lanes(leaf);

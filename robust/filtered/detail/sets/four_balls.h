@@ -29,14 +29,12 @@ struct EdgesAndFeet {
 
 /// HeightQuery and FrameQuery of four balls.
 struct BallLanes {
-  Pack radius, above, height_error;
+  Pack radius;
   Pack x, y;                                          ///< the feet
   Pack certain_hit_sq, certain_miss_sq, boundary_sq;  ///< as in FrameQuery; the first only for balls that may hit
   unsigned missed_plane, cut_plane, may_hit;          ///< a bit a ball
 
   BallLanes(const Ball* four, const Frame& frame) {
-    using bounds::kDistance, bounds::kHeight, bounds::kNarrow, bounds::kNear, bounds::kUnit, bounds::kWide;
-    const Pack zero = all_lanes(0), one = all_lanes(1);
     const auto lanes = [four](int axis) {
       return pack(four[0].center[axis], four[1].center[axis], four[2].center[axis], four[3].center[axis]);
     };
@@ -51,26 +49,18 @@ struct BallLanes {
     const auto everywhere = [](const Vector3<double>& v) {
       return Vector3<Pack>{all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)};
     };
-    above = magnitude(frame::height(everywhere(frame.normal), to_center, all_lanes(frame.plane_height)));
-    const Pack widest = maximum(maximum(magnitude(to_center.x), magnitude(to_center.y)), magnitude(to_center.z));
-    const Pack size = all_lanes(2) * maximum(widest, one);
-    height_error = all_lanes(kHeight * kUnit) * size;
-    missed_plane = negative_lanes(radius - (above - height_error));
-    cut_plane = negative_lanes((above + height_error) - radius);
+    const frame::Height<Pack> height(to_center, everywhere(frame.normal), all_lanes(frame.plane_height));
+    const Pack above = magnitude(height.value), zero = all_lanes(0);
+    missed_plane = negative_lanes(radius - (above - height.error));
+    cut_plane = negative_lanes((above + height.error) - radius);
 
     x = frame::coordinate(everywhere(frame.x), to_center);
     y = frame::coordinate(everywhere(frame.y), to_center);
-    const Pack error = all_lanes(kDistance * kUnit) * size;
-    const Pack low = maximum(above - height_error, zero), high = above + height_error;
-    const auto disc = [&](const Pack& distance) {
-      return square_root(maximum((radius - distance) * (radius + distance), zero));
-    };
-    const Pack outer = disc(low) * all_lanes(kWide) + error;
-    const Pack inner = disc(high) * all_lanes(kNarrow) - error;
-    may_hit = negative_lanes(zero - inner);
-    certain_miss_sq = outer * outer * all_lanes(kWide);
-    certain_hit_sq = inner * inner * all_lanes(kNarrow);
-    boundary_sq = (all_lanes(kNear) * error) * (all_lanes(kNear) * error);
+    const Pack error = frame::distance_error(height.size);
+    const frame::Disc<Pack> disc(radius, maximum(above - height.error, zero), above + height.error, error);
+    may_hit = negative_lanes(zero - disc.inner);
+    certain_miss_sq = disc.outer_sq, certain_hit_sq = disc.inner_sq;
+    boundary_sq = frame::boundary_square(error);
   }
 
   /// Returns the balls whose plane is not missed.
@@ -183,7 +173,7 @@ class WalkTogether {
   void look_at(const Open& open) {
     const FrameQuery& query = queries_[open.ball];
     const EdgeTree::Node& node = tree_.nodes()[static_cast<std::size_t>(open.number)];
-    const NodeStep step(tree_, node, query, larger(query.certain_miss_sq, query.boundary_sq));
+    const NodeStep step(tree_, node, query, maximum(query.certain_miss_sq, query.boundary_sq));
     crossings_[open.ball] ^= step.crossings;
     for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane) {
       const Open child{node.child[lane], open.ball};

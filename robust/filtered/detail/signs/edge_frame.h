@@ -3,10 +3,14 @@
 
 #include "robust/filtered/detail/numbers/target.h"
 #include "robust/filtered/detail/numbers/vector3.h"
+#include "robust/filtered/detail/signs/bounds.h"
 
 /// The operations in the isometric frame of a prepared polygon: origin, two orthonormal axes in the supporting plane,
 /// and the unit normal. All lengths are in units of the polygon's size, so that bounds of magnitudes and errors are
 /// absolute.
+///
+/// Each is written once, over numbers of any type: doubles for one ball, lanes for four edges or four balls, and numbers
+/// that carry the bounds of their errors for the proofs (tests/robust/proofs/frame_test.cpp).
 namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 namespace frame {
 
@@ -63,6 +67,51 @@ template <class T>
 constexpr auto turned_across(const T& x, const T& y, const T& axis_x, const T& axis_y) {
   return y * axis_x - x * axis_y;
 }
+
+/// The height of a ball's centre above the plane, with the bound of its error.
+template <class N>
+struct Height {
+  N size;  ///< at least 1 and at least every coordinate of the centre in the frame: none is beyond sqrt(3) the widest
+  N value, error;
+
+  __attribute__((always_inline)) Height(const Vector3<N>& to_center, const Vector3<N>& normal, const N& plane_height)
+      : value(height(normal, to_center, plane_height)) {
+    const N widest = maximum(largest_component(to_center), constant<N>(1));
+    size = widest + widest;
+    error = constant<N>(bounds::kHeight * bounds::kUnit) * size;
+  }
+};
+
+/// Returns the bound of the error of computed distances in the plane.
+template <class N>
+__attribute__((always_inline)) constexpr N distance_error(const N& size) {
+  return constant<N>(bounds::kDistance * bounds::kUnit) * size;
+}
+/// Returns the square of the distance beyond which the foot is not on an edge.
+template <class N>
+__attribute__((always_inline)) constexpr N boundary_square(const N& distance_error) {
+  const N near = constant<N>(bounds::kNear) * distance_error;
+  return near * near;
+}
+
+/// The disc in which a ball meets the plane: what a computed distance from its centre certainly keeps within and beyond.
+template <class N>
+struct Disc {
+  N inner;               ///< the smaller radius; unless it is positive, no distance is certainly within
+  N inner_sq, outer_sq;  ///< the squares of both radii
+
+  /// `low`, `high`: bounds of the distance between centre and plane, low not negative. `error`: that of distances.
+  __attribute__((always_inline)) Disc(const N& radius, const N& low, const N& high, const N& error) {
+    const N wide = constant<N>(bounds::kWide), narrow = constant<N>(bounds::kNarrow), zero = constant<N>(0);
+    const auto half_chord = [&](const N& distance) {
+      return square_root(maximum((radius - distance) * (radius + distance), zero));
+    };
+    const N outer = half_chord(low) + error;
+    inner = half_chord(high) * narrow - error;
+    outer_sq = outer * outer * wide;
+    inner_sq = inner * inner;
+  }
+};
 
 }  // namespace frame
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET
