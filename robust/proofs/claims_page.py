@@ -213,9 +213,11 @@ Of the claims that Coq checks:
   but
   {axioms}.
 - [record.cpp](record.cpp) runs what computes and combines signs over a type in place of doubles. It does so from differences
-  and vertices on: what calls these classes, and loads and shuffles vertices into lanes, is tested alone, and object code is
-  not looked at. [uses.py](uses.py) finds out what each sign rests on. [statement.py](statement.py) and [signs.py](signs.py)
+  and vertices on. [uses.py](uses.py) finds out what each sign rests on. [statement.py](statement.py) and [signs.py](signs.py)
   state it.
+- The compiler, and what loads vertices into lanes. Only for some kernels of triangles, compiled by g++ for x86-64, a test
+  compares the [object code](README.md#object-code) with the record, from memory on: not for scaled triangles, nor for copies
+  in other kernels, polygons, scenes and double-doubles.
 - What a maximum bounds is recorded, with exceptions: the maximum of `ahead_out` holds by the triangle inequality, and the
   recorder says what it must be; callers ensure the maxima of double-doubles and the units of scaled triangles.
 - For the other bounds, expression and constant are paired by hand in [expressions.h](expressions.h).
