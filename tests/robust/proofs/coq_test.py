@@ -86,6 +86,32 @@ class Claim(InFolder):
         self.assertIn("of 0 theorems", fault)
 
 
+class Slice(InFolder):
+    """The first claim alone, as `prove_in_coq.py` checks it."""
+
+    def checked(self, gappa_program):
+        command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, gappa_program, COQC, CALCULUS,
+                   str(self.folder / "slice"), "--slice", "0/1000"]
+        return subprocess.run(command, capture_output=True, text=True)
+
+    def test_checks_a_claim(self):
+        done = self.checked(GAPPA)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("1 of 1 claims checked by Coq", done.stdout)
+
+    def test_refuses_a_hint_that_is_no_identity(self):
+        program = self.folder / "gappa"
+        program.write_text(f"#!/bin/sh\n{GAPPA} \"$@\" | sed -E 's/^(Hypothesis a1 : r[0-9]+ =).*/\\1 0%R./'\n")
+        program.chmod(0o755)
+        done = self.checked(str(program))
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("Coq refuses it", done.stdout)
+
+    def test_slices_are_all_claims(self):
+        slices = [prove_in_coq.in_slice(list(range(61)), f"{number}/7") for number in ("1c", "8", "9", "11", "4", "c", "d")]
+        self.assertEqual(sorted(sum(slices, [])), list(range(61)))
+
+
 class Stage(InFolder):
     def test_stops_when_it_is_interrupted(self):
         command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, GAPPA, COQC, CALCULUS,
