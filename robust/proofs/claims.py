@@ -35,7 +35,7 @@ def of_record(model, record):
     """The claims of one record."""
     constant, instance = record["constant"], record["instance"]
     if "nodes" in record:
-        value, unit = record["value"] - model["rounding_of_bound"], model[uses.UNITS[record["arithmetic"]]]
+        value, unit = prove.claimed_of(model, record), model[uses.UNITS[record["arithmetic"]]]
         arithmetic = f"fused {record['arithmetic']}" if prove.is_fused(record) else record["arithmetic"]
         yield Claim(constant, instance, arithmetic, f"{float(value)} units", unit, signs.claim(record, unit, value))
     elif "words" in record:

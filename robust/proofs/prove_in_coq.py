@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Usage: python3 prove_in_coq.py RECORD GAPPA COQC CALCULUS FOLDER [--jobs N] [NAME...]
+"""Usage: python3 prove_in_coq.py RECORD GAPPA COQC FOLDER [--calculus TESTS] [--jobs N] [NAME...]
 
 Has Coq check every claim that prove.py has Gappa prove, from Gappa's proof; the theories of coq/; and each step of the
-error calculus that the tests CALCULUS carry out (error_bound.h). All must rest on nothing but the axioms of Coq's
+error calculus that the program TESTS carries out (error_bound.h). All must rest on nothing but the axioms of Coq's
 library. FOLDER, which is made anew, keeps the theories. NAME: only what begins so. Exit status 1 if anything is not
 proved; an interruption stops at once.
 """
@@ -129,10 +129,11 @@ def check_all(check, proofs, jobs):
 
 def arguments():
     parser = argparse.ArgumentParser(usage=__doc__.splitlines()[0].removeprefix("Usage: "))
-    for name in ("record", "gappa", "coqc", "calculus"):
+    for name in ("record", "gappa", "coqc"):
         parser.add_argument(name)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("names", nargs="*")
+    parser.add_argument("--calculus")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     return parser.parse_intermixed_args()
 
@@ -152,7 +153,8 @@ def main():
         faults += [f"{name}.v: {fault}" for fault in found]
         assumed |= names
     proofs = [ProofOfClaim(claim) for claim in claims.of_records(*prove.read(given.record))]
-    proofs += proofs_of_steps(given.calculus, given.folder.resolve() / "steps.txt")
+    if given.calculus:
+        proofs += proofs_of_steps(given.calculus, given.folder.resolve() / "steps.txt")
     proofs = [proof for proof in proofs if not given.names or proof.name.startswith(tuple(given.names))]
     if not faults:
         faults, right, names = check_all(check, proofs, given.jobs)

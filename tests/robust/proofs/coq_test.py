@@ -88,8 +88,8 @@ class Claim(InFolder):
 
 class Stage(InFolder):
     def test_stops_when_it_is_interrupted(self):
-        command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, GAPPA, COQC, CALCULUS,
-                   str(self.folder / "stopped")]
+        command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, GAPPA, COQC, str(self.folder / "stopped"),
+                   "--calculus", CALCULUS]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
             self.assertIn("checked in", process.stdout.readline())
             process.terminate()
