@@ -23,7 +23,7 @@ import coq
 import gappa
 import prove
 
-THEORIES = {"model": 0, "parity": 2, "calculus": 1}  # each with how many theorems it tells the assumptions of
+THEORIES = {"model": 0, "permanent": 0, "parity": 2, "calculus": 1}  # each with how many theorems it tells the assumptions of
 
 
 class Check:
@@ -55,7 +55,7 @@ class Check:
             return ["Gappa does not prove it"], set(), time.monotonic() - start
         file = self.folder / f"{proof.file_name}.v"
         file.write_text(theory)
-        return *self.of_file(file), time.monotonic() - start
+        return *self.of_file(file, proof.theorems), time.monotonic() - start
 
     def stop(self):
         self.stopped = True
@@ -68,11 +68,11 @@ class ProofOfClaim:
 
     def __init__(self, claim):
         self.claim, self.name, self.file_name, self.says = claim, claim.name, claim.file_name, claim.proved
-        self.count = 1
+        self.count, self.theorems = 1, 2 if claim.sign else 1
 
     def theory(self, gappa_program):
         proof = gappa.proof_for_coq(gappa_program, self.claim.says, self.claim.unit)
-        return None if proof is None else coq.theory(self.claim.says, proof)
+        return None if proof is None else coq.theory(self.claim.says, proof) + self.claim.sign
 
 
 class ProofOfSteps:
@@ -80,7 +80,7 @@ class ProofOfSteps:
 
     def __init__(self, number, steps):
         self.name, self.file_name, self.says = f"calculus {number}", f"calculus_{number}", f"{len(steps.steps)} steps"
-        self.steps, self.count = steps, len(steps.steps)
+        self.steps, self.count, self.theorems = steps, len(steps.steps), 1
 
     def theory(self, _):
         return self.steps.text()

@@ -83,6 +83,10 @@ class Statement:
         self._introductions.append(f"{name} [{error} [t{name} [within_{error} [within_t{name} ->]]]]")
         self.hints.append(Hint(f"{name} - ({expression})", f"({expression}) * {error} + t{name}"))
 
+    def number(self, name):
+        self._premises.append(f"forall {name} : R,")
+        self._introductions.append(name)
+
     def constant(self, name, value):
         self._definitions.append(f"{name} = {in_gappa(value)};")
         self._premises.append(f"forall {name}, {name} = {in_coq(value)} ->")
