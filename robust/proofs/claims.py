@@ -6,6 +6,7 @@ import fractions
 import re
 
 import double_words
+import permanents
 import prove
 import quotients
 import signs
@@ -21,6 +22,7 @@ class Claim:
     proved: str  # the constant that is proved, and its unit
     unit: fractions.Fraction  # the smallest that occurs
     says: statement.Statement
+    sign: str = ""  # a theorem that follows from it
 
     @property
     def name(self):
@@ -35,9 +37,10 @@ def of_record(model, record):
     """The claims of one record."""
     constant, instance = record["constant"], record["instance"]
     if "nodes" in record:
-        value, unit = record["value"] - model["rounding_of_bound"], model[uses.UNITS[record["arithmetic"]]]
+        value, unit = prove.claimed_of(model, record), model[uses.UNITS[record["arithmetic"]]]
         arithmetic = f"fused {record['arithmetic']}" if prove.is_fused(record) else record["arithmetic"]
-        yield Claim(constant, instance, arithmetic, f"{float(value)} units", unit, signs.claim(record, unit, value))
+        yield Claim(constant, instance, arithmetic, f"{float(value)} units", unit, signs.claim(record, unit, value),
+                    permanents.theorem(record, unit) if "monomials" in record else "")
     elif "words" in record:
         says = double_words.claim(record, record["proved"])
         yield Claim(constant, instance, "double-doubles", f"{record['proved']} u^2", double_words.UNIT, says)

@@ -21,6 +21,7 @@ import time
 import adversary
 import double_words
 import gappa
+import permanents
 import quotients
 import signs
 import uses
@@ -28,17 +29,21 @@ import uses
 
 # The units of the arithmetics, in any rounding direction.
 LEAST_UNITS = {"unit": fractions.Fraction(1, 2**52), "double_double_unit": fractions.Fraction(1, 2**103),
-               "float_unit": fractions.Fraction(1, 2**23)}
+               "float_unit": fractions.Fraction(1, 2**23), "nearest_unit": fractions.Fraction(1, 2**53)}
 
 
-def read(program):
-    """The model and the record of each claim; every number is a Fraction."""
+def recorded(program):
+    """What the program prints; every number is a Fraction."""
     done = subprocess.run([program], capture_output=True, text=True)
     if done.returncode != 0:
         raise uses.Misuse(f"nothing is recorded: {done.stderr.strip()}")
-    lines = done.stdout.splitlines()
-    model, *records = [json.loads(line, parse_float=lambda text: fractions.Fraction(float(text)),
-                                  parse_int=fractions.Fraction) for line in lines]
+    return [json.loads(line, parse_float=lambda text: fractions.Fraction(float(text)), parse_int=fractions.Fraction)
+            for line in done.stdout.splitlines()]
+
+
+def read(program):
+    """The model and the record of each claim."""
+    model, *records = recorded(program)
     for name, least in LEAST_UNITS.items():
         if model[name] < least:
             raise uses.Misuse(f"{name}: operations round by more than {float(model[name]):.3g}")
@@ -58,6 +63,11 @@ def renumbered(record):
 
 def is_fused(record):
     return any("fused" in node.get("operation", "") for node in record["nodes"])
+
+
+def claimed_of(model, record):
+    """The constant that is to be proved: a permanent's claim counts the roundings of its bound itself."""
+    return record["value"] - (0 if "monomials" in record else model["rounding_of_bound"])
 
 
 def below(value):
@@ -109,7 +119,7 @@ def judge_quotient(program, model, record):
 
 def unproved(program, model, record):
     """The fault of a claim that Gappa does not prove, if any."""
-    unit, claimed = model[uses.UNITS[record["arithmetic"]]], record["value"] - model["rounding_of_bound"]
+    unit, claimed = model[uses.UNITS[record["arithmetic"]]], claimed_of(model, record)
     if not gappa.proves(program, signs.claim(record, unit, claimed), unit):
         yield f"{name_of(record)}: {float(claimed)} is not proved"
 
@@ -118,18 +128,28 @@ def judge(program, model, record):
     """The faults of one claim, and a line that says what is proved."""
     name = name_of(record)
     value, unit = record["value"], model[uses.UNITS[record["arithmetic"]]]
-    claimed = value - model["rounding_of_bound"]
+
+    def proves(constant):
+        return gappa.proves(program, signs.claim(record, unit, constant), unit)
+
+    claimed = claimed_of(model, record)
     faults = list(unproved(program, model, record))
+    proved = f"{name}: {float(value)}; {'not ' if faults else ''}proved {float(claimed)}"
+    if "monomials" in record:
+        least = permanents.least(record, unit)
+        below_least = math.nextafter(least, 0)
+        if not proves(fractions.Fraction(least)) or proves(fractions.Fraction(below_least)):
+            faults.append(f"{name}: {least} is not the least double that is proved")
+        return faults, f"{proved}; least double that is proved {least}; too small {below_least}"
     reached = adversary.reached(record, unit)
     if reached > claimed:
         faults.append(f"{name}: the model's errors reach {float(reached)}")
     smaller = below(reached)
     if not is_fused(record):  # what is fused rounds less than the constant allows for
         smaller = max(smaller, value * fractions.Fraction(15, 16))
-    if gappa.proves(program, signs.claim(record, unit, smaller), unit):
+    if proves(smaller):
         faults.append(f"{name}: {float(smaller)} is proved too, and the model's errors reach {float(reached)}")
-    return faults, (f"{name}: {float(value)}; proved {float(claimed)}; errors reach {float(reached):.3f}; too small "
-                    f"{float(smaller)}")
+    return faults, f"{proved}; errors reach {float(reached):.3f}; too small {float(smaller)}"
 
 
 def main(recorder, program, *options):
@@ -144,7 +164,7 @@ def main(recorder, program, *options):
         print(fault or "every sign that is taken to be certain is proved to be")
         return 1 if fault else 0
     faults = []
-    judges = {"nodes": judge, "words": judge_sum_of_products, "numbers": judge_quotient}
+    judges = {"nodes": judge, "monomials": judge, "words": judge_sum_of_products, "numbers": judge_quotient}
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
         for found, line in pool.map(lambda record: judges[next(filter(record.get, judges))](program, model, record), records):
             faults += found

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Usage: python3 prove_in_coq.py RECORD GAPPA COQC CALCULUS FOLDER [--jobs N] [--slice HASH/N] [NAME...]
+"""Usage: python3 prove_in_coq.py RECORD GAPPA COQC FOLDER [--calculus TESTS] [--slice HASH/N] [--jobs N] [NAME...]
 
 Has Coq check every claim that prove.py has Gappa prove, from Gappa's proof; the theories of coq/; and each step of the
-error calculus that the tests CALCULUS carry out (error_bound.h). All must rest on nothing but the axioms of Coq's
+error calculus that the program TESTS carries out (error_bound.h). All must rest on nothing but the axioms of Coq's
 library. FOLDER, which is made anew, keeps the theories. NAME: only what begins so. --slice: only every N-th claim, from
-one that the hash of the commit selects, and no step. Exit status 1 if anything is not proved; an interruption stops at once.
+one that the hash of the commit selects. Exit status 1 if anything is not proved; an interruption stops at once.
 """
 
 import argparse
@@ -23,7 +23,7 @@ import coq
 import gappa
 import prove
 
-THEORIES = {"model": 0, "parity": 2, "calculus": 1}  # each with how many theorems it tells the assumptions of
+THEORIES = {"model": 0, "permanent": 0, "parity": 2, "calculus": 1}  # each with how many theorems it tells the assumptions of
 
 
 class Check:
@@ -55,7 +55,7 @@ class Check:
             return ["Gappa does not prove it"], set(), time.monotonic() - start
         file = self.folder / f"{proof.file_name}.v"
         file.write_text(theory)
-        return *self.of_file(file), time.monotonic() - start
+        return *self.of_file(file, proof.theorems), time.monotonic() - start
 
     def stop(self):
         self.stopped = True
@@ -68,11 +68,11 @@ class ProofOfClaim:
 
     def __init__(self, claim):
         self.claim, self.name, self.file_name, self.says = claim, claim.name, claim.file_name, claim.proved
-        self.count = 1
+        self.count, self.theorems = 1, 2 if claim.sign else 1
 
     def theory(self, gappa_program):
         proof = gappa.proof_for_coq(gappa_program, self.claim.says, self.claim.unit)
-        return None if proof is None else coq.theory(self.claim.says, proof)
+        return None if proof is None else coq.theory(self.claim.says, proof) + self.claim.sign
 
 
 class ProofOfSteps:
@@ -80,7 +80,7 @@ class ProofOfSteps:
 
     def __init__(self, number, steps):
         self.name, self.file_name, self.says = f"calculus {number}", f"calculus_{number}", f"{len(steps.steps)} steps"
-        self.steps, self.count = steps, len(steps.steps)
+        self.steps, self.count, self.theorems = steps, len(steps.steps), 1
 
     def theory(self, _):
         return self.steps.text()
@@ -135,10 +135,11 @@ def in_slice(claims, given):
 
 def arguments():
     parser = argparse.ArgumentParser(usage=__doc__.splitlines()[0].removeprefix("Usage: "))
-    for name in ("record", "gappa", "coqc", "calculus"):
+    for name in ("record", "gappa", "coqc"):
         parser.add_argument(name)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("names", nargs="*")
+    parser.add_argument("--calculus")
     parser.add_argument("--slice")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     return parser.parse_intermixed_args()
@@ -162,7 +163,7 @@ def main():
     if given.slice:
         print(f"Of {len(proofs)} claims, slice {given.slice}")
         proofs = in_slice(proofs, given.slice)
-    else:
+    if given.calculus:
         proofs += proofs_of_steps(given.calculus, given.folder.resolve() / "steps.txt")
     proofs = [proof for proof in proofs if not given.names or proof.name.startswith(tuple(given.names))]
     if not faults:

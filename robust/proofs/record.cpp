@@ -2,7 +2,6 @@
 // Prints, as JSON lines, the model and what the filters compute: for each claim of expressions.h the operations of its
 // expression; for each filter of triangles, and for signs in double-doubles, all operations from the inputs on, and the
 // signs that are taken to be certain.
-#include <iomanip>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -154,11 +153,7 @@ void print(const Quotient& claim, const Expression& expression) {
 
 int main() try {
   using namespace touchstone;
-  using namespace touchstone::filtered::detail;
-  std::cout << std::boolalpha << std::setprecision(17) << R"({"unit": )" << bounds::kUnit
-            << R"(, "double_double_unit": )" << bounds::kDoubleDoubleUnit << R"(, "float_unit": )" << bounds::kFloatUnit
-            << R"(, "smallest": )" << bounds::kSmallest << R"(, "largest": )" << bounds::kLargest << R"(, "tiny": )"
-            << bounds::kTiny << R"(, "rounding_of_bound": )" << proofs::kRoundingOfBound << "}\n";
+  proofs::print_model(std::cout);
   proofs::print_claims();
   proofs::print_functions();
   proofs::for_each_sum_of_products(

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <iomanip>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -75,10 +76,7 @@ Recorded maximum(const Recorded& a, const Recorded& b) { return Recorded::of("ma
 Recorded magnitude(const Recorded& a) { return Recorded::of("magnitude", {a.node}); }
 Recorded operator-(const Recorded& a) { return Recorded::of("negated", {a.node}); }
 
-bool operator>(const Recorded& a, const Recorded& b) {
-  Recording::current().compare(a.node, b.node);
-  return false;
-}
+bool operator>(const Recorded& a, const Recorded& b) { return Recording::current().compare(a.node, b.node); }
 bool operator<(const Recorded& a, const Recorded& b) { return b > a; }
 bool operator==(const Recorded&, int) {
   if (!Recording::current().nothing_is_zero) throw std::logic_error("a branch depends on whether a number is 0");
@@ -148,6 +146,35 @@ void RecordedFunction::print(std::ostream& out) const {
                      known_, uses_, fmt::join(ignored_, ", "), fmt::join(Recording::current().decided(), ", "));
   Recording::current().print(out, all);
   out << "}\n";
+}
+
+void print_model(std::ostream& out) {
+  out << std::boolalpha << std::setprecision(17) << R"({"unit": )" << bounds::kUnit << R"(, "nearest_unit": )"
+      << 0x1p-53 << R"(, "double_double_unit": )" << bounds::kDoubleDoubleUnit << R"(, "float_unit": )"
+      << bounds::kFloatUnit << R"(, "smallest": )" << bounds::kSmallest << R"(, "largest": )" << bounds::kLargest
+      << R"(, "tiny": )" << bounds::kTiny << R"(, "rounding_of_bound": )" << kRoundingOfBound << "}\n";
+}
+
+void RecordedFunction::print_filter(std::ostream& out, std::string_view name, std::size_t inputs,
+                                    const std::function<int(const std::vector<Recorded>&)>& filter) {
+  RecordedFunction function(name, "", "doubles to nearest");
+  Recording& recording = Recording::current();
+  const auto returned = [&](std::size_t true_comparison) {
+    recording.begin();
+    recording.true_comparison = true_comparison;
+    std::vector<Recorded> numbers;
+    while (numbers.size() < inputs) numbers.push_back(Recorded::input(fmt::format("input {}", numbers.size())));
+    return filter(numbers);
+  };
+  std::vector<std::string> compared;
+  for (std::size_t i = 1; returned(0) == 0 && i <= recording.compared().size(); ++i) {
+    const int sign = returned(i);
+    if (recording.compared().size() != i) throw std::logic_error("a filter continues after a comparison that is true");
+    compared.push_back(fmt::format("[{}, {}]", fmt::join(recording.compared().back(), ", "), sign));
+  }
+  if (returned(0) != 0) throw std::logic_error("a filter returns a sign without a comparison");
+  function.uses_ = fmt::format(R"({{"name": "sign", "compared": [{}]}})", fmt::join(compared, ", "));
+  function.print(out);
 }
 
 void print_claim(std::ostream& out, const Claim& claim, Over over, const Recorded& result) {

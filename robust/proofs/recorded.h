@@ -3,6 +3,8 @@
 
 #include <array>
 #include <concepts>
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <ostream>
 #include <string>
@@ -35,9 +37,14 @@ class Recording {
   /// Returns the node of this operation, a new one if it was not carried out yet.
   int add(const Node& node);
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
-  /// Notes that a decision depends on the sign of a number, or on whether one exceeds another.
+  /// Notes that a decision depends on the sign of a number.
   void decide(int node) { decided_.push_back(node); }
-  void compare(int greater, int less) { compared_.push_back({greater, less}); }
+  /// Notes that a decision depends on whether one number exceeds another. Returns whether it is the true comparison.
+  bool compare(int greater, int less) {
+    compared_.push_back({greater, less});
+    return compared_.size() == true_comparison;
+  }
+  std::size_t true_comparison = 0;  ///< Counted from 1; all others are false.
   [[nodiscard]] const std::vector<int>& decided() const { return decided_; }
   [[nodiscard]] const std::vector<std::array<int, 2>>& compared() const { return compared_; }
   /// Whether numbers are assumed not to be 0 where they are compared with it; else that is refused.
@@ -86,7 +93,7 @@ Recorded magnitude(const Recorded& a);
 Recorded operator-(const Recorded& a);
 /// @}
 /// @{
-/// A comparison, which is recorded, or refused if it is with 0. Returns false.
+/// A comparison, which is recorded, or refused if it is with 0. Returns false, except for the recording's true one.
 bool operator>(const Recorded& a, const Recorded& b);
 bool operator<(const Recorded& a, const Recorded& b);
 bool operator==(const Recorded& a, int zero);
@@ -130,11 +137,18 @@ class RecordedFunction {
   void use(std::string_view name, const filtered::detail::Estimate<Recorded>& estimate);
   void print(std::ostream& out) const;
 
+  /// Prints a filter in doubles rounded to nearest: a function of that many inputs that returns 1 or -1 if a sign is
+  /// certain, else 0. After a comparison that is true, it may do nothing but return.
+  static void print_filter(std::ostream& out, std::string_view name, std::size_t inputs,
+                           const std::function<int(const std::vector<Recorded>&)>& filter);
+
  private:
   std::string known_, uses_, head_;
   std::vector<int> ignored_;
 };
 
+/// Prints the model of bounds.h and its unit in round to nearest.
+void print_model(std::ostream& out);
 /// Prints a claim of the list, whose expression has this result.
 void print_claim(std::ostream& out, const Claim& claim, Over over, const Recorded& result);
 

@@ -6,6 +6,7 @@ Maxima are 1: with relative errors alone, scaling every input of a group scales 
 
 import fractions
 
+import permanents
 import statement
 
 EXCESS = fractions.Fraction(1, 2**50)  # by which magnitudes may exceed their maximum: kExcess of expressions.h
@@ -13,6 +14,8 @@ EXCESS = fractions.Fraction(1, 2**50)  # by which magnitudes may exceed their ma
 
 def claim(record, unit, constant):
     """|computed - exact| <= constant factor unit, for every relative error of at most unit in every operation."""
+    if "monomials" in record:
+        return permanents.claim(record, unit, constant)
     says = statement.Statement()
     for node in record["nodes"]:
         name = node["node"]
@@ -31,7 +34,10 @@ def claim(record, unit, constant):
                     return f"{prefix}{left} * {prefix}{right} {operation[-1]} {prefix}{added[0]}"
                 return f"{prefix}{left} {operation} {prefix}{right}"
 
-            says.operation(f"c{name}", expression("c"), f"d{name}", unit)
+            if operation == "*" and "underflow" in record:
+                says.underflowing(f"c{name}", expression("c"), f"d{name}", unit, record["underflow"])
+            else:
+                says.operation(f"c{name}", expression("c"), f"d{name}", unit)
             says.defined(f"e{name}", expression("e"))
     result = record["nodes"][-1]["node"]
     says.at_most(f"c{result} - e{result}", constant * record["factor"] * unit)

@@ -4,8 +4,13 @@
 A rounded operation is written with its error, computed = exact * (1 + error), which both understand.
 """
 
+import copy
 import dataclasses
 import fractions
+
+
+class Misuse(Exception):
+    """A use from which no claim follows."""
 
 
 def power_of_two(value):
@@ -70,6 +75,23 @@ class Statement:
         self._premises.append(f"forall {name}, rounded ({in_coq(unit)}) {expression} {name} ->")
         self._introductions.append(f"{name} [{error} [within_{error} ->]]")
 
+    def underflowing(self, name, expression, error, unit, underflow):
+        """As an operation, with an absolute error of at most `underflow` besides."""
+        self._definitions.append(f"{name} = ({expression}) * (1 + {error}) + t{name};")
+        self._hypotheses += [f"|{error}| <= {in_gappa(unit)}", f"|t{name}| <= {in_gappa(underflow)}"]
+        self._premises.append(f"forall {name}, underflowing ({in_coq(unit)}) ({in_coq(underflow)}) ({expression}) {name} ->")
+        self._introductions.append(f"{name} [{error} [t{name} [within_{error} [within_t{name} ->]]]]")
+        self.hints.append(Hint(f"{name} - ({expression})", f"({expression}) * {error} + t{name}"))
+
+    def number(self, name):
+        self._premises.append(f"forall {name} : R,")
+        self._introductions.append(name)
+
+    def constant(self, name, value):
+        self._definitions.append(f"{name} = {in_gappa(value)};")
+        self._premises.append(f"forall {name}, {name} = {in_coq(value)} ->")
+        self._introductions.append(f"{name} ->")
+
     def operation(self, name, expression, error, unit):
         """An operation that is rounded, an error of its own, and Gappa told so."""
         self.rounded(name, f"({expression})", error, unit)
@@ -87,6 +109,12 @@ class Statement:
     def at_least(self, expression, bound):
         """A goal: the expression is at least the bound."""
         self.goals.append((f"{expression} >= {in_gappa(bound)}", f"{in_coq(bound)} <= {expression}"))
+
+    def with_goal(self, goal):
+        """The same statement with this goal alone."""
+        alone = copy.copy(self)
+        alone.goals = [goal]
+        return alone
 
     def for_gappa(self):
         return ("\n".join(self._definitions) + "\n{ " + " /\\\n  ".join(self._hypotheses) + "\n  -> "

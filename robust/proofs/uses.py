@@ -9,13 +9,14 @@ does not show is declared with them: a claim says that it bounds them, or a reas
 
 import collections
 import fractions
+import math
+
+import permanents
+from statement import Misuse
 
 
-UNITS = {"doubles": "unit", "double-doubles": "double_double_unit", "floats": "float_unit"}  # names in the model
-
-
-class Misuse(Exception):
-    """A use from which no claim follows."""
+UNITS = {"doubles": "unit", "doubles to nearest": "nearest_unit", "double-doubles": "double_double_unit",
+         "floats": "float_unit"}  # names in the model
 
 
 class Function:
@@ -25,6 +26,9 @@ class Function:
         self.nodes = {node["node"]: node for node in record["recorded"]}
         self.unit, self.smallest, self.largest = model[UNITS[record["arithmetic"]]], model["smallest"], model["largest"]
         self.tiny, self.own_units = model["tiny"], "own_units" in record
+        compared = [pair for use in record["uses"] for *pair, _ in use.get("compared", [])]
+        self.lowest = {of: self.constant(low) for low, of in compared if self.constant(low) is not None}
+        self.highest = {of: self.constant(high) for of, high in compared if self.constant(high) is not None}
         self.known = collections.defaultdict(dict)  # by maximum, the errors of the numbers that it is declared to bound
         for known in record["known"]:
             self.known[known["maximum"]].update(dict.fromkeys(known["bounds"], known["error"]))
@@ -153,13 +157,40 @@ class Function:
             if factor * (2 * self.largest)**degree > 2**1023:
                 raise Misuse("its bound may overflow")
 
+    def underflow(self, value, factor, products):
+        """How far a product may underflow, in units of its maxima: a filter returns no sign where one is too small."""
+        lowest = min(math.prod(min(self.lowest.get(of, 0), 1)**count for of, count in product.items()) for product in products)
+        highest = max(math.prod(max(self.highest.get(of, 2**1024), 1)**count for of, count in product.items())
+                      for product in products)
+        if min(factor, 1) * lowest < fractions.Fraction(2)**-1022:
+            raise Misuse("its maxima may be so small that its bound underflows")
+        if max(factor, 2 * len(permanents.terms(self, value))) * highest > 2**1023:
+            raise Misuse("its maxima may be so large that it overflows")
+        return fractions.Fraction(2)**(lowest.denominator.bit_length() - lowest.numerator.bit_length() + 1 - 1075)
+
+    def value_and_bound(self, comparisons):
+        """What a filter compares before it returns 1 and -1."""
+        signs = sorted((sign, *of) for *of, sign in comparisons if sign != 0)
+        if [sign for sign, *_ in signs] != [-1, 1]:
+            raise Misuse("it does not return each sign after one comparison")
+        (_, negated, other), (_, value, bound) = signs
+        if self.operation(negated) != "negated" or {*self.operands(negated), other} != {value, bound}:
+            raise Misuse("its two comparisons are of different numbers")
+        return value, bound
+
     def is_of_second_degree(self, maximum):
         """Whether a maximum is a sum of products, as that of a normal."""
         return any(self.operation(of) == "*" for of in self.operands(maximum))
 
     def claim_of_use(self, use):
         """The claim of a sign, with the constant that it takes."""
-        if "greater" in use:
+        if "compared" in use:
+            value, bound = self.value_and_bound(use["compared"])
+            if permanents.is_permanent(self, bound):
+                return permanents.claim_of(self, value, bound)
+            claim = self.claim(value, bound, adds_tiny=True)
+            claim["underflow"] = self.underflow(value, *self.product(bound))
+        elif "greater" in use:
             (value, error), (opposite, same) = use["greater"], use["less"]
             if same != value or self.operation(opposite) != "negated" or self.operands(opposite) != [error]:
                 raise Misuse("its two comparisons are of different numbers")
@@ -220,7 +251,7 @@ def claims(model, records):
         claim = checked(record, name, claim_of)
         claim = {"arithmetic": record["arithmetic"], **claim}
         key = repr([{**node, "input": ""} if "input" in node else node for node in claim["nodes"]] + [claim["value"], claim["factor"],
-                   claim["squares_are_products"], claim["arithmetic"], "is_within_maximum" in claim])  # whatever its inputs are called
+                   claim["squares_are_products"], claim["arithmetic"], "is_within_maximum" in claim, claim.get("monomials")])  # whatever its inputs are called
         found.setdefault(key, (claim, []))[1].append(f"{record['function']} {name}")
 
     for record in records:

@@ -18,6 +18,10 @@ Definition known (largest error computed exact : R) : Prop :=
 Definition rounded (unit exact computed : R) : Prop :=
   exists error, (Rabs error <= unit)%R /\ computed = (exact * (1 + error))%R.
 
+(* The same with an absolute error of at most `underflow` besides. *)
+Definition underflowing (unit underflow exact computed : R) : Prop :=
+  exists error rest, (Rabs error <= unit)%R /\ (Rabs rest <= underflow)%R /\ computed = (exact * (1 + error) + rest)%R.
+
 (* Gappa's hints are identities. *)
 Ltac identity :=
   unfold Float1; simpl;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: coq_test.py RECORD GAPPA COQC CALCULUS
+"""Usage: coq_test.py RECORD GAPPA COQC CALCULUS FILTERS
 
 Coq refuses what is not proved: constants that are too small, hints that are no identities, hints that are assumed, bounds
 that the error calculus does not give.
@@ -17,13 +17,14 @@ PROOFS = pathlib.Path(__file__).resolve().parents[3] / "robust/proofs"
 sys.path.append(str(PROOFS))
 
 import calculus_steps  # noqa: E402
+import claims  # noqa: E402
 import coq  # noqa: E402
 import gappa  # noqa: E402
 import prove  # noqa: E402
 import prove_in_coq  # noqa: E402
 import signs  # noqa: E402
 
-RECORD, GAPPA, COQC, CALCULUS = sys.argv[1:5]
+RECORD, GAPPA, COQC, CALCULUS, FILTERS = sys.argv[1:6]
 MODEL, RECORDS = prove.read(RECORD)
 CROSS = next(record for record in RECORDS if record["constant"] == "kRoundedCross")
 CLAIMED = CROSS["value"] - MODEL["rounding_of_bound"]
@@ -86,11 +87,24 @@ class Claim(InFolder):
         self.assertIn("of 0 theorems", fault)
 
 
+class Sign(InFolder):
+    def test_checks_the_sign_of_a_permanent_and_refuses_what_does_not_follow(self):
+        for theory in ("model", "permanent"):
+            self.assertEqual(self.check.of_theory(theory, 0), ([], set()))
+        claim = claims.of_records(*prove.read(FILTERS))[0]
+        proof = coq.theory(claim.says, gappa.proof_for_coq(GAPPA, claim.says, claim.unit))
+        for sign in (claim.sign, claim.sign.replace("-> 0 < e", "-> 1 < e"), claim.sign.replace("< - c", "< c")):
+            file = self.folder / "sign.v"
+            file.write_text(proof + sign)
+            faults, _ = self.check.of_file(file, 2)
+            self.assertEqual(faults == [], sign == claim.sign)
+
+
 class Slice(InFolder):
     """The first claim alone, as `prove_in_coq.py` checks it."""
 
     def checked(self, gappa_program):
-        command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, gappa_program, COQC, CALCULUS,
+        command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, gappa_program, COQC,
                    str(self.folder / "slice"), "--slice", "0/1000"]
         return subprocess.run(command, capture_output=True, text=True)
 
@@ -114,8 +128,8 @@ class Slice(InFolder):
 
 class Stage(InFolder):
     def test_stops_when_it_is_interrupted(self):
-        command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, GAPPA, COQC, CALCULUS,
-                   str(self.folder / "stopped")]
+        command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, GAPPA, COQC, str(self.folder / "stopped"),
+                   "--calculus", CALCULUS]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
             self.assertIn("checked in", process.stdout.readline())
             process.terminate()
