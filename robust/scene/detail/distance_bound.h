@@ -32,6 +32,13 @@ constexpr filtered::detail::Vector3<T> combined(const T& a, const filtered::deta
   return {sum(x.x, y.x, z.x), sum(x.y, y.y, z.y), sum(x.z, y.z, z.z)};
 }
 
+/// Returns at least the distance of a point whose computed one is this, where coordinates are at most `largest`.
+template <class T>
+constexpr T not_below(const T& computed, const T& largest) {
+  using filtered::detail::constant;
+  return (computed + constant<T>(kPoint) * largest) * constant<T>(kWide);
+}
+
 }  // namespace distance_bound
 
 /// Returns at least the distance of the centre from the triangle, and little more unless the triangle is a needle;
@@ -70,7 +77,7 @@ inline double distance_at_most(const Eigen::Vector3d& center, const Triangle& tr
       squared = std::min(squared, dot(point, point));
     }
   }
-  return (std::sqrt(squared) + distance_bound::kPoint * largest) * distance_bound::kWide;
+  return distance_bound::not_below(std::sqrt(squared), largest);
 }
 
 }  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

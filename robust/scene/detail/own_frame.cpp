@@ -50,14 +50,11 @@ std::optional<OwnFrame> OwnFrame::of(const Pose& pose, double reach, double thin
 
 double OwnFrame::spread(const Eigen::Vector3d& center) const { return (center - pose_.translation).lpNorm<1>(); }
 
-double OwnFrame::lost(double spread) const { return (rounding_ + (residual_ + kCenter) * spread) * kWide; }
-
 SeenBall OwnFrame::seen(const Ball& ball) const {
   if (!sees(ball.center)) return {{Eigen::Vector3d::Zero(), kInfinity}, -1};
   const double spread = this->spread(ball.center);
-  return {{inverse_ * (ball.center - pose_.translation),
-           (shorter_ * ball.radius + (margin_ + kCenter * shorter_ * spread)) * kWide},
-          (ball.radius - lost(spread)) * kNarrow / longer_};
+  return {{inverse_ * (ball.center - pose_.translation), outer_radius(ball.radius, shorter_, margin_, spread)},
+          (ball.radius - lost(rounding_, residual_, spread)) * kNarrow / longer_};
 }
 
 SeenMotion OwnFrame::seen(const Motion& motion) const {
@@ -69,7 +66,7 @@ SeenMotion OwnFrame::seen(const Motion& motion) const {
 }
 
 double OwnFrame::radius_under_pose(const Eigen::Vector3d& center, double radius) const {
-  return sees(center) ? (longer_ * radius + lost(spread(center))) * kWide : kInfinity;
+  return sees(center) ? (longer_ * radius + lost(rounding_, residual_, spread(center))) * kWide : kInfinity;
 }
 
 double distance_from_origin(const Eigen::Vector3d& point) { return point.norm() * kWide + 0x1p-500; }

@@ -8,6 +8,7 @@
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
+#include "robust/filtered/detail/numbers/vector3.h"
 
 /// Triangles under a pose that stay in their own frame: a ball comes to them, and a triangle is posed only when that
 /// does not decide.
@@ -36,6 +37,22 @@ inline constexpr double kWide = 1 + 0x1p-48, kNarrow = 1 - 0x1p-48;
 inline constexpr double kMostResidual = 0x1p-20;
 inline constexpr double kLargest = 0x1p60;
 inline constexpr double kLargestOfCenters = 0x1p500;
+
+// Lengths over any numbers: doubles, or numbers that carry the bounds of their errors for the proof.
+
+/// Returns the radius in the own frame of a ball that holds all that a ball of this radius under the pose does. `margin`:
+/// what the residual and the rounding of vertices take. `spread`: D.
+template <class N>
+constexpr N outer_radius(const N& radius, const N& shorter, const N& margin, const N& spread) {
+  using filtered::detail::constant;
+  return (shorter * radius + (margin + constant<N>(kCenter) * shorter * spread)) * constant<N>(kWide);
+}
+/// Returns how much farther than |R| times its distance in the own frame a triangle may be from a centre.
+template <class N>
+constexpr N lost(const N& rounding, const N& residual, const N& spread) {
+  using filtered::detail::constant;
+  return (rounding + (residual + constant<N>(kCenter)) * spread) * constant<N>(kWide);
+}
 
 }  // namespace own_frame
 
@@ -90,8 +107,6 @@ class OwnFrame {
 
   /// Returns the sum of the magnitudes of the components of c - t.
   [[nodiscard]] double spread(const Eigen::Vector3d& center) const;
-  /// Returns how much farther than |R| times its distance in the own frame a triangle may be from a centre.
-  [[nodiscard]] double lost(double spread) const;
 
   Pose pose_;
   Eigen::Matrix3d inverse_;  ///< A

@@ -27,6 +27,8 @@ mpq_class error_of_point() {
 TEST(DistanceBound, CoversThePoint) {
   EXPECT_LE(error_of_point(), mpq_class(bound::kPoint));
   EXPECT_GT(error_of_point(), mpq_class(bound::kPoint) * 7 / 8) << "it is loose";
+  const ErrorBound zero{&kNearest, 0, 0, 0}, one{&kNearest, 1, 1, 0};
+  EXPECT_GE(bound::not_below(zero, one).low, error_of_point()) << "of a point that is computed to be the centre";
 }
 
 // The sum of the weights is 1 except for four roundings; a point that is so much farther is the point of the triangle,

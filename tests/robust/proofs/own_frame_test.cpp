@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "robust/filtered/detail/signs/bounds.h"
+#include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::proofs::own_frame {
@@ -38,10 +39,16 @@ TEST(OwnFrameBounds, CoverTheResidual) {
 
 // Each component of c - t is rounded once, and its product three times; a column of A is not longer than |A|. The sum D
 // is computed from components that were rounded, with two additions. Under the pose, |R| |A| <= (1 + h)^2.
+mpq_class center_error() { return roundings(4) * (1 + kU) / (1 - roundings(3)) * power(1 + kMost, 2); }
+
 TEST(OwnFrameBounds, CoverTheCentre) {
-  const mpq_class needed = roundings(4) * (1 + kU) / (1 - roundings(3)) * power(1 + kMost, 2);
-  EXPECT_LE(needed, mpq_class(kCenter));
-  EXPECT_GT(needed, mpq_class(kCenter) * 9 / 10) << "it is loose";
+  EXPECT_LE(center_error(), mpq_class(kCenter));
+  EXPECT_GT(center_error(), mpq_class(kCenter) * 9 / 10) << "it is loose";
+  // In lengths to which nothing else adds.
+  const ErrorModel model{kU, kSmallestDouble, true};
+  const ErrorBound zero{&model, 0, 0, 0}, one{&model, 1, 1, 0};
+  EXPECT_GE(outer_radius(zero, one, zero, one).low, center_error());
+  EXPECT_GE(lost(zero, zero, one).low, center_error());
 }
 
 // Three coordinates, each off by half a unit in the last place: u times the exact value.
