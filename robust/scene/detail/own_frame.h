@@ -40,8 +40,8 @@ inline constexpr double kLargestOfCenters = 0x1p500;
 
 // Lengths over any numbers: doubles, or numbers that carry the bounds of their errors for the proof.
 
-/// Returns the radius in the own frame of a ball that holds all that a ball of this radius under the pose does. `margin`:
-/// what the residual and the rounding of vertices take. `spread`: D.
+/// Returns the radius in the own frame of a ball that holds all that a ball of this radius holds under the pose.
+/// `margin`: what the residual and the rounding of vertices take. `spread`: D.
 template <class N>
 constexpr N outer_radius(const N& radius, const N& shorter, const N& margin, const N& spread) {
   using filtered::detail::constant;

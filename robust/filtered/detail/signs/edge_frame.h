@@ -94,7 +94,8 @@ __attribute__((always_inline)) constexpr N boundary_square(const N& distance_err
   return near * near;
 }
 
-/// The disc in which a ball meets the plane: what a computed distance from its centre certainly keeps within and beyond.
+/// The disc in which a ball meets the plane. It tells which computed distances from its centre are certainly within it,
+/// and which certainly beyond.
 template <class N>
 struct Disc {
   N inner;               ///< the smaller radius; unless it is positive, no distance is certainly within
