@@ -238,10 +238,13 @@ struct BoxInView {
 // distances do. An axis whose length is off by a few units stretches distances.
 const mpq_class kClose = mpq_class(0x1p-20), kFar = 4;
 
+/// The square up to which boxes are looked at, where edges are up to 1.
+mpq_class box_reach() { return frame::box_reach(ErrorBound{&kAnyRounding, 1, 1, 0}).low; }
+
 // A box holds the ends of its edges as stored.
 TEST(FrameBounds, BoxesAreReachedWhereTheirEdgesAre) {
   // As much as the root of kBoxReach allows for, of a distance from `boundary_sq` on.
-  const mpq_class wider = root_above(bounds::kBoxReach * (1 - 4 * kUnit)) * (1 - kUnit) - 1;
+  const mpq_class wider = root_below(box_reach() * (1 - 3 * kUnit)) * (1 - kUnit) - 1;
   const auto needed = [&](const mpq_class& away, const mpq_class& distance) -> mpq_class {
     return BoxInView(away).error(distance) + Edge(known(away, 0), kZero).error(distance) + ends_apart() +
            8 * kUnit * distance;
@@ -255,7 +258,7 @@ TEST(FrameBounds, BoxesAreReachedWhereTheirEdgesAre) {
 // The exact foot, too, is off a box that is not reached, and on the side that is computed: of the two sides the larger
 // is at least so far off.
 TEST(FrameBounds, BoxesThatAreNotReachedAreOnTheirSide) {
-  const mpq_class off = root_above(bounds::kBoxReach / 2) * (1 - 4 * kUnit), extent = bounds::kExtent;
+  const mpq_class off = root_below(box_reach() / 2) * (1 - 4 * kUnit), extent = bounds::kExtent;
   const auto needed = [&](const mpq_class& away, const mpq_class& distance) -> mpq_class {
     const BoxInView box(away);
     return box.beside.error + box.along.error + stored_off() + 8 * kUnit * distance;

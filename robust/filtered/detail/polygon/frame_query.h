@@ -112,8 +112,7 @@ struct LeafView {
 
 /// The boxes of a node, relative to the foot.
 struct NodeView {
-  Pack
-      squared;  ///< of the distances to the boxes; compared with bounds::kBoxReach times a square from `boundary_sq` on
+  Pack squared;    ///< of the distances to the boxes; compared with frame::box_reach of a square from `boundary_sq` on
   unsigned right;  ///< a bit a box: where the foot is outside it, the horizontal line meets it on the right, if at all
 
   NodeView(const EdgeTree::Node& node, const FrameQuery& query) {
@@ -149,7 +148,7 @@ struct NodeStep {
                              double limit_sq) {
     const NodeView view(node, query);
     squared = view.squared;
-    far = negative_lanes(all_lanes(limit_sq * bounds::kBoxReach) - view.squared);
+    far = negative_lanes(all_lanes(frame::box_reach(limit_sq)) - view.squared);
     // As many ends above the ray as below it are odd in number only if the ray parts the lowest from the highest.
     const Pack y = all_lanes(query.y), parted = (y - load(node.lowest_end)) ^ (y - load(node.highest_end));
     const unsigned met = far & view.right & negative_lanes(parted);

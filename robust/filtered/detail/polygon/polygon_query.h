@@ -241,7 +241,7 @@ PointLocation PolygonQuery<Counts>::exact_foot() {
     }
     const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(number)];
     const NodeView view(node, query);
-    const unsigned far = negative_lanes(all_lanes(query.boundary_sq * bounds::kBoxReach) - view.squared);
+    const unsigned far = negative_lanes(all_lanes(frame::box_reach(query.boundary_sq)) - view.squared);
     for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane) {
       if ((far >> lane & 1) == 0)
         stack[open++] = node.child[lane];

@@ -94,6 +94,12 @@ __attribute__((always_inline)) constexpr N boundary_square(const N& distance_err
   return near * near;
 }
 
+/// Returns up to what squared distance boxes are looked at, if edges are up to this one.
+template <class N>
+__attribute__((always_inline)) constexpr N box_reach(const N& limit_sq) {
+  return limit_sq * constant<N>(bounds::kBoxReach);
+}
+
 /// The disc in which a ball meets the plane. It tells which computed distances from its centre are certainly within it,
 /// and which certainly beyond.
 template <class N>
