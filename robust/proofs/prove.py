@@ -7,7 +7,7 @@ the first fault. Gappa must prove every claim, at the unit of its arithmetic. It
 model exceed (adversary.py) or, where that is larger and no operation is fused, a sixteenth less than the claimed one: so
 the check can fail, and the constant is not loose. For sums of products of double-doubles it must refuse a constant that is
 one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out; for quotients and roots one that
-is one u^2 smaller. Exit status 1 if a claim is not proved or a smaller one is.
+is one u^2 smaller; for a permanent the next smaller double. Exit status 1 if a claim is not proved or a smaller one is.
 """
 
 import concurrent.futures
@@ -27,7 +27,7 @@ import signs
 import uses
 
 
-# The units of the arithmetics, in any rounding direction.
+# The units of the arithmetics: in any rounding direction, except for that of doubles to nearest.
 LEAST_UNITS = {"unit": fractions.Fraction(1, 2**52), "double_double_unit": fractions.Fraction(1, 2**103),
                "float_unit": fractions.Fraction(1, 2**23), "nearest_unit": fractions.Fraction(1, 2**53)}
 

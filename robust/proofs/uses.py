@@ -9,6 +9,7 @@ does not show is declared with them: a claim says that it bounds them, or a reas
 
 import collections
 import fractions
+import itertools
 import math
 
 import permanents
@@ -26,7 +27,9 @@ class Function:
         self.nodes = {node["node"]: node for node in record["recorded"]}
         self.unit, self.smallest, self.largest = model[UNITS[record["arithmetic"]]], model["smallest"], model["largest"]
         self.tiny, self.own_units = model["tiny"], "own_units" in record
-        compared = [pair for use in record["uses"] for *pair, _ in use.get("compared", [])]
+        # Of a filter: what it compares before any sign. Where such a comparison is true, it returns no sign.
+        compared = [pair for use in record["uses"]
+                    for *pair, _ in itertools.takewhile(lambda of: of[-1] == 0, use.get("compared", []))]
         self.lowest = {of: self.constant(low) for low, of in compared if self.constant(low) is not None}
         self.highest = {of: self.constant(high) for of, high in compared if self.constant(high) is not None}
         self.known = collections.defaultdict(dict)  # by maximum, the errors of the numbers that it is declared to bound
@@ -245,13 +248,13 @@ def claims(model, records):
         try:
             return what()
         except Misuse as misuse:
-            raise Misuse(f"{record['function']}, {record['target']}, {name}: {misuse}") from None
+            raise Misuse(", ".join(filter(None, (record["function"], record["target"], name))) + f": {misuse}") from None
 
     def add(record, name, claim_of):
         claim = checked(record, name, claim_of)
         claim = {"arithmetic": record["arithmetic"], **claim}
         key = repr([{**node, "input": ""} if "input" in node else node for node in claim["nodes"]] + [claim["value"], claim["factor"],
-                   claim["squares_are_products"], claim["arithmetic"], "is_within_maximum" in claim, claim.get("monomials")])  # whatever its inputs are called
+                   claim["squares_are_products"], claim["arithmetic"], "is_within_maximum" in claim, claim.get("monomials"), claim.get("underflow")])  # whatever its inputs are called
         found.setdefault(key, (claim, []))[1].append(f"{record['function']} {name}")
 
     for record in records:

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the first and second stage make of a capsule's signs, for all combinations of those that are positive, negative
-// or not certain.
+// What the first stage makes of a capsule's signs, and the second stage of those of a vertex and of an edge, for all
+// combinations of signs that are positive, negative or not certain.
 //
-// The definition is monotone in each sign but that of `apart`. So it holds for all numbers behind a sign that is not
-// certain if it holds for the worst of them, and for none if it does not hold for the best.
+// The definitions of contact with a vertex, an edge and the balls at the ends are monotone in each sign. So they hold
+// for all numbers behind a sign that is not certain if they hold for the worst of them, and for none if they do not
+// hold for the best. Whether the segment pierces the triangle is written out.
 #include <gtest/gtest.h>
 
 #include <algorithm>

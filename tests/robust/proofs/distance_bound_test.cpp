@@ -27,8 +27,13 @@ mpq_class error_of_point() {
 TEST(DistanceBound, CoversThePoint) {
   EXPECT_LE(error_of_point(), mpq_class(bound::kPoint));
   EXPECT_GT(error_of_point(), mpq_class(bound::kPoint) * 7 / 8) << "it is loose";
-  const ErrorBound zero{&kNearest, 0, 0, 0}, one{&kNearest, 1, 1, 0};
-  EXPECT_GE(bound::not_below(zero, one).low, error_of_point()) << "of a point that is computed to be the centre";
+}
+
+TEST(DistanceBound, AddsTheErrorOfThePoint) {
+  const auto exactly = [](double number) { return ErrorBound{&kNearest, number, number, 0}; };
+  for (const double computed : {0.0, 0x1p-50, 1.0})
+    for (const double largest : {0x1p-50, 1.0, 1000.0})
+      EXPECT_GE(bound::not_below(exactly(computed), exactly(largest)).low, computed + error_of_point() * largest);
 }
 
 // The sum of the weights is 1 except for four roundings; a point that is so much farther is the point of the triangle,

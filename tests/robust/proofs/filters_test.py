@@ -22,7 +22,7 @@ _, *FILTERS = prove.recorded(RECORD)
 class Filters(unittest.TestCase):
     def assert_refused(self, why, function, compared):
         [use] = function["uses"]
-        with self.assertRaisesRegex(uses.Misuse, f"^{function['function']}, .*: {why}"):
+        with self.assertRaisesRegex(uses.Misuse, f"^{function['function']}, sign: {why}"):
             uses.claims(MODEL, [{**function, "uses": [{**use, "compared": compared}]}])
 
     def test_refuses_an_eighth_of_each_constant_and_names_the_filter(self):
@@ -49,6 +49,14 @@ class Filters(unittest.TestCase):
         compared = function["uses"][0]["compared"]
         for i, why in enumerate(3 * ["its maxima may be so small"] + 3 * ["its maxima may be so large"]):
             self.assert_refused(why, function, compared[:i] + compared[i + 1:])
+            self.assert_refused(why, function, compared[:i] + compared[i + 1:] + [compared[i]])  # after the signs
+
+    def test_claims_of_other_windows_are_other_claims(self):
+        function = FILTERS[-1]
+        [use] = function["uses"]
+        [constant] = {of[0] for of in use["compared"][:3]}
+        wider = [{**node, "constant": node["constant"] / 2} if node["node"] == constant else node for node in function["recorded"]]
+        self.assertEqual(len(uses.claims(MODEL, [function, {**function, "recorded": wider}])), 2)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/detail/polygon/newell_plane.h"
 #include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/signs/edge_frame.h"
@@ -57,7 +58,12 @@ TEST(FrameBounds, OfHeightsCoverTheirComparison) {
   const frame::Height<ErrorBound> height = height_in(kAnyRounding);
   EXPECT_LE(error_of(height), height.error.low);
   EXPECT_GT(error_of(height), height.error.low * 15 / 16) << "it is loose";
-  EXPECT_GE(height.size.low, kSize * (1 - 2 * kUnit));
+}
+
+TEST(FrameBounds, OfHeightsGrowWithEachCoordinate) {
+  for (const double four : {4.0, -4.0})
+    for (const Vector3<double>& from : {Vector3<double>{four, 0, 0}, {0, four, 0}, {0, 0, four}})
+      EXPECT_EQ(frame::Height<double>(from, {1, 1, 1}, 0).size, 8);  // exact
 }
 
 // In the caller's unit of length everything is up to 2^900 times as small, so underflow costs as much more.
@@ -152,7 +158,7 @@ TEST(FrameBounds, OfDistancesCoverRoots) {
   // a disc whose square underflows.
   const mpq_class needed = edge.error(edge.longest()) + 8 * kFlushed + root_above(3 * kAnyRounding.underflow);
   EXPECT_LE(needed, distance_error().low);
-  EXPECT_GT(needed, distance_error().low * 15 / 16) << "it is loose";
+  EXPECT_GT(needed, bounds::kDistance * kUnit * kSize * 15 / 16) << "it is loose";
 }
 
 TEST(FrameBounds, WideAndNarrowCoverFourteenRoundings) {
@@ -178,7 +184,7 @@ Ratio operator*(const Ratio& a, const Ratio& b) { return rounded_ratio({a.least 
 Ratio square_root(const Ratio& a) { return rounded_ratio({root_below(a.least), root_above(a.most)}); }
 /// p A - q B <= p (A - B) if p <= q. So a difference has a bound on the side on which its operands allow this.
 Ratio operator-(const Ratio& a, const Ratio& b) {
-  const mpq_class any = 1'000'000;
+  const mpq_class any = power(2, 5000);
   return rounded_ratio({b.most <= a.least ? a.least : mpq_class(0), a.most <= b.least ? a.most : any});
 }
 
@@ -186,6 +192,25 @@ TEST(FrameBounds, OfDiscsCoverTheirRoundings) {
   const frame::Disc<Ratio> disc({}, {}, {}, {});
   EXPECT_GE(disc.outer_sq.least, 1);
   EXPECT_LE(disc.inner_sq.most, 1);
+}
+
+// What the ratios are of: the disc at `low`, made larger by the error, and that at `high`, made smaller.
+TEST(FrameBounds, OfDiscsCoverTheirErrors) {
+  long inner = 0;
+  for (std::uint64_t index = 0; index < 10'000; ++index) {
+    workloads::Random random(2026, index, 94);
+    const double radius = random.unit(), low = radius * random.unit(), high = low + random.unit() * (radius - low) / 2;
+    const double error = std::abs(random.log_uniform(-60, -1));
+    const frame::Disc<double> disc(radius, low, high, error);
+    const auto chord_sq = [&](double distance) {
+      return mpq_class(mpq_class(radius) * radius - mpq_class(distance) * distance);
+    };
+    EXPECT_GE(power(root_below(disc.outer_sq) - error, 2), chord_sq(low)) << index;
+    if (disc.inner <= 0) continue;
+    EXPECT_LE(power(root_above(disc.inner_sq) + error, 2), chord_sq(high)) << index;
+    ++inner;
+  }
+  EXPECT_GT(inner, 1000);
 }
 
 /// The least distance that may be taken for one beyond `boundary_sq`.
@@ -209,6 +234,7 @@ mpq_class ends_apart() {
 // and of the foot may be taken for the exact ones: a point that moves by less than its distance crosses nothing.
 TEST(FrameBounds, NearIsFurtherThanAllThatIsStoredMayBeOff) {
   EXPECT_GT(near_distance() - distance_error().high, stored_off());
+  EXPECT_LE(near_distance(), bounds::kNear * distance_error().high);
   // Within the box that is upright about both stored ends nothing overshoots them: the distance is the one across, of
   // the sign that tells the sides, unless both ends are apart.
   const Edge stored(known(2 * bounds::kExtent, 0), kZero);
@@ -251,7 +277,8 @@ TEST(FrameBounds, BoxesAreReachedWhereTheirEdgesAre) {
   };
   const mpq_class extent = bounds::kExtent;
   EXPECT_LE(needed(extent + kClose, 2 * kClose), wider * near_distance());
-  EXPECT_GT(needed(extent + kClose, 2 * kClose), wider * near_distance() * 3 / 4) << "kNear or kBoxReach is loose";
+  EXPECT_GT(needed(extent + kClose, 2 * kClose), wider * near_distance() * 3 / 4) << "kNear is loose";
+  EXPECT_LE(wider, root_above(bounds::kBoxReach) - 1);
   EXPECT_LE(needed(kFar + extent, 2 * (kFar + extent)), wider * kClose);
 }
 

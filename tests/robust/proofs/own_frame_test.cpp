@@ -44,11 +44,18 @@ mpq_class center_error() { return roundings(4) * (1 + kU) / (1 - roundings(3)) *
 TEST(OwnFrameBounds, CoverTheCentre) {
   EXPECT_LE(center_error(), mpq_class(kCenter));
   EXPECT_GT(center_error(), mpq_class(kCenter) * 9 / 10) << "it is loose";
-  // In lengths to which nothing else adds.
+}
+
+TEST(OwnFrameBounds, CoverLengthsThatFollowFromTheCentre) {
   const ErrorModel model{kU, kSmallestDouble, true};
-  const ErrorBound zero{&model, 0, 0, 0}, one{&model, 1, 1, 0};
-  EXPECT_GE(outer_radius(zero, one, zero, one).low, center_error());
-  EXPECT_GE(lost(zero, zero, one).low, center_error());
+  const auto exactly = [&](double number) { return ErrorBound{&model, number, number, 0}; };
+  for (const double a : {0.0, 1.0, 1000.0})
+    for (const double b : {0.0, 1.0, 1000.0})
+      for (const double spread : {0x1p-20, 1.0, 1000.0}) {
+        const mpq_class of_radius = 2 * mpq_class(a) + b + center_error() * 2 * spread;
+        EXPECT_GE(outer_radius(exactly(a), exactly(2), exactly(b), exactly(spread)).low, of_radius);
+        EXPECT_GE(lost(exactly(a), exactly(b), exactly(spread)).low, a + (b + center_error()) * spread);
+      }
 }
 
 // Three coordinates, each off by half a unit in the last place: u times the exact value.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the first stage for triangles makes of signs, for all combinations of those that are positive, negative or not
-// certain.
+// What the first stage for triangles makes of signs, for all combinations, as far as it tells them apart, of signs that
+// are positive, negative or not certain.
 //
 // The definition of contact is monotone in each sign. So it holds for all numbers behind a sign that is not certain if
 // it holds for the worst of them, and for none if it does not hold for the best.
@@ -9,7 +9,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <vector>
+#include <map>
 
 #include "robust/filtered/detail/triangle/triangle_filter.h"
 #include "tests/robust/proofs/planted_signs.h"
@@ -62,20 +62,29 @@ BallAtTriangle<Pack> at_triangle(const Signs& signs) {
   return ball;
 }
 
-/// Calls visit(signs) with every state of one corner, and states of the others that are hit, missed or neither, with
-/// every side and plane: the decisions know no more of them.
+/// What the decisions take of a corner: whether its edge is touched; whether its vertex or its line may be touched, and
+/// whether the foot on the line may then lie beyond the ends; the signs of side and plane.
+std::array<int, kSigns> taken_of(const std::array<int, kSigns>& of) {
+  const bool bounded = of[AfterStart] > 0 && of[AfterEnd] < 0;
+  const bool line_open = of[Line] <= 0 && of[AfterStart] >= 0 && of[AfterEnd] <= 0;
+  return {of[Vertex] < 0 || (of[Line] < 0 && bounded),
+          of[Vertex] <= 0,
+          line_open,
+          line_open && !bounded,
+          of[Side],
+          of[Plane]};
+}
+
+/// Calls visit(signs) with every state of one corner, and one state of the others for each that the decisions tell
+/// apart.
 template <class Visit>
 void for_each_combination(const Visit& visit) {
-  std::vector<std::array<int, kSigns>> others;
-  for (int state = 0; state < combinations(kSigns); ++state) {
-    const auto of = signs_of<kSigns>(state);
-    const bool all_certain = of[AfterStart] == 1 && of[AfterEnd] == -1 && of[Vertex] != 0;
-    if (all_certain && of[Line] == 0 && of[Vertex] == 1) others.push_back(of);  // neither
-    if (all_certain && of[Line] == 1) others.push_back(of);                     // hit, or missed
-  }
+  std::map<std::array<int, kSigns>, std::array<int, kSigns>> others;
   for (int state = 0; state < combinations(kSigns); ++state)
-    for (const auto& second : others)
-      for (const auto& third : others)
+    others.emplace(taken_of(signs_of<kSigns>(state)), signs_of<kSigns>(state));
+  for (int state = 0; state < combinations(kSigns); ++state)
+    for (const auto& [taken_of_second, second] : others)
+      for (const auto& [taken_of_third, third] : others)
         for (std::size_t turn = 0; turn < kCorners; ++turn) {
           Signs signs;
           signs[turn] = signs_of<kSigns>(state), signs[(turn + 1) % 3] = second, signs[(turn + 2) % 3] = third;

@@ -9,8 +9,8 @@
 /// and the unit normal. All lengths are in units of the polygon's size, so that bounds of magnitudes and errors are
 /// absolute.
 ///
-/// Each is written once, over numbers of any type: doubles for one ball, lanes for four edges or four balls, and
-/// numbers that carry the bounds of their errors for the proofs (tests/robust/proofs/frame_test.cpp).
+/// Numbers may be doubles of one ball, lanes of four edges or four balls, and numbers that carry the bounds of their
+/// errors for the proofs (tests/robust/proofs/frame_test.cpp).
 namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 namespace frame {
 
