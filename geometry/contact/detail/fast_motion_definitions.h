@@ -194,6 +194,7 @@ FirstContact first_contact(const Motion& motion, const PreparedPolygon<Scalar>& 
 }
 
 // All functions over a scalar. `before`: `extern`, except where they are compiled.
+// NOLINTBEGIN(bugprone-macro-parentheses): a keyword cannot be enclosed in parentheses
 #define TOUCHSTONE_FAST_OVER(Scalar, before)                                                       \
   before template class PreparedPolygon<Scalar>;                                                   \
   before template bool contact(const Ball&, const PreparedPolygon<Scalar>&);                       \
@@ -204,6 +205,7 @@ FirstContact first_contact(const Motion& motion, const PreparedPolygon<Scalar>& 
   before template Answer answer(const Ball&, const PreparedPolygon<Scalar>&);                      \
   before template bool contact(const Motion&, const PreparedPolygon<Scalar>&);                     \
   before template FirstContact first_contact(const Motion&, const PreparedPolygon<Scalar>&);
+// NOLINTEND(bugprone-macro-parentheses)
 
 // The library compiles these. If another unit, which need not be optimised, had a second version, either might be
 // linked.

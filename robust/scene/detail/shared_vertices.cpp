@@ -23,7 +23,8 @@ class PointNumbers {
       if (table_[at] == kFree) {
         table_[at] = static_cast<std::uint16_t>(points_.size());
         points_.push_back(point);
-      } else if (std::memcmp(points_[table_[at]].data(), point.data(), 3 * sizeof(double)) != 0) {
+      } else if (std::memcmp(points_[table_[at]].data(), point.data(),  // NOLINT: bits are compared, not numbers
+                             3 * sizeof(double)) != 0) {
         continue;
       }
       return table_[at];
