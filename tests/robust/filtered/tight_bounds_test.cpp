@@ -4,6 +4,7 @@
 // here, and hardly anywhere else.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
