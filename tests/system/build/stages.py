@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: stages.py ROOT
+"""Usage: stages.py ROOT BUILD
 
 ./check runs the stages that it is told to and no others, and stops at the first that fails. Each stage of the table is
-short, and its commands and packages exist. The commands themselves, which take long, are replaced."""
+short, and its commands and packages exist. The commands themselves, which take long, are replaced. A stage that builds
+a part of the targets builds all that its tests name: BUILD, made by Ninja, tells."""
 import hashlib
+import json
 import os
 import pathlib
 import re
@@ -25,10 +27,13 @@ run() {
 COMMIT = "0123456789abcdef0123456789abcdef01234567"
 
 
+def printed(*command):
+    return subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+
+
 def bash(script):
     """The lines that a script prints which knows the stages and the packages."""
-    return subprocess.run(["bash", "-euc", f". .ci/packages; . .ci/stages; {script}"], cwd=ROOT, check=True,
-                          stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    return printed("bash", "-euc", f". .ci/packages; . .ci/stages; {script}")
 
 
 class Table(unittest.TestCase):
@@ -60,6 +65,18 @@ class Table(unittest.TestCase):
         for preset, stages in (("dev", "dev"), ("asan-ubsan", "asan")):
             for half in "library", "laboratory":
                 self.assertRegex((ROOT / ".ci/stages").read_text(), rf"{stages}-{half}\) {half}_in {preset} ;;")
+
+    def test_each_half_builds_what_its_tests_name(self):
+        halves = re.findall(r'build "\$1" (.*)\n *for folder in ([\w ]+); do test_in', (ROOT / ".ci/stages").read_text())
+        self.assertEqual(len(halves), 2)
+        made = {line.split(":")[0] for line in printed("ninja", "-C", BUILD, "-t", "targets", "all")}
+        for targets, folders in halves:
+            commands = " ".join(printed("ninja", "-C", BUILD, "-t", "commands", *targets.split())).split()
+            for folder in folders.split():
+                tests = printed("ctest", "--test-dir", BUILD / "tests" / folder, "--show-only=json-v1")
+                for test in json.loads("\n".join(tests))["tests"]:
+                    named = {word.removeprefix(f"{BUILD}/") for word in test["command"]}
+                    self.assertEqual((named & made).difference(commands), set(), f"{folder}: {test['name']}")
 
     def test_two_stages_that_were_seen_to_pass_are_drawn_and_each_sometimes(self):
         commits = [hashlib.sha1(str(i).encode()).hexdigest() for i in range(200)]
@@ -124,6 +141,6 @@ class Check(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    ROOT = pathlib.Path(sys.argv.pop(1))
+    ROOT, BUILD = (pathlib.Path(sys.argv.pop(1)).resolve() for _ in range(2))
     NAMES = bash('printf "%s\\n" "${stages[@]}"')
     unittest.main()
