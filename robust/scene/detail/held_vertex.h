@@ -16,8 +16,14 @@ inline constexpr double kSmallest = 0x1p-480, kLargest = 0x1p480;
 
 /// Returns the limit for the squares of the distances of vertices.
 template <class T>
-constexpr T squared_limit(const T& radius, const T& narrow) {
-  return radius * radius * narrow;
+constexpr T squared_limit(const T& radius) {
+  return radius * radius * filtered::detail::constant<T>(kNarrow);
+}
+
+/// Returns the square of the distance of a vertex, less that limit. `from`: the vertex as seen from the centre.
+template <class T>
+constexpr T beyond(const filtered::detail::Vector3<T>& from, const T& limit) {
+  return dot(from, from) - limit;
 }
 
 }  // namespace held_vertex
@@ -28,7 +34,7 @@ class VertexFinder {
   explicit VertexFinder(const Ball& ball)
       : center_(ball.center),
         limit_(ball.radius >= held_vertex::kSmallest && ball.radius <= held_vertex::kLargest
-                   ? held_vertex::squared_limit(ball.radius, held_vertex::kNarrow)
+                   ? held_vertex::squared_limit(ball.radius)
                    : -1) {}
 
   /// Returns whether the ball certainly holds a vertex of the triangle.
@@ -38,7 +44,7 @@ class VertexFinder {
              filtered::detail::pack(triangle.a[axis], triangle.b[axis], triangle.c[axis], triangle.c[axis]);
     };
     const filtered::detail::Vector3<filtered::detail::Pack> from{seen(0), seen(1), seen(2)};
-    return (negative_lanes(dot(from, from) - filtered::detail::all_lanes(limit_))) != 0;
+    return negative_lanes(held_vertex::beyond(from, filtered::detail::all_lanes(limit_))) != 0;
   }
 
  private:

@@ -168,5 +168,29 @@ TEST(CapsuleDecisions, TogetherAreThoseOfTheDefinition) {
   EXPECT_GT(sure, 1'000'000);
 }
 
+/// What is known of the features of a capsule, a sign each: +1 if it is hit, -1 if not.
+struct PlantedFeatures {
+  std::array<int, 6> signs;
+
+  [[nodiscard]] FilterResult vertex(int i) const { return of(signs[static_cast<std::size_t>(i)]); }
+  [[nodiscard]] FilterResult edge(int i) const { return of(signs[static_cast<std::size_t>(i) + kCorners]); }
+  static FilterResult of(int sign) { return certainty(sign > 0, sign >= 0); }
+};
+
+// Of a capsule whose ends touch nothing.
+TEST(CapsuleDecisions, OfOpenFeaturesAreThatOneOfThemIsHit) {
+  for (int number = 0; number < combinations(6); ++number) {
+    const PlantedFeatures features{signs_of<6>(number)};
+    for (unsigned open = 0; open < 1U << 7; ++open) {
+      CapsuleSigns signs{};
+      signs.vertices = open & 7, signs.edges = open >> 3 & 7, signs.may_pierce = open >> 6 != 0;
+      int best = signs.may_pierce ? 0 : -1;
+      for (unsigned i = 0; i < 6; ++i)
+        if ((open >> i & 1) != 0) best = std::max(best, features.signs[i]);
+      ASSERT_EQ(open_features_hit(signs, features), PlantedFeatures::of(best)) << number << ' ' << open;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace touchstone::proofs

@@ -63,12 +63,27 @@ mpq_class relative_error_of_root(std::size_t roundings) { return root_above(powe
 /// sum; the root is rounded, too.
 const mpq_class kLength = relative_error_of_root(6);
 
+/// The limits for a radius of S, as doubles compute them.
+lane::Limits<ErrorBound> limits() {
+  static const ErrorModel doubles{bounds::kUnit, kSmallestDouble, true};
+  const auto exactly = [](const mpq_class& number) { return ErrorBound{&doubles, number, number, 0}; };
+  return {exactly(1), exactly(1), exactly(kSteps)};
+}
 /// The radius, which is at most S, and the error.
-const mpq_class kLargestLimit = 1 + mpq_class(bounds::kLaneStored) + mpq_class(bounds::kLaneDistance) * kUnit;
+const mpq_class kLargestLimit = limits().outer.high / kSteps;
 
-/// By how much limits of lengths may be wrong: the radius and the error in doubles, in steps, rounded to a float.
+/// By how much limits of lengths may be wrong: those of doubles, rounded to a float.
 mpq_class error_of_limits() {
-  return (power(1 + mpq_class(bounds::kUnit), 6) * (1 + kUnit) - 1) * kLargestLimit + kFlushed;
+  const ErrorBound outer = limits().outer;
+  return (outer.error + kUnit * outer.magnitude()) / kSteps + kFlushed;
+}
+
+TEST(Lanes, LimitsAllowForTheErrorOfDistances) {
+  const mpq_class error = mpq_class(bounds::kLaneStored) + bounds::kLaneDistance * kUnit;
+  const lane::Limits<ErrorBound> of = limits();
+  EXPECT_LE(abs(of.outer.low / kSteps - (1 + error)), of.outer.error / kSteps);
+  EXPECT_LE(abs(of.inner.high / kSteps - (1 - error)), of.inner.error / kSteps);
+  EXPECT_LE(of.inner.error, of.outer.error);
 }
 
 // Weights whose sum exceeds 1 by a rounding are those of a point beyond the triangle, by that share of an edge, which

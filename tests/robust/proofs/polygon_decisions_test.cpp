@@ -42,5 +42,32 @@ TEST(PolygonDecisions, AreRightWhateverIsBehindWhatIsNotCertain) {
     }
 }
 
+/// Returns whether an edge at this distance from the ball can be `seen` so.
+bool can_be(const EdgesAndFoot& seen, int edges, bool outside) {
+  if (seen.hit ? edges >= 0 : !seen.unsure && edges <= 0) return false;
+  return seen.near_boundary || seen.inside != outside;
+}
+
+// Later stages add what is exact: the signs of the distances to the plane and to the nearest edge, and where the foot
+// is. A foot that is not outside is not farther than the edges.
+TEST(PolygonDecisions, OfLaterStagesAreThoseOfTheDefinition) {
+  int asked = 0;
+  for (int plane = -1; plane <= 1; ++plane)
+    for (int edges = plane; edges <= 1; ++edges)
+      for (const bool outside : {false, true})
+        for (unsigned bits = 0; bits < 16; ++bits) {
+          const EdgesAndFoot seen{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
+          if (!can_be(seen, edges, outside)) continue;
+          const int expected = outside ? edges : plane;
+          const auto of_plane = [plane] { return plane; };
+          const auto of_edges = [edges] { return edges; };
+          const auto foot = [outside] { return outside; };
+          EXPECT_EQ(seen.sign<false>(of_plane, of_edges, foot), expected) << plane << edges << outside << bits;
+          EXPECT_EQ(seen.sign<true>(of_plane, of_edges, foot) <= 0, expected <= 0) << plane << edges << outside << bits;
+          ++asked;
+        }
+  EXPECT_GT(asked, 50);
+}
+
 }  // namespace
 }  // namespace touchstone::proofs

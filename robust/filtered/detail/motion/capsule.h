@@ -260,14 +260,9 @@ class CapsuleInDoubles {
   const Vector3<DoubleDouble> velocity_;
 };
 
-/// Returns whether the capsule touches the triangle, if double-doubles can decide it. Requires round to nearest.
-template <class Counts>
-FilterResult unsure_capsule(const MotionTriangleView& view, const CapsuleSigns& signs, Counts& counts) {
-  const double end[] = {view.to(0), view.to(1), view.to(2), view.radius()};
-  if (signs.at_start != FilterResult::No && contact(BallTriangleView{view.vertex, view.motion}, counts))
-    return FilterResult::Yes;
-  if (signs.at_end != FilterResult::No && contact(BallTriangleView{view.vertex, end}, counts)) return FilterResult::Yes;
-  const CapsuleInDoubles capsule(view, signs);
+/// Returns whether the capsule touches a feature that is open. `capsule`: what is known of each vertex and edge.
+template <class Capsule>
+FilterResult open_features_hit(const CapsuleSigns& signs, const Capsule& capsule) {
   bool unsure = signs.may_pierce, touches = false;
   const auto consider = [&](FilterResult result) {
     touches = result == FilterResult::Yes;
@@ -277,9 +272,19 @@ FilterResult unsure_capsule(const MotionTriangleView& view, const CapsuleSigns& 
     consider(capsule.edge(std::countr_zero(edges)));
   for (unsigned vertices = signs.vertices; vertices != 0 && !touches; vertices &= vertices - 1)
     consider(capsule.vertex(std::countr_zero(vertices)));
-  if (!touches && unsure) return FilterResult::Unsure;
-  counts.count(Stage::DoubleDouble);
-  return touches ? FilterResult::Yes : FilterResult::No;
+  return touches ? FilterResult::Yes : unsure ? FilterResult::Unsure : FilterResult::No;
+}
+
+/// Returns whether the capsule touches the triangle, if double-doubles can decide it. Requires round to nearest.
+template <class Counts>
+FilterResult unsure_capsule(const MotionTriangleView& view, const CapsuleSigns& signs, Counts& counts) {
+  const double end[] = {view.to(0), view.to(1), view.to(2), view.radius()};
+  if (signs.at_start != FilterResult::No && contact(BallTriangleView{view.vertex, view.motion}, counts))
+    return FilterResult::Yes;
+  if (signs.at_end != FilterResult::No && contact(BallTriangleView{view.vertex, end}, counts)) return FilterResult::Yes;
+  const FilterResult result = open_features_hit(signs, CapsuleInDoubles(view, signs));
+  if (result != FilterResult::Unsure) counts.count(Stage::DoubleDouble);
+  return result;
 }
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

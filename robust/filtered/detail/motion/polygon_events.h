@@ -88,7 +88,7 @@ class SweptDisc {
     // The least height above the plane, on either side.
     const double last = first + change;
     const double low = maximum(maximum(first < last ? first : last, first < last ? -last : -first) - margin_, 0);
-    reach_ = std::sqrt(maximum((radius - low) * (radius + low), 0)) * bounds::kWide + margin_;
+    reach_ = frame::half_chord(radius, low) * bounds::kWide + margin_;
     end_at(1);
   }
   /// Ends the motion at this time, if it does not end before.

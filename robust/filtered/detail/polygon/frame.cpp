@@ -101,7 +101,7 @@ GivenPlane::GivenPlane(const Frame& frame) {
   origin_xy = DoublePair{origin.x, origin.y}, origin_z = DoublePair{origin.z, 0};
   normal_xy = DoublePair{frame.normal.x, frame.normal.y}, normal_z = DoublePair{frame.normal.z, 0};
   const double largest = std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
-  error = bounds::kGivenHeight * (largest + given(1));
+  error = frame::given_height_error(largest + given(1));
 }
 
 std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<ScaledVertex>& vertices,

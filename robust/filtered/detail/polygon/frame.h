@@ -18,7 +18,7 @@
 #include "robust/filtered/detail/numbers/vector3.h"
 #include "robust/filtered/detail/polygon/edge_tree.h"
 #include "robust/filtered/detail/polygon/newell_plane.h"
-#include "robust/filtered/detail/signs/bounds.h"
+#include "robust/filtered/detail/signs/edge_frame.h"
 
 namespace touchstone::filtered::detail {
 
@@ -132,12 +132,12 @@ class GivenHeight {
 
   /// Sets the side of the plane, and returns whether it is certain. Requires a ball in reach.
   [[nodiscard]] __attribute__((always_inline)) bool find_side(PlaneSide& side) const {
-    // As frame::height, except for the order of the sum, whose terms are bounded alike.
-    const DoublePair sum = (xy_ - plane_.origin_xy) * plane_.normal_xy + (z_ - plane_.origin_z) * plane_.normal_z;
-    const double height = (sum[0] + sum[1]) - plane_.height, above = std::abs(height), radius = ball_.radius;
+    const double height = frame::height_of_pairs(xy_, z_, plane_.origin_xy, plane_.origin_z, plane_.normal_xy,
+                                                 plane_.normal_z, plane_.height);
+    const double above = std::abs(height), radius = ball_.radius;
     side = above > radius ? (height > 0 ? PlaneSide::InFront : PlaneSide::Behind) : PlaneSide::Intersects;
     // As in HeightQuery::knows_side.
-    return std::abs(above - radius) > bounds::kGivenHeight * widest_ + plane_.error;
+    return std::abs(above - radius) > frame::given_height_error(widest_) + plane_.error;
   }
 
  private:

@@ -84,29 +84,32 @@ struct FrameQuery {
   }
 };
 
+/// Returns negative lanes where the ray to the right from the foot crosses an edge. The foot lies `across` to the left
+/// of the line of the edge. Right where rho^2 > boundary_sq.
+TOUCHSTONE_INLINE Pack crossing(const Pack& x, const Pack& y, const Pack& start_x, const Pack& start_y,
+                                const Pack& end_x, const Pack& end_y, const Pack& across) {
+  // An edge that ends above the ray runs upwards; if the crossing lies to the right, the foot is to its left.
+  const Pack start_above = y - start_y, end_above = y - end_y;
+  const Pack all_right = (x - start_x) & (x - end_x), all_left = (start_x - x) & (end_x - x);
+  const Pack left_of_it = across ^ end_above;
+  return (start_above ^ end_above) & (all_right | (left_of_it ^ (left_of_it & all_left)));
+}
+
 /// Four edges of a leaf, relative to the foot.
 struct LeafView {
-  Pack along, across, length;
+  Pack along, length;
   Pack squared;      ///< rho^2
-  unsigned crossed;  ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > boundary_sq)
+  unsigned crossed;  ///< a bit an edge, as `crossing`
 
   LeafView() = default;
   LeafView(const EdgeTree::Leaf& leaf, const FrameQuery& query) {
-    const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
-    const Pack start_x = load(leaf.start_x), start_y = load(leaf.start_y);
-    const Pack end_x = load(leaf.end_x), end_y = load(leaf.end_y);
-    const Pack direction_x = load(leaf.direction_x), direction_y = load(leaf.direction_y);
+    const Pack x = all_lanes(query.x), y = all_lanes(query.y), start_x = load(leaf.start_x),
+               start_y = load(leaf.start_y);
     length = load(leaf.length);
-    along = frame::along(x, y, start_x, start_y, direction_x, direction_y);
-    across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
-    squared = frame::squared_length(across, frame::overshoot(along, length, zero));
-
-    // An edge that ends above the ray runs upwards; if the crossing lies to the right, the foot is to its left.
-    const Pack start_above = y - start_y, end_above = y - end_y;
-    const Pack all_right = (x - start_x) & (x - end_x), all_left = (start_x - x) & (end_x - x);
-    const unsigned straddles = negative_lanes(start_above ^ end_above);
-    const unsigned left_of_it = negative_lanes(across ^ end_above);
-    crossed = straddles & (negative_lanes(all_right) | (left_of_it & ~negative_lanes(all_left)));
+    const frame::FootFromEdge<Pack> foot(x, y, start_x, start_y, load(leaf.direction_x), load(leaf.direction_y),
+                                         length);
+    along = foot.along, squared = foot.squared;
+    crossed = negative_lanes(crossing(x, y, start_x, start_y, load(leaf.end_x), load(leaf.end_y), foot.across));
   }
 };
 
@@ -116,18 +119,15 @@ struct NodeView {
   unsigned right;  ///< a bit a box: where the foot is outside it, the horizontal line meets it on the right, if at all
 
   NodeView(const EdgeTree::Node& node, const FrameQuery& query) {
-    const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
-    const Pack center_x = load(node.center_x), center_y = load(node.center_y);
     const Pack axis_x = load(node.axis_x), axis_y = load(node.axis_y);
-    const Pack along = frame::along(x, y, center_x, center_y, axis_x, axis_y);
-    const Pack across = frame::across(x, y, center_x, center_y, axis_x, axis_y);
-    const Pack beside = frame::beyond(along, load(node.half_along));
-    const Pack above = frame::beyond(across, load(node.half_across));
-    squared = frame::squared_length(maximum(beside, zero), maximum(above, zero));
+    const frame::FootFromBox<Pack> foot(all_lanes(query.x), all_lanes(query.y), load(node.center_x),
+                                        load(node.center_y), axis_x, axis_y, load(node.half_along),
+                                        load(node.half_across));
+    squared = foot.squared;
     // Of the two sides that face the foot take the one from which it is farther. Its outward normal n points to the
     // foot: points of the box at the foot's height lie on the right if and only if n_x < 0.
-    const unsigned by_along = negative_lanes(above - beside);
-    right = (by_along & negative_lanes(along ^ axis_x)) | (~by_along & ~negative_lanes(across ^ axis_y));
+    const unsigned by_along = negative_lanes(foot.above - foot.beside);
+    right = (by_along & negative_lanes(foot.along ^ axis_x)) | (~by_along & ~negative_lanes(foot.across ^ axis_y));
   }
 };
 
@@ -238,6 +238,23 @@ struct EdgesAndFoot {
     if (near_boundary) return 0;
     // If the foot is inside, only the plane matters; if it is outside, only the edges do.
     return inside ? plane : unsure ? 0 : 1;
+  }
+
+  /// Returns the sign of the distance less the radius, of a ball whose plane is not certainly missed; with
+  /// `contact_only`, a sign that is not +1 may be either of the others. Calls for what is not certain: `plane()`, the
+  /// sign of the distance to the plane; `edges()`, that to the nearest edge of those that are unsure, less the radius
+  /// both; and `outside()`, whether the foot is.
+  template <bool contact_only, class Plane, class Edges, class Outside>
+  [[nodiscard]] int sign(const Plane& plane, const Edges& edges, const Outside& outside) const {
+    if (hit) return -1;
+    int of_plane = 0;
+    if (near_boundary || inside) {
+      of_plane = plane();
+      if (of_plane > 0 || !near_boundary) return of_plane;
+    }
+    const int of_edges = unsure ? edges() : 1;
+    if (!near_boundary || of_edges < 0 || (contact_only && of_edges == 0)) return of_edges;
+    return outside() ? of_edges : of_plane;
   }
 };
 

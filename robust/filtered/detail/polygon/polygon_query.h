@@ -130,27 +130,19 @@ int PolygonQuery<Counts>::distance_sign() {
     unsure |= (not_above(view.squared, query.certain_miss_sq) & lanes(leaf)) != 0;
     return hit;
   });
-  if (hit) return -1;
-  if (!near_boundary && !inside && !unsure) return 1;
-
-  // If the foot is inside, only the plane matters; if it is outside, only the undecided edges do.
-  int plane = 0;
-  if (near_boundary || inside) {
-    plane = plane_sign();
-    if (plane > 0 || (!near_boundary && inside)) return plane;
-  }
-  int nearest = 1;
-  if (unsure) {
+  const auto nearest_edge = [&] {
     const ExactEdges<Counts>& edges = exact();
+    int nearest = 1;
     walk(index, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
       return any_edge(leaf, not_above(view.squared, query.certain_miss_sq) & lanes(leaf), [&](std::size_t edge) {
         nearest = std::min(nearest, edges.distance_sign(edge));
         return contact_only ? nearest <= 0 : nearest < 0;
       });
     });
-  }
-  if (!near_boundary || nearest < 0 || (contact_only && nearest == 0)) return nearest;
-  return exact_foot() == PointLocation::Outside ? nearest : plane;
+    return nearest;
+  };
+  return EdgesAndFoot{hit, near_boundary, unsure, inside}.template sign<contact_only>(
+      [&] { return plane_sign(); }, nearest_edge, [&] { return exact_foot() == PointLocation::Outside; });
 }
 
 template <class Counts>

@@ -87,17 +87,11 @@ struct EdgesInView {
   void add(const EdgeTree::Leaf& leaf, std::uint32_t lane, const BallLanes& balls) {
     const auto number = [lane](const double(&numbers)[EdgeTree::kWidth]) { return all_lanes(numbers[lane]); };
     const Pack start_x = number(leaf.start_x), start_y = number(leaf.start_y);
-    const Pack end_x = number(leaf.end_x), end_y = number(leaf.end_y);
-    const Pack direction_x = number(leaf.direction_x), direction_y = number(leaf.direction_y);
-    const Pack &x = balls.x, &y = balls.y, zero = all_lanes(0);
-    const Pack along = frame::along(x, y, start_x, start_y, direction_x, direction_y);
-    const Pack across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
-    nearest_sq = minimum(nearest_sq, frame::squared_length(across, frame::overshoot(along, number(leaf.length), zero)));
-    // As in LeafView.
-    const Pack start_above = y - start_y, end_above = y - end_y;
-    const Pack all_right = (x - start_x) & (x - end_x), all_left = (start_x - x) & (end_x - x);
-    const Pack left_of_it = across ^ end_above;
-    crossed = crossed ^ ((start_above ^ end_above) & (all_right | (left_of_it ^ (left_of_it & all_left))));
+    const frame::FootFromEdge<Pack> foot(balls.x, balls.y, start_x, start_y, number(leaf.direction_x),
+                                         number(leaf.direction_y), number(leaf.length));
+    nearest_sq = minimum(nearest_sq, foot.squared);
+    crossed =
+        crossed ^ crossing(balls.x, balls.y, start_x, start_y, number(leaf.end_x), number(leaf.end_y), foot.across);
   }
 };
 

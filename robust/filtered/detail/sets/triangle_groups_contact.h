@@ -27,18 +27,20 @@ struct LaneDistances {
   double size;  ///< in the group's units: at least 1, and the magnitudes of the centre's coordinates
 
   /// Returns the error in the group's units, for comparisons with a radius.
-  [[nodiscard]] TOUCHSTONE_INLINE double error(double radius) const {
-    return bounds::kLaneStored + bounds::kLaneDistance * bounds::kFloatUnit * std::max(size, radius);
-  }
+  [[nodiscard]] TOUCHSTONE_INLINE double error(double radius) const { return lane::distance_error(size, radius); }
   /// Returns the lanes whose triangle a ball of this radius certainly touches; one bit per lane.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned touched(double radius) const {
-    const double inner = TriangleGroup::kSteps * (radius - error(radius));
+    const double inner = limits(radius).inner;
     return negative_lanes(most - all_float_lanes(static_cast<float>(inner > 0 ? inner : -1)));
   }
   /// Returns the lanes whose triangle it certainly misses.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned missed(double radius) const {
-    const double outer = TriangleGroup::kSteps * (radius + error(radius));
-    return negative_lanes(all_float_lanes(static_cast<float>(outer)) * most - support);
+    return negative_lanes(all_float_lanes(static_cast<float>(limits(radius).outer)) * most - support);
+  }
+
+ private:
+  [[nodiscard]] TOUCHSTONE_INLINE lane::Limits<double> limits(double radius) const {
+    return {radius, size, TriangleGroup::kSteps};
   }
 };
 

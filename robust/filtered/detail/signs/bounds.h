@@ -63,14 +63,14 @@ inline constexpr double kEdgeFrame = 86.8125;
 /// subnormal numbers that are flushed to zero.
 inline constexpr double kExtent = 1.5;
 inline constexpr double kHeight = 12.75;
-inline constexpr double kDistance = 140;
-/// In the caller's unit of length: kHeight kUnit S is at most kGivenHeight times the sum of the largest number of the
+inline constexpr double kDistance = 102.25;
+/// In the caller's unit the height above the plane is known to kGivenHeight times the sum of the largest number of the
 /// ball, the largest coordinate of the origin and the unit of the frame, computed in any rounding direction.
-inline constexpr double kGivenHeight = 2 * kHeight * kUnit * (1 + 0x1p-48);
+inline constexpr double kGivenHeight = 18.0625 * kUnit;
 /// If a computed distance exceeds kNear kDistance unit S, the foot is not on the edge, and it lies on the computed side
 /// of the edge's line. From the square of that distance on: if an edge in a box has a computed squared distance q from
 /// the foot, the box has at most kBoxReach q; and it is certain on which side of the foot a box beyond that lies.
-inline constexpr double kNear = 3;
+inline constexpr double kNear = 3.5;
 inline constexpr double kBoxReach = 1.21875;
 /// Half sizes of boxes contain the rounded points and this much more, for their own rounding to nearest.
 inline constexpr double kBoxRounding = 0x1p-47;

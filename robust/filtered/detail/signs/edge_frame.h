@@ -40,11 +40,28 @@ constexpr auto across(const T& x, const T& y, const T& start_x, const T& start_y
   return (y - start_y) * direction_x - (x - start_x) * direction_y;
 }
 
-/// Returns how far the foot lies beyond the ends of an edge; 0 between them.
+/// Returns |(x, y)|^2.
 template <class T>
-constexpr auto overshoot(const T& along, const T& length, const T& zero) {
-  return maximum(maximum(zero - along, along - length), zero);
+constexpr auto squared_length(const T& x, const T& y) {
+  return x * x + y * y;
 }
+
+/// The foot as seen from an edge.
+template <class N>
+struct FootFromEdge {
+  N along, across;  ///< from the edge's start along its direction, and to the left of its line
+  N overshoot;      ///< beyond the ends; 0 between them
+  N squared;        ///< the square of the distance
+
+  __attribute__((always_inline)) FootFromEdge(const N& x, const N& y, const N& start_x, const N& start_y,
+                                              const N& direction_x, const N& direction_y, const N& length)
+      : along(frame::along(x, y, start_x, start_y, direction_x, direction_y)),
+        across(frame::across(x, y, start_x, start_y, direction_x, direction_y)) {
+    const N zero = constant<N>(0);
+    overshoot = maximum(maximum(zero - along, along - length), zero);
+    squared = squared_length(across, overshoot);
+  }
+};
 
 /// Returns how far a coordinate lies beyond the half size of a box centred at 0; negative within the box.
 template <class T>
@@ -52,11 +69,24 @@ constexpr auto beyond(const T& coordinate, const T& half) {
   return magnitude(coordinate) - half;
 }
 
-/// Returns |(x, y)|^2.
-template <class T>
-constexpr auto squared_length(const T& x, const T& y) {
-  return x * x + y * y;
-}
+/// The foot as seen from a box with this centre, a unit axis, and half sizes along it and across it.
+template <class N>
+struct FootFromBox {
+  N along, across;  ///< from the centre
+  N beside, above;  ///< beyond the sides along the axis and across it; negative between them
+  N squared;        ///< the square of the distance
+
+  __attribute__((always_inline))
+  FootFromBox(const N& x, const N& y, const N& center_x, const N& center_y, const N& axis_x, const N& axis_y,
+              const N& half_along, const N& half_across)
+      : along(frame::along(x, y, center_x, center_y, axis_x, axis_y)),
+        across(frame::across(x, y, center_x, center_y, axis_x, axis_y)),
+        beside(beyond(along, half_along)),
+        above(beyond(across, half_across)) {
+    const N zero = constant<N>(0);
+    squared = squared_length(maximum(beside, zero), maximum(above, zero));
+  }
+};
 
 /// Returns a point's coordinate along a unit axis, and across it to its left.
 template <class T>
@@ -82,6 +112,27 @@ struct Height {
   }
 };
 
+// Heights in the caller's unit of length.
+
+/// Returns the height of a centre above a plane from pairs of numbers: x and y, and z with any number, which the second
+/// number of normal_z, 0, multiplies.
+template <class Pair, class N>
+__attribute__((always_inline)) constexpr N height_of_pairs(const Pair& xy, const Pair& z, const Pair& origin_xy,
+                                                           const Pair& origin_z, const Pair& normal_xy,
+                                                           const Pair& normal_z, const N& plane_height) {
+  const Pair sum = (xy - origin_xy) * normal_xy + (z - origin_z) * normal_z;
+  return (sum[0] + sum[1]) - plane_height;
+}
+
+/// Returns the part of the bound of such a height that grows with this length. The lengths of all parts are the largest
+/// number of the ball, the largest coordinate of the origin, and the frame's unit.
+template <class N>
+__attribute__((always_inline)) constexpr N given_height_error(const N& length) {
+  return constant<N>(bounds::kGivenHeight) * length;
+}
+
+// Distances in the plane.
+
 /// Returns the bound of the error of computed distances in the plane.
 template <class N>
 __attribute__((always_inline)) constexpr N distance_error(const N& size) {
@@ -100,6 +151,12 @@ __attribute__((always_inline)) constexpr N box_reach(const N& limit_sq) {
   return limit_sq * constant<N>(bounds::kBoxReach);
 }
 
+/// Returns the radius of the disc in which a ball meets a plane at this distance from its centre; 0 if it misses it.
+template <class N>
+__attribute__((always_inline)) constexpr N half_chord(const N& radius, const N& distance) {
+  return square_root(maximum((radius - distance) * (radius + distance), constant<N>(0)));
+}
+
 /// The disc in which a ball meets the plane. It tells which computed distances from its centre are certainly within it,
 /// and which certainly beyond.
 template <class N>
@@ -109,12 +166,9 @@ struct Disc {
 
   /// `low`, `high`: bounds of the distance between centre and plane, low not negative. `error`: that of distances.
   __attribute__((always_inline)) Disc(const N& radius, const N& low, const N& high, const N& error) {
-    const N wide = constant<N>(bounds::kWide), narrow = constant<N>(bounds::kNarrow), zero = constant<N>(0);
-    const auto half_chord = [&](const N& distance) {
-      return square_root(maximum((radius - distance) * (radius + distance), zero));
-    };
-    const N outer = half_chord(low) + error;
-    inner = half_chord(high) * narrow - error;
+    const N wide = constant<N>(bounds::kWide), narrow = constant<N>(bounds::kNarrow);
+    const N outer = half_chord(radius, low) + error;
+    inner = half_chord(radius, high) * narrow - error;
     outer_sq = outer * outer * wide;
     inner_sq = inner * inner;
   }

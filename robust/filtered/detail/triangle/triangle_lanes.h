@@ -3,6 +3,7 @@
 
 #include "robust/filtered/detail/numbers/target.h"
 #include "robust/filtered/detail/numbers/vector3.h"
+#include "robust/filtered/detail/signs/bounds.h"
 
 /// The distance from a centre to a triangle of a TriangleSet, certified from both sides by one point of the triangle
 /// that is nearly the closest. All points are seen from the centre.
@@ -47,6 +48,28 @@ constexpr auto support(const Vector3<T>& direction, const Corner<T>& corner, con
   const T least = minimum(product(direction, corner.first), product(direction, corner.second));
   return product(direction, corner.vertex) + minimum(least, zero);
 }
+
+/// Returns the error of distances in the group's units, for comparisons with a radius. `size`: at least 1, and the
+/// magnitudes of the centre's coordinates.
+template <class N>
+__attribute__((always_inline)) constexpr N distance_error(const N& size, const N& radius) {
+  return constant<N>(bounds::kLaneStored) +
+         constant<N>(bounds::kLaneDistance * bounds::kFloatUnit) * maximum(size, radius);
+}
+
+/// The limits of the distances of a group's triangles, in steps, for a ball of this radius.
+template <class N>
+struct Limits {
+  N inner;  ///< the ball certainly touches a triangle with a nearer point; if this is not positive, none
+  N outer;  ///< it certainly misses triangles that are farther
+
+  /// Radius and size are in the group's units.
+  __attribute__((always_inline)) constexpr Limits(const N& radius, const N& size, const N& steps) {
+    const N error = distance_error(size, radius);
+    inner = steps * (radius - error);
+    outer = steps * (radius + error);
+  }
+};
 
 /// Returns the weights of a point that is nearly the closest: the foot, if it is inside; else the closest point of an
 /// edge that the foot lies beyond. Lengths are in steps. The weights are at least 0, their sum is at most 1 up to one
