@@ -9,6 +9,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "experiments/cases/workloads/random.h"
 #include "robust/filtered/detail/polygon/newell_plane.h"
 #include "robust/filtered/detail/signs/bounds.h"
@@ -179,6 +181,15 @@ struct Edge {
     return error_of_length(seen.across, seen.overshoot, distance);
   }
 };
+
+// All numbers are exact.
+TEST(FrameBounds, AreAboutTheSquaredDistance) {
+  for (const auto& [x, y] : {std::pair{-3.0, 4.0}, {-3.0, -4.0}, {2.0, 5.0}, {0.0, -5.0}, {7.0, 4.0}, {4.0, 5.0}})
+    EXPECT_EQ(frame::FootFromEdge<double>(x, y, 0, 0, 1, 0, 4).squared, 25) << x << ' ' << y;
+  for (const auto& [x, y] : {std::pair{6.0, 6.0}, {-6.0, -6.0}, {1.0, 7.0}, {-8.0, 2.0}, {8.0, -1.0}})
+    EXPECT_EQ(frame::FootFromBox<double>(x, y, 0, 0, 0, 1, 2, 3).squared, 25) << x << ' ' << y;
+  EXPECT_EQ(frame::FootFromBox<double>(3, -2, 0, 0, 0, 1, 2, 3).squared, 0);
+}
 
 TEST(FrameBounds, OfDistancesCoverRoots) {
   const auto in_units = [](const mpq_class& magnitude, const mpq_class& units) {
