@@ -36,8 +36,8 @@ Unit find_unit(std::string_view name) {
 double converted(double length, const Unit& from, const Unit& to) {
   if (from == to) return length;
   const std::int64_t common = std::gcd(from.micrometres, to.micrometres);
-  const auto times = static_cast<double>(from.micrometres / common),
-             over = static_cast<double>(to.micrometres / common);
+  const std::int64_t numerator = from.micrometres / common, denominator = to.micrometres / common;  // exact
+  const auto times = static_cast<double>(numerator), over = static_cast<double>(denominator);
   // Beyond these bounds, parts of the product, of the quotient or of its correction may not be doubles.
   const double magnitude = std::abs(length);
   if (length != 0 && !(magnitude >= 1e-280 && magnitude <= 1e300)) return rational_quotient(length, times, over);
