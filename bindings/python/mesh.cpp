@@ -72,8 +72,14 @@ Doubles vertices_of(const Mesh& mesh) {
 }
 
 Mesh read(const std::filesystem::path& file) {
-  const py::gil_scoped_release release;
-  return read_mesh(file).mesh;
+  ReadMesh read;
+  {
+    const py::gil_scoped_release release;
+    read = read_mesh(file);
+  }
+  for (const std::string& warning : read.warnings)
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+  return std::move(read.mesh);
 }
 
 bool equal(const Mesh& a, const Mesh& b) {

@@ -63,24 +63,22 @@ std::string io::sentence(const std::string& file, SourceLocation place, const st
          std::to_string(place.number) + ": " + reason;
 }
 
-io::Content io::read_content(const std::filesystem::path& file, OnFault on_fault) try {
+ReadMesh io::read_content(const std::filesystem::path& file, OnFault on_fault) try {
   const FloatingPointState nearest;  // subnormal floats of binary files become doubles, too
   const Format& format = format_of(file);
   const io::MeshSource source = load(file);
   io::MeshBuilder builder(source, on_fault, format.first_vertex);
   builder.attempt_file([&] { format.read(source, builder); });
-  std::string passed_over = builder.passed_over();
-  return {std::move(builder).finish(), std::move(passed_over)};
+  return std::move(builder).finish();
 } catch (const std::bad_alloc&) {
   throw BrokenMesh(io::all_legible(file.string()) + ": there is not enough memory to read it");
 }
 
 ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) {
-  io::Content content = io::read_content(file, on_fault);
-  if (!content.read.mesh.faces.empty()) return std::move(content.read);
-  const std::string& why = content.read.left_out.empty() ? content.passed_over : content.read.left_out.front();
-  throw BrokenMesh(why.empty() ? io::all_legible(file.string()) + ": the file has no face"
-                               : why + "; the file has no face");
+  ReadMesh read = io::read_content(file, on_fault);
+  if (!read.mesh.faces.empty()) return read;
+  throw BrokenMesh((read.left_out.empty() ? io::all_legible(file.string()) + ":" : read.left_out.front() + ";") +
+                   " the file has no face");
 }
 
 }  // namespace touchstone

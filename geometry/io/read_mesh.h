@@ -43,6 +43,7 @@ struct ReadMesh {
   std::vector<io::SourceLocation> places;  ///< the place in the file of each face of the mesh
   std::vector<std::string> left_out;       ///< a message for each of the first kMostSentences parts left out
   std::size_t parts_left_out = 0;          ///< how many parts were left out; 0 with OnFault::Refuse
+  std::vector<std::string> warnings;       ///< a message for each oddity with which nothing of the mesh is missing
 };
 
 /// The most messages that are kept, so that a file full of faults does not fill the memory with them.
@@ -50,16 +51,22 @@ inline constexpr std::size_t kMostSentences = 1000;
 
 /// Reads Wavefront OBJ, Geomview OFF, STL (text or binary) or PLY (text, or binary of either byte order).
 ///
-/// The extension, in upper or lower case, selects the format; the content tells text STL from binary STL. Decimal
-/// numbers are read as the nearest doubles, so no precision is lost. OBJ lines without a vertex or face (normals,
-/// texture coordinates, groups, materials) are ignored; negative OBJ indices count from the end.
+/// The extension, in upper or lower case, selects the format; the content tells text STL from binary STL. Numbers,
+/// decimal or hexadecimal such as `0x1.8p-3`, are read as the nearest doubles, so no precision is lost. The words of
+/// STL may be on any lines, as may those of OFF and PLY if they fill the file exactly. Negative OBJ indices count from
+/// the end. A binary STL may hold as many bytes after each facet as its attribute count announces.
+///
+/// One rule for all formats: what is not understood is a fault. The readers ignore only what a format defines and what
+/// holds neither a vertex nor a face: normals, colours, texture coordinates, names, materials, points, lines and
+/// curves.
 ///
 /// Throws BrokenMesh if the file cannot be opened, has an unknown extension, is truncated, is text in UTF-16 or UTF-32,
-/// or has a number that is malformed or beyond the finite doubles, an index out of range, a face of fewer than three
-/// vertices, or a wrong count. With OnFault::Skip a faulty line, vertex or face is left out and reported, as are faces
-/// that use a vertex left out; if the structure of the file is lost (a bad header, truncated binary data), what came
-/// before is kept. In either case throws BrokenMesh if no face can be read: nothing would touch such a mesh, so it is
-/// most likely the wrong file.
+/// or has a word that the format does not define, a number that is malformed or beyond the finite doubles, an index out
+/// of range, a face of fewer than three vertices, a vertex whose weight is not 1, another surface than a polygon, or a
+/// wrong count. With OnFault::Skip a faulty line, vertex or face is left out and reported, as are faces that use a
+/// vertex left out; if the structure of the file is lost (a bad header, truncated binary data), what came before is
+/// kept. In either case throws BrokenMesh if no face can be read: nothing would touch such a mesh, so it is most likely
+/// the wrong file. Blank bytes after the end, and a last `endsolid` that is missing, are warnings.
 ///
 /// The result does not depend on the caller's rounding mode and flush-to-zero setting, which are left as found. Cost:
 /// time and memory linear in the size of the file, whatever counts the file declares.

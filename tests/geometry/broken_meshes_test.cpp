@@ -120,11 +120,11 @@ TEST(BrokenMeshes, AreNeverMoreThanWhatIsThere) {
       const std::string begin = content.substr(0, size);
       const TemporaryFile file(extension, begin);
       try {
-        EXPECT_LE(io::read_content(file.path(), OnFault::Refuse).read.mesh.faces.size(), 1U) << begin;
+        EXPECT_LE(io::read_content(file.path(), OnFault::Refuse).mesh.faces.size(), 1U) << begin;
       } catch (const BrokenMesh& broken) {
         EXPECT_TRUE(std::string(broken.what()).starts_with(file.path().string() + ": ")) << broken.what();
       }
-      EXPECT_LE(io::read_content(file.path(), OnFault::Skip).read.mesh.faces.size(), 1U) << begin;
+      EXPECT_LE(io::read_content(file.path(), OnFault::Skip).mesh.faces.size(), 1U) << begin;
     }
 }
 
@@ -138,7 +138,7 @@ TEST(BrokenMeshes, AreReadOrRefusedWhateverAByteIsChangedTo) {
         const TemporaryFile file(extension, changed);
         for (const OnFault on_fault : {OnFault::Refuse, OnFault::Skip}) {
           try {
-            const ReadMesh result = io::read_content(file.path(), on_fault).read;
+            const ReadMesh result = io::read_content(file.path(), on_fault);
             ASSERT_EQ(result.places.size(), result.mesh.faces.size()) << changed;
             for (const auto& vertex : result.mesh.vertices) ASSERT_TRUE(vertex.allFinite()) << changed;
             for (const auto& face : result.mesh.faces) {

@@ -30,8 +30,9 @@ TemporaryFile::~TemporaryFile() {
 
 Mesh read(const std::string& extension, std::string_view content) {
   const TemporaryFile file(extension, content);
-  const ReadMesh result = io::read_content(file.path(), OnFault::Refuse).read;
+  const ReadMesh result = io::read_content(file.path(), OnFault::Refuse);
   EXPECT_EQ(result.left_out, Sentences{});
+  EXPECT_EQ(result.warnings, Sentences{});
   return result.mesh;
 }
 
@@ -47,9 +48,16 @@ std::string fault(const std::string& extension, std::string_view content, OnFaul
 
 ReadMesh skip(const std::string& extension, std::string_view content) {
   const TemporaryFile file(extension, content);
-  ReadMesh result = io::read_content(file.path(), OnFault::Skip).read;
+  ReadMesh result = io::read_content(file.path(), OnFault::Skip);
   for (std::string& sentence : result.left_out) sentence = after_file(file, sentence);
   return result;
+}
+
+Sentences warnings(const std::string& extension, std::string_view content) {
+  const TemporaryFile file(extension, content);
+  ReadMesh result = read_mesh(file.path());
+  for (std::string& sentence : result.warnings) sentence = after_file(file, sentence);
+  return result.warnings;
 }
 
 std::string after_file(const TemporaryFile& file, const std::string& sentence) {

@@ -44,6 +44,9 @@ class TemporaryFile {
 /// The mesh with OnFault::Skip, though it be without a face, and what is left out from the line or byte on.
 [[nodiscard]] ReadMesh skip(const std::string& extension, std::string_view content);
 
+/// The warnings about a file that is read, from the line or byte on.
+[[nodiscard]] Sentences warnings(const std::string& extension, std::string_view content);
+
 /// The sentence without the file that it begins with.
 [[nodiscard]] std::string after_file(const TemporaryFile& file, const std::string& sentence);
 

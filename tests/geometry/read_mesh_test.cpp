@@ -62,6 +62,17 @@ TEST(ReadMesh, ReadsTheNearestDouble) {
                                   {9007199254740992.0, std::numeric_limits<double>::max(), 100.0}}));
 }
 
+TEST(ReadMesh, ReadsHexadecimalNumbers) {
+  const Mesh mesh = read(".obj",
+                         "v 0x1p+2 -0X1.8P-3 +0x10\n"
+                         "v 0x.8 0x1.fffffffffffff7fp0 -0x1p-1074\n"
+                         "v 0x1p-1076 0x0p99999 -0x0.000001p-1080\n");
+  EXPECT_EQ(points(mesh), (Points{{4, -0.1875, 16}, {0.5, 0x1.fffffffffffffp0, -0x1p-1074}, {0, 0, 0}}));
+  EXPECT_TRUE(std::signbit(mesh.vertices[2][2]));
+  EXPECT_EQ(fault(".obj", "v 0 0 -0x1p1024\n"), "line 1: '-0x1p1024' is not a finite double");
+  EXPECT_EQ(fault(".obj", "v 0 0 0x0.0001p1200\n"), "line 1: '0x0.0001p1200' is not a finite double");
+}
+
 // Rounding to zero is not a fault; rounding to infinity is. Both are out of range for std::from_chars.
 TEST(ReadMesh, ReadsNumbersCloseToZeroAsTheNearestDouble) {
   constexpr double kTiniest = std::numeric_limits<double>::denorm_min();
@@ -85,7 +96,8 @@ TEST(ReadMesh, RefusesNumbersBeyondTheFiniteDoubles) {
 }
 
 TEST(ReadMesh, RefusesMalformedNumbers) {
-  for (const std::string number : {"1,5", "1.2.3", "0x10", "1e", "+-1", "++1", "-", "+", "abc", "1d5"})
+  for (const std::string number :
+       {"1,5", "1.2.3", "0x", "0xg", "0x1p", "0x-1", "0xnan", "1p3", "1e", "+-1", "++1", "-", "+", "abc", "1d5"})
     EXPECT_EQ(fault(".obj", "v 0 " + number + " 0\n"), "line 1: '" + number + "' is not a number");
 }
 

@@ -44,9 +44,22 @@ TEST(ReadObj, DoesNotContinueComments) {
   EXPECT_EQ(points(read(".obj", "# C:\\models\\\nv 1 2 3 # here\\\nv 4 5 6\n")), (Points{{1, 2, 3}, {4, 5, 6}}));
 }
 
-TEST(ReadObj, TakesTheFirstThreeOfAVertexWithAWeightOrAColour) {
-  EXPECT_EQ(points(read(".obj", "v 1 2 3 0.5\nv 4 5 6 1 0 0.25\n\tv\t7  8\t9 \n")),
+TEST(ReadObj, TakesTheFirstThreeOfAVertexWithAColourOrTheWeightOne) {
+  EXPECT_EQ(points(read(".obj", "v 1 2 3 1.0\nv 4 5 6 0 0 0.25\n\tv\t7  8\t9 \n")),
             (Points{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+  EXPECT_EQ(fault(".obj", "v 1 2 3 2\n"), "line 1: the weight of a vertex must be 1");
+}
+
+TEST(ReadObj, ContinuesLinesOfGeometryAlone) {
+  const Mesh mesh =
+      read(".obj", "g C:\\work\\\nv 0 0 0\nusemtl walls\\ \nv 1 0 \\ \t\n0\nvt 0 \\\n0\nv 0 1 0\nf 1 2 \\ \n3\n");
+  EXPECT_EQ(points(mesh), kTrianglePoints);
+  EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}}));
+}
+
+TEST(ReadObj, BeginsCommentsAtTheStartOfAWordOnly) {
+  EXPECT_EQ(fault(".obj", "v 0 0 -1.#IND00\n"), "line 1: '-1.#IND00' is not a number");
+  EXPECT_EQ(points(read(".obj", "v 1 2 3 #4\n#v 4 5 6\n")), (Points{{1, 2, 3}}));
 }
 
 TEST(ReadObj, RefusesWordsAfterAVertex) {
@@ -61,21 +74,29 @@ TEST(ReadObj, PassesOverLinesWithoutVertexOrFace) {
   EXPECT_TRUE(mesh.faces.empty());
 }
 
-// As a file in which every letter is a capital, or one of another format.
-TEST(ReadObj, NamesTheFirstWordThatItDoesNotKnowWhereNoFaceIs) {
-  EXPECT_EQ(fault(".obj", "# capitals\no part\nV 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n"),
-            "line 3: 'V' is not an OBJ keyword; the file has no face");
-  EXPECT_EQ(fault(".obj", kObj + "F 1 2 3\n"), "line 4: 'F' is not an OBJ keyword; the file has no face");
-  EXPECT_EQ(read(".obj", kObj + "F 1 2 3\nf 1 2 3\n").faces, (Faces{{0, 1, 2}}));
+// It may be a vertex or a face: in capitals, or behind a byte order mark between two files that were joined.
+TEST(ReadObj, RefusesAWordThatItDoesNotKnow) {
+  EXPECT_EQ(fault(".obj", kObj + "f 1 2 3\nF 1 2 3\n"), "line 5: 'F' is not an OBJ keyword");
+  EXPECT_EQ(fault(".obj", "\xEF\xBB\xBF" + kObj + "f 1 2 3\n\xEF\xBB\xBF" + kObj),
+            "line 5: '\\xef\\xbb\\xbfv' is not an OBJ keyword");
+  const ReadMesh result = skip(".obj", kObj + "F 1 2 3\nf 1 2 3\n");
+  EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}}));
+  EXPECT_EQ(result.left_out, (Sentences{"line 4: 'F' is not an OBJ keyword"}));
+}
+
+TEST(ReadObj, RefusesSurfacesThatAreNoPolygonsAndFilesThatItIncludes) {
+  for (const std::string word : {"surf", "bzp", "bsp", "cdp", "call"})
+    EXPECT_EQ(fault(".obj", kObj + "f 1 2 3\n" + word + " 1\n"),
+              "line 5: '" + word + "' is not read: only polygons are");
 }
 
 // Each word of the format's specification, in the order of its index.
 TEST(ReadObj, KnowsTheWordsOfTheFormatThatSayNothingOfFaces) {
   for (const char* word :
-       {"bevel", "bmat",   "bsp",       "bzp",      "c_interp", "call",   "cdc", "cdp",  "con",        "csh", "cstype",
-        "ctech", "curv",   "curv2",     "d_interp", "deg",      "end",    "g",   "hole", "l",          "lod", "maplib",
-        "mg",    "mtllib", "o",         "p",        "parm",     "res",    "s",   "scrv", "shadow_obj", "sp",  "stech",
-        "step",  "surf",   "trace_obj", "trim",     "usemap",   "usemtl", "vn",  "vp",   "vt"})
+       {"bevel",     "bmat", "c_interp", "cdc",    "con",  "csh",  "cstype",     "ctech",  "curv",  "curv2",
+        "d_interp",  "deg",  "end",      "g",      "hole", "l",    "lod",        "maplib", "mg",    "mtllib",
+        "o",         "p",    "parm",     "res",    "s",    "scrv", "shadow_obj", "sp",     "stech", "step",
+        "trace_obj", "trim", "usemap",   "usemtl", "vn",   "vp",   "vt"})
     EXPECT_EQ(fault(".obj", std::string(word) + " 1\n"), "the file has no face") << word;
 }
 

@@ -37,6 +37,33 @@ TEST(ReadOff, PassesOverColoursAndNormals) {
             (Faces{{0, 1, 2}, {2, 1, 0}}));
 }
 
+TEST(ReadOff, ReadsHeadersInLowerCaseAndGluedToTheCounts) {
+  for (const std::string header : {"off\n3 1 0\n", "OFF3 1 0\n", "off3 1\n"})
+    expect_triangle(read(".off", header + kOffPoints + "3 0 1 2\n"));
+  EXPECT_EQ(points(read(".off", "coff1 0 0\n1 2 3 255 0 0\n")), (Points{{1, 2, 3}}));
+}
+
+TEST(ReadOff, ReadsWordsWhereLinesDoNotHoldThePartsOneByOne) {
+  const std::string twice = "3 0 1 2 3\n2 1 0";
+  for (const std::string& points : {std::string("0 0 0 1 0 0\n0 1 0 "), std::string("0\n0 0\n1 0 0 0 1 # here\n0\n")})
+    EXPECT_EQ(read(".off", "OFF 3 2 0\n" + points + twice).faces, (Faces{{0, 1, 2}, {2, 1, 0}})) << points;
+  // Words that do not fill the file are not taken for others.
+  EXPECT_EQ(fault(".off", "OFF 3 2 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 2 3 2 1 0 7\n"),
+            "line 4: the file is truncated: face 0 of 2 is missing");
+}
+
+TEST(ReadOff, KeepsWhatCameBeforeAFaultyWord) {
+  const ReadMesh result = skip(".off", "OFF 4 2 0\n0 0 0 1 0 0\n0 1 0 nan 0 0\n3 0 1 2 3 0 1 3\n");
+  EXPECT_EQ(points(result.mesh), kTrianglePoints);
+  EXPECT_EQ(result.mesh.faces, Faces{});
+  EXPECT_EQ(result.left_out, (Sentences{"line 3: 'nan' is not a finite double"}));
+}
+
+// As some compilers print what is no number.
+TEST(ReadOff, BeginsCommentsAtTheStartOfAWordOnly) {
+  EXPECT_EQ(fault(".off", "OFF 1 0 0\n0 0 -1.#IND00\n"), "line 2: '-1.#IND00' is not a number");
+}
+
 TEST(ReadOff, RefusesABadHeader) {
   EXPECT_EQ(fault(".off", "FOO\n1 0 0\n"), "line 1: expected 'OFF', found 'FOO'");
   EXPECT_EQ(fault(".off", "4OFF\n1 0 0\n"), "line 1: expected 'OFF', found '4OFF'");

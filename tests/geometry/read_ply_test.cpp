@@ -170,6 +170,26 @@ TEST(ReadPly, BinaryValuesMayBeginWithTheByteOfALineEnd) {
   EXPECT_EQ(points(read(".ply", header + "\n\r\n")), (Points{{10, 13, 10}}));
 }
 
+TEST(ReadPly, ReadsWordsWhereLinesDoNotHoldTheElementsOneByOne) {
+  const std::string header =
+      ply_header("ascii", vertex_element("float") +
+                              "element tag 2\nproperty list uchar int words\nproperty float weight\n"
+                              "element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\n");
+  EXPECT_EQ(read(".ply", header + "0 0 0 1 0 0\n0 1\n0 2 7 8 nan 0 1\n3 0 1 2 9 3 2 1 0 9\n").faces,
+            (Faces{{0, 1, 2}, {2, 1, 0}}));
+  const ReadMesh result = skip(".ply", header + "0 0 0 1 0 0 0 1 0 0 1 0 1 3 0 1 2 9 3 2 1 x 9\n");
+  EXPECT_EQ(result.mesh.faces, Faces{});
+}
+
+TEST(ReadPly, WarnsOfBlankBytesAfterBinaryValues) {
+  const std::string whole = ply_header("binary_little_endian", vertex_element("float") + kFaceElement) +
+                            row({0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f}) + bytes(std::uint8_t{3}) +
+                            row<std::int32_t>({0, 1, 2});
+  EXPECT_EQ(warnings(".ply", whole + "\n"),
+            (Sentences{"byte " + std::to_string(whole.size()) +
+                       ": 1 blank bytes left over after the elements that the counts declare"}));
+}
+
 TEST(ReadPly, RefusesABadHeader) {
   const auto header_fault = [](const std::string& rest) { return fault(".ply", "ply\nformat ascii 1.0\n" + rest); };
   EXPECT_EQ(fault(".ply", "plot\n"), "line 1: expected 'ply', found 'plot'");

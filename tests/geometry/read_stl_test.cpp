@@ -58,7 +58,8 @@ TEST(ReadStl, RefusesBinaryOfAnotherSizeThanItsCountPromises) {
   const std::string whole = binary_stl("", 2, kBinaryFacet + kBinaryFacet);
   EXPECT_EQ(fault(".stl", whole.substr(0, whole.size() - 1)),
             "byte 134: the file is truncated: facet 1 of 2 is not complete");
-  EXPECT_EQ(fault(".stl", whole + "ab"), "byte 184: 2 bytes left over after the elements that the counts declare");
+  const std::string plain = binary_stl("", 1, kBinaryFacet.substr(0, 48) + std::string(2, '\0'));
+  EXPECT_EQ(fault(".stl", plain + "ab"), "byte 134: 2 bytes left over after the elements that the counts declare");
   EXPECT_EQ(fault(".stl", whole.substr(0, 50)), "byte 50: the file is truncated within its header of 84 bytes");
   EXPECT_EQ(skip(".stl", whole.substr(0, 150)).mesh.faces, (Faces{{0, 1, 2}}));
 }
@@ -90,9 +91,46 @@ TEST(ReadStl, RefusesWrongText) {
             "line 2: a facet has 3 vertices, this one has 4");
   EXPECT_EQ(fault(".stl", begin + "endfacet\n"), "line 5: expected 'endloop', found 'endfacet'");
   EXPECT_EQ(fault(".stl", begin), "line 4: the file is truncated: expected 'endloop'");
-  EXPECT_EQ(fault(".stl", "solid\n" + kFacet), "line 8: the file is truncated: expected 'facet' or 'endsolid'");
+  EXPECT_EQ(fault(".stl", "solid\n"), "line 1: the file is truncated: expected 'facet' or 'endsolid'");
   EXPECT_EQ(fault(".stl", "solid\ncolour\nendsolid\n"), "line 2: expected 'facet' or 'endsolid', found 'colour'");
   EXPECT_EQ(fault(".stl", "solid\nendsolid\nfacet\n"), "line 3: expected 'solid', found 'facet'");
+}
+
+TEST(ReadStl, ReadsWordsOnWhateverLines) {
+  const std::string vertices = "vertex 0 0 0 vertex 1 0 0 vertex\n0\n1 0 ";
+  const std::string glued = "facet normal 0 0 1 outer loop " + vertices + "endloop endfacet ";
+  const std::string apart = "facet outer\nloop " + vertices + "end loop\nEnd Facet ";
+  for (const std::string& text :
+       {"solid a plate " + glued + apart + "endsolid a plate", "solid\n" + apart + "\n" + glued + "end solid\n",
+        "solid a " + glued + "endsolid a solid b " + glued + "endsolid b",
+        "solid facet of a solid\n" + glued + "endsolid solid\nsolid\n" + apart + "endsolid"})
+    EXPECT_EQ(read(".stl", text).faces, (Faces{{0, 1, 2}, {3, 4, 5}})) << text;
+}
+
+TEST(ReadStl, WarnsOfALastEndThatIsMissing) {
+  const std::string whole = "solid a\n" + kFacet + "endsolid a\n" + "solid b\n" + kFacet + kFacet;
+  EXPECT_EQ(warnings(".stl", whole), (Sentences{"line 24: the last 'endsolid' is missing"}));
+  EXPECT_EQ(warnings(".stl", whole + "endsolid"), Sentences{});
+  EXPECT_NE(fault(".stl", whole + "facet"), "no fault");
+}
+
+// The attribute counts of other programs are colours; that of the fixture is.
+TEST(ReadStl, ReadsWhatAttributeCountsAnnounceIfTheFileIsAsLong) {
+  const auto facet = [](std::uint16_t announced) {
+    return kBinaryFacet.substr(0, 48) + bytes(announced) + std::string(announced, 'x');
+  };
+  const std::string whole = binary_stl("", 3, facet(4) + facet(0) + facet(60));
+  EXPECT_EQ(read(".stl", whole).faces.size(), 3u);
+  for (const std::string& broken : {whole.substr(0, whole.size() - 1), whole + "x"}) {
+    EXPECT_EQ(fault(".stl", broken),
+              "byte 134: the size of the file fits neither its count nor the 4 bytes announced after facet 0");
+    EXPECT_EQ(skip(".stl", broken).mesh.faces.size(), 1u);
+  }
+}
+
+TEST(ReadStl, WarnsOfBlankBytesAfterBinaryFacets) {
+  EXPECT_EQ(warnings(".stl", binary_stl("", 1, kBinaryFacet) + "\r\n"),
+            (Sentences{"byte 134: 2 blank bytes left over after the elements that the counts declare"}));
 }
 
 TEST(ReadStl, SkipGoesOnWithTheNextFacet) {

@@ -58,6 +58,12 @@ std::vector<std::string> short_names(const std::vector<std::string>& files) {
   return names;
 }
 
+ReadMesh read_with_warnings(const std::filesystem::path& file, OnFault on_fault) {
+  ReadMesh mesh = read_mesh(file, on_fault);
+  for (const std::string& warning : mesh.warnings) fmt::print(stderr, "touchstone: warning: {}\n", warning);
+  return mesh;
+}
+
 NamedFiles read_named_files(const std::vector<std::string>& files, OnFault on_fault) {
   constexpr std::size_t kShown = 3;
   NamedFiles result;
@@ -65,7 +71,7 @@ NamedFiles read_named_files(const std::vector<std::string>& files, OnFault on_fa
   for (std::size_t k = 0; k < files.size(); ++k) {
     const std::string& file = files[k];
     try {
-      ReadMesh mesh = read_mesh(file, on_fault);
+      ReadMesh mesh = read_with_warnings(file, on_fault);
       for (std::size_t i = 0; i < mesh.left_out.size() && i < kShown; ++i)
         fmt::print(stderr, "touchstone: left out: {}\n", mesh.left_out[i]);
       if (mesh.parts_left_out > kShown)

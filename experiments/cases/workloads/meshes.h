@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,11 @@ struct NamedFiles {
   bool all_read = true;
 };
 
-/// Reads all readable files. Reports on standard error the files that cannot be read, and the first parts that were
-/// left out of each file.
+/// Reads a file as `read_mesh`. Prints what it warns of on standard error.
+[[nodiscard]] ReadMesh read_with_warnings(const std::filesystem::path& file, OnFault on_fault);
+
+/// Reads all readable files. Reports on standard error the files that cannot be read, what is odd, and the first parts
+/// that were left out of each file.
 [[nodiscard]] NamedFiles read_named_files(const std::vector<std::string>& files, OnFault on_fault);
 
 /// Returns the content of left-out.txt: one sentence per line for each part left out of the files, as listed in

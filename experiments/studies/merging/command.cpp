@@ -54,7 +54,7 @@ bool study_file(const Options& options, const Settings& settings, const std::str
                 const std::atomic<bool>& stop, Results& results) {
   const std::string& file = options.files[number];
   try {
-    const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+    const ReadMesh mesh = workloads::read_with_warnings(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
     tell_left_out(file, mesh);
     std::optional<MeshResult> result = study(settings, name, mesh.mesh, stop);
     if (!result) return false;

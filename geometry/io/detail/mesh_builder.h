@@ -75,11 +75,18 @@ class MeshBuilder {
   /// Returns the number of vertices read so far, including those left out.
   [[nodiscard]] std::size_t vertices_so_far() const { return number_in_mesh_.size(); }
 
-  /// Records a part that is ignored because the format does not define it. Only the first one is kept.
-  void pass_over(SourceLocation place, const std::string& reason) {
-    if (passed_over_.empty()) passed_over_ = sentence(source_.name, place, reason);
+  /// Records what is odd, although nothing of the mesh is missing.
+  void warn(SourceLocation place, const std::string& reason) {
+    warnings_.push_back(sentence(source_.name, place, reason));
   }
-  [[nodiscard]] const std::string& passed_over() const { return passed_over_; }
+  /// Reports a fault if bytes are left over at the end of the file, or warns if they are blank.
+  void end(const ByteReader& bytes) {
+    if (bytes.bytes_left() == 0) return;
+    const std::string left_over = std::to_string(bytes.bytes_left()) + (bytes.only_blanks_left() ? " blank" : "") +
+                                  " bytes left over after the elements that the counts declare";
+    if (!bytes.only_blanks_left()) source_.broken(bytes.place(), left_over);
+    warn(bytes.place(), left_over);
+  }
 
   /// Returns the mesh; each face has the numbers that its vertices have there.
   [[nodiscard]] ReadMesh finish() && {
@@ -93,7 +100,7 @@ class MeshBuilder {
       }
     mesh_.faces.resize(kept);
     places_.resize(kept, SourceLocation{});
-    return {std::move(mesh_), std::move(places_), std::move(left_out_), parts_left_out_};
+    return {std::move(mesh_), std::move(places_), std::move(left_out_), parts_left_out_, std::move(warnings_)};
   }
 
  private:
@@ -126,19 +133,12 @@ class MeshBuilder {
   Mesh mesh_;
   std::vector<SourceLocation> places_;         // of the faces
   std::vector<std::uint32_t> number_in_mesh_;  // by number in the file
-  std::string passed_over_;                    // a message
-  std::vector<std::string> left_out_;
+  std::vector<std::string> left_out_, warnings_;
   std::size_t parts_left_out_ = 0;
 };
 
-/// The content of a file, which may be without faces.
-struct Content {
-  ReadMesh read;
-  std::string passed_over;  ///< a message about the first part that the format does not define, or empty
-};
-
 /// Reads a file like `read_mesh`, but accepts files without faces.
-[[nodiscard]] Content read_content(const std::filesystem::path& file, OnFault on_fault);
+[[nodiscard]] ReadMesh read_content(const std::filesystem::path& file, OnFault on_fault);
 
 // Each of these reads a file of one format into the builder. `read_mesh` documents the formats.
 

@@ -71,11 +71,10 @@ class ByteReader {
     position_ += size;
   }
 
-  /// Reports a fault if bytes are left over at the end.
-  void file_is_done() const {
-    if (bytes_left() > 0)
-      source_.broken(place(),
-                     std::to_string(bytes_left()) + " bytes left over after the elements that the counts declare");
+  /// Returns whether the bytes that are left are blanks, ends of lines or zero.
+  [[nodiscard]] bool only_blanks_left() const {
+    using namespace std::string_view_literals;
+    return std::string_view(source_.bytes).find_first_not_of(" \t\r\n\0"sv, position_) == std::string_view::npos;
   }
 
  private:

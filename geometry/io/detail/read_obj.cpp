@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: `v x y z` and `f 1 2 3`. A corner may have `/texture/normal`, which are ignored.
+// Wavefront OBJ: `v x y z` and `f 1 2 3`. A corner may have `/texture/normal`, which are ignored. Other surfaces than
+// polygons, and files that a file includes, are faults.
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,28 +28,36 @@ std::int64_t take_corner(TextReader& lines, std::size_t vertices_so_far) {
   return from_start;
 }
 
-/// Keywords of the format that do not concern vertices and polygons.
-constexpr std::string_view kPassedOver[] = {
-    "vt",     "vn",     "vp",    "p",        "l",        "g",    "s",          "o",         "mg",   "usemtl", "mtllib",
-    "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "deg",  "bmat",   "step",
-    "cstype", "curv",   "curv2", "surf",     "parm",     "trim", "hole",       "scrv",      "sp",   "end",    "con",
-    "call",   "csh",    "bzp",   "bsp",      "cdc",      "cdp",  "res",        "ctech",     "stech"};
-
-bool is_passed_over(std::string_view word) {
-  return std::find(std::begin(kPassedOver), std::end(kPassedOver), word) != std::end(kPassedOver);
+bool is_among(std::span<const std::string_view> words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
+
+/// Keywords before names and settings, which may end with a '\'.
+constexpr std::string_view kNames[] = {"g",      "o",          "s",     "mg",    "usemtl",   "mtllib",
+                                       "usemap", "maplib",     "bevel", "lod",   "c_interp", "d_interp",
+                                       "csh",    "shadow_obj", "ctech", "stech", "cstype",   "trace_obj"};
+/// Keywords before numbers that are neither vertices nor surfaces. Those of curves say nothing without a surface.
+constexpr std::string_view kNumbers[] = {"vt",   "vn",   "vp",   "p",    "l",  "deg", "bmat", "step", "curv", "curv2",
+                                         "parm", "trim", "hole", "scrv", "sp", "end", "con",  "cdc",  "res"};
+/// Keywords before other surfaces than polygons, and before the name of a file that may hold faces.
+constexpr std::string_view kSurfaces[] = {"surf", "bzp", "bsp", "cdp", "call"};
+
+bool continues(std::string_view word) { return !is_among(kNames, word) && word != "call"; }
 
 }  // namespace
 
 void read_obj(const MeshSource& source, MeshBuilder& builder) {
-  TextReader lines(source, {.comments = true, .continuations = true});
+  TextReader lines(source, {.comments = true, .continues = continues});
   std::vector<std::int64_t> corners;
   while (lines.next_line()) {
     const std::string_view keyword = lines.take();
     if (keyword == "v") {
       builder.add_vertex([&] {
-        Eigen::Vector3d point = lines.take_point("after 'v'");
-        lines.rest_is_numbers();  // a weight or a colour
+        const Eigen::Vector3d point = lines.take_point("after 'v'");
+        if (lines.line_is_done()) return point;
+        const double weight = lines.take_number();  // or a colour's first number, if more follow
+        if (lines.line_is_done() && weight != 1) lines.broken("the weight of a vertex must be 1");
+        lines.rest_is_numbers();
         return point;
       });
     } else if (keyword == "f" || keyword == "fo") {
@@ -57,8 +66,10 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
         while (!lines.line_is_done()) corners.push_back(take_corner(lines, builder.vertices_so_far()));
         builder.add_face(lines.place(), corners);
       });
-    } else if (!is_passed_over(keyword)) {
-      builder.pass_over(lines.place(), TextReader::quoted(keyword) + " is not an OBJ keyword");
+    } else if (is_among(kSurfaces, keyword)) {
+      builder.attempt([&] { lines.broken(TextReader::quoted(keyword) + " is not read: only polygons are"); });
+    } else if (!is_among(kNames, keyword) && !is_among(kNumbers, keyword)) {
+      builder.attempt([&] { lines.broken(TextReader::quoted(keyword) + " is not an OBJ keyword"); });
     }
   }
 }

@@ -181,28 +181,64 @@ Header take_header(TextReader& lines) {
 
 // The values, which are in the same order in text and binary files
 
-/// Reads values as text. Each element is on a line of its own, so a faulty one can be skipped.
+/// Returns whether the values fill the rest of the file as words, but not the lines one by one, so that no element can
+/// be skipped whose values are faulty.
+bool is_words(const MeshSource& source, const Header& header) {
+  TextReader lines(source, {}), words(source, {});
+  (void)take_header(lines), (void)take_header(words);
+  const auto most = static_cast<std::int64_t>(source.bytes.size());
+  std::int64_t elements = 0;
+  for (const Element& element : header.elements)
+    if (!element.properties.empty()) elements += std::min(element.count, most);
+  if (elements > most || lines.count_lines() == elements) return false;
+  for (const Element& element : header.elements)
+    for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+      for (const Property& property : element.properties)
+        if (!(property.count_type ? words.take_list_of_words() : words.take_words(1))) return false;
+  return !words.next_word();
+}
+
+/// Reads values as text: as words, or from lines of which each holds an element, so that a faulty one can be skipped.
 class TextValues {
  public:
-  explicit TextValues(TextReader& lines) : lines_(lines) {}
+  TextValues(TextReader& lines, bool is_words) : lines_(lines), is_words_(is_words) {
+    if (is_words) lines.read_words();
+  }
 
   void begin_element(const Element& element, std::int64_t index) {
-    if (!lines_.next_line())
+    if (!(is_words_ ? lines_.next_word() : lines_.next_line()))
       lines_.truncated(legible(element.name) + " " + std::to_string(index) + " of " + std::to_string(element.count) +
                        " is missing");
   }
   void end_element() {
-    if (!lines_.line_is_done()) lines_.broken("unexpected values after the last property");
+    if (!is_words_ && !lines_.line_is_done()) lines_.broken("unexpected values after the last property");
   }
-  void pass_element(const Element&) {}
+  void pass_element(const Element& element) {
+    if (!is_words_) return;
+    for (const Property& property : element.properties)
+      (void)(property.count_type ? lines_.take_list_of_words() : lines_.take_words(1));
+  }
 
   [[nodiscard]] SourceLocation place() const { return lines_.place(); }
-  double take_number(Scalar) { return lines_.take_number(); }
-  std::int64_t take_count(const Property& list) { return lines_.take_count(written(*list.count_type)); }
-  void take_corners(const Property& list, std::int64_t count, std::vector<std::int64_t>& corners) {
-    lines_.take_corners(count, corners, written(list.type));
+  double take_number(Scalar) {
+    seek();
+    return lines_.take_number();
   }
-  void skip(Scalar, std::int64_t count) { lines_.skip_fields(count); }
+  std::int64_t take_count(const Property& list) {
+    seek();
+    return lines_.take_count(written(*list.count_type));
+  }
+  void take_corners(const Property& list, std::int64_t count, std::vector<std::int64_t>& corners) {
+    if (!is_words_) return lines_.take_corners(count, corners, written(list.type));
+    corners.resize(static_cast<std::size_t>(count));
+    for (std::int64_t& corner : corners) seek(), corner = lines_.take_whole("vertex number", written(list.type));
+  }
+  void skip(Scalar, std::int64_t count) {
+    if (is_words_)
+      (void)lines_.take_words(count);
+    else
+      lines_.skip_fields(count);
+  }
 
  private:
   static TextReader::Whole written(Scalar type) {
@@ -210,7 +246,13 @@ class TextValues {
     return whole ? TextReader::Whole::Digits : TextReader::Whole::Decimal;
   }
 
+  /// Moves to the next word.
+  void seek() {
+    if (is_words_) (void)lines_.next_word();
+  }
+
   TextReader& lines_;
+  bool is_words_;
 };
 
 /// Reads values as binary. Elements end with their last property, so after a wrong list count the rest of the file is
@@ -328,13 +370,13 @@ void read_ply(const MeshSource& source, MeshBuilder& builder) {
   TextReader lines(source, {});
   const Header header = take_header(lines);
   if (header.encoding == Encoding::Text) {
-    read_elements(source, header, TextValues(lines), builder);
+    read_elements(source, header, TextValues(lines, is_words(source, header)), builder);
     if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");
   } else {
     ByteReader bytes(source, lines.position(),
                      header.encoding == Encoding::LittleEndian ? std::endian::little : std::endian::big);
     read_elements(source, header, BinaryValues(source, bytes), builder);
-    bytes.file_is_done();
+    builder.end(bytes);
   }
 }
 

@@ -37,12 +37,38 @@ bool is_binary(const MeshSource& source) {
   return std::string_view(source.bytes).substr(0, kHeaderBytes).find('\0') != std::string_view::npos;
 }
 
+/// Returns whether the facets, each with as many bytes after it as its attribute count announces, end where the file
+/// does, blanks apart.
+bool has_payload(const MeshSource& source, std::uint32_t count) {
+  ByteReader bytes(source, kHeaderBytes, std::endian::little);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (bytes.bytes_left() < kFacetBytes) return false;
+    bytes.skip(kFacetBytes - sizeof(std::uint16_t));
+    const std::size_t announced = bytes.take<std::uint16_t>();
+    if (bytes.bytes_left() < announced) return false;
+    bytes.skip(announced);
+  }
+  return bytes.only_blanks_left();
+}
+
+/// How many bytes lie between the facets. Attribute counts are other programs' colours, unless the size of the file
+/// says otherwise. Where it fits neither, the facets after the first cannot be found.
+enum class Layout { Dense, Payload, Unknown };
+
+Layout layout_of(const MeshSource& source, std::uint32_t count) {
+  ByteReader dense(source, kHeaderBytes + count * kFacetBytes, std::endian::little);
+  const bool is_long_enough = source.bytes.size() - kHeaderBytes >= count * kFacetBytes;
+  if (is_long_enough && dense.only_blanks_left()) return Layout::Dense;
+  return has_payload(source, count) ? Layout::Payload : Layout::Unknown;
+}
+
 void read_binary(const MeshSource& source, MeshBuilder& builder) {
   if (source.bytes.size() < kHeaderBytes)
     source.lost({SourceLocation::Unit::Byte, source.bytes.size()},
                 "the file is truncated within its header of 84 bytes");
   ByteReader bytes(source, kTitleBytes, std::endian::little);
   const auto count = bytes.take<std::uint32_t>();
+  const Layout layout = layout_of(source, count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const SourceLocation facet = bytes.place();
     if (bytes.bytes_left() < kFacetBytes)
@@ -55,35 +81,75 @@ void read_binary(const MeshSource& source, MeshBuilder& builder) {
       places[corner] = bytes.place();
       for (int axis = 0; axis < 3; ++axis) triangle[corner][axis] = static_cast<double>(bytes.take<float>());
     }
-    bytes.skip(sizeof(std::uint16_t));
+    const std::size_t announced = bytes.take<std::uint16_t>();
     builder.attempt([&] {
       for (std::size_t corner = 0; corner < 3; ++corner) (void)source.finite(places[corner], triangle[corner]);
       add_triangle(builder, facet, triangle);
     });
+    if (layout == Layout::Payload) bytes.skip(announced);
+    if (layout == Layout::Unknown && announced != 0 && bytes.bytes_left() >= kFacetBytes)
+      source.lost(bytes.place(), "the size of the file fits neither its count nor the " + std::to_string(announced) +
+                                     " bytes announced after facet " + std::to_string(i));
   }
-  bytes.file_is_done();
+  builder.end(bytes);
 }
 
-/// Reads the lines of a text STL, which are recognised by their first word, in upper or lower case.
-class StatementReader {
+/// Reads the words of a text STL, on whatever lines they are. Keywords are in upper or lower case.
+class WordReader {
  public:
-  explicit StatementReader(const MeshSource& source) : lines_(source, {}) { advance(); }
+  explicit WordReader(const MeshSource& source) : source_(source), lines_(source, {}) { advance(); }
 
   [[nodiscard]] bool at_end() const { return at_end_; }
   [[nodiscard]] bool at(std::string_view keyword) const { return keyword_ == keyword; }
-  [[nodiscard]] TextReader& line() { return lines_; }
+  [[nodiscard]] bool at_end_of(const std::string& part) const {
+    return at("end" + part) || (at("end") && lower_case(lines_.peek()) == part);
+  }
+  [[nodiscard]] SourceLocation place() const { return lines_.place(); }
 
   void advance() {
-    at_end_ = !lines_.next_line();
-    keyword_ = at_end_ ? "" : std::string(lines_.take());
-    for (char& c : keyword_)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    begins_line_ = lines_.line_is_done();
+    at_end_ = !lines_.next_word();
+    keyword_ = at_end_ ? "" : lower_case(lines_.take());
   }
-
-  /// Moves past the line of this keyword, whatever follows on that line.
+  /// Moves past this keyword.
   void pass(const std::string& keyword) {
     if (!at(keyword)) expected("'" + keyword + "'");
     advance();
+  }
+  /// Moves past `endloop` or `end loop`, for example.
+  void pass_end_of(const std::string& part) {
+    if (!at_end_of(part)) expected("'end" + part + "'");
+    if (at("end")) advance();
+    advance();
+  }
+  /// Moves to the next line, or to a word on this line where something begins.
+  template <class Begins>
+  void pass_rest_of_line(const Begins& begins) {
+    while (!at_end_ && !begins_line_ && !begins()) advance();
+  }
+  /// Returns whether a solid begins here: the word alone may be a part of a name.
+  [[nodiscard]] bool at_solid() const {
+    return at("solid") && (begins_line_ || lower_case(lines_.rest_of_line()).find("facet") != std::string::npos);
+  }
+  /// Returns whether a facet begins here: the word alone may be a part of a name.
+  [[nodiscard]] bool at_facet() const {
+    const std::string next = lower_case(lines_.peek());
+    return at("facet") && (begins_line_ || next == "normal" || next == "outer");
+  }
+
+  Eigen::Vector3d take_vertex() {
+    const SourceLocation vertex = place();
+    Eigen::Vector3d point;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool on_line = !lines_.line_is_done();
+      if (!lines_.next_word() || (!on_line && !nearest_double(lines_.peek())))
+        source_.broken(vertex, "expected three numbers after 'vertex', found " + std::to_string(axis));
+      point[axis] = lines_.take_number();
+    }
+    advance();
+    if (!at_end_ && !begins_line_ && nearest_double(keyword_))
+      source_.broken(vertex, "expected three numbers after 'vertex', found more");
+    return point;
   }
 
   [[noreturn]] void expected(const std::string& what) const {
@@ -92,50 +158,60 @@ class StatementReader {
   }
 
  private:
+  static std::string lower_case(std::string_view word) {
+    std::string lower(word);
+    for (char& c : lower)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+  }
+
+  const MeshSource& source_;
   TextReader lines_;
   std::string keyword_;
-  bool at_end_ = false;
+  bool at_end_ = false, begins_line_ = true;
 };
 
-void read_facet(const MeshSource& source, StatementReader& statements, MeshBuilder& builder) {
-  const SourceLocation place = statements.line().place();
-  statements.pass("facet");
-  statements.pass("outer");
+void read_facet(const MeshSource& source, WordReader& words, MeshBuilder& builder) {
+  const SourceLocation place = words.place();
+  words.pass("facet");
+  words.pass_rest_of_line([&] { return words.at("outer"); });  // the normal
+  words.pass("outer");
+  words.pass("loop");
   Triangle triangle;
   std::size_t count = 0;
-  for (; statements.at("vertex"); ++count) {
-    const Eigen::Vector3d point = statements.line().take_point("after 'vertex'");
-    if (!statements.line().line_is_done())
-      statements.line().broken("expected three numbers after 'vertex', found more");
+  for (; words.at("vertex"); ++count) {
+    const Eigen::Vector3d point = words.take_vertex();
     if (count < 3) triangle[count] = point;
-    statements.advance();
   }
-  statements.pass("endloop");
+  words.pass_end_of("loop");
   if (count != 3) source.broken(place, "a facet has 3 vertices, this one has " + std::to_string(count));
-  statements.pass("endfacet");
+  words.pass_end_of("facet");
   add_triangle(builder, place, triangle);
 }
 
-/// After a fault in a facet: moves past its end, or to the next keyword that can only follow it.
-void leave_facet(StatementReader& statements) {
-  while (!statements.at_end() && !statements.at("endfacet") && !statements.at("facet") && !statements.at("endsolid"))
-    statements.advance();
-  if (statements.at("endfacet")) statements.advance();
+/// After a fault: moves to the next facet or end of a solid, past the end of a facet.
+void leave_facet(WordReader& words) {
+  while (!words.at_end() && !words.at_end_of("facet") && !words.at_facet() && !words.at_end_of("solid"))
+    words.advance();
+  if (words.at_end_of("facet")) words.pass_end_of("facet");
 }
 
 void read_text(const MeshSource& source, MeshBuilder& builder) {
-  StatementReader statements(source);
+  WordReader words(source);
   do {
-    statements.pass("solid");
-    while (!statements.at("endsolid")) {
-      if (statements.at("facet")) {
-        if (!builder.attempt([&] { read_facet(source, statements, builder); })) leave_facet(statements);
-      } else if (!builder.attempt([&] { statements.expected("'facet' or 'endsolid'"); })) {
-        statements.advance();
-      }
+    words.pass("solid");
+    words.pass_rest_of_line([&] { return words.at_facet() || words.at_end_of("solid"); });  // the name
+    for (bool has_facet = false; !words.at_end_of("solid"); has_facet = true) {
+      if (words.at_end() && has_facet) return builder.warn(words.place(), "the last 'endsolid' is missing");
+      if (!builder.attempt([&] {
+            if (!words.at("facet")) words.expected("'facet' or 'endsolid'");
+            read_facet(source, words, builder);
+          }))
+        leave_facet(words);
     }
-    statements.advance();
-  } while (!statements.at_end());
+    words.pass_end_of("solid");
+    words.pass_rest_of_line([&] { return words.at_solid(); });  // the name
+  } while (!words.at_end());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,11 +18,13 @@
 namespace touchstone::io {
 
 struct TextSyntax {
-  bool comments = false;       ///< '#' begins a comment that ends with the line
-  bool continuations = false;  ///< a line that ends with '\' continues on the next
+  bool comments = false;  ///< '#' at the start of a word begins a comment that ends with the line
+  /// Whether a line that begins with this word, and ends with '\' and any blanks, continues on the next.
+  bool (*continues)(std::string_view word) = nullptr;
 };
 
-/// Reads the lines of a text file that are not blank, each as fields separated by blanks.
+/// Reads the lines of a text file that are not blank, each as fields separated by blanks; or words, whatever lines they
+/// are on.
 ///
 /// Lines end with "\n", "\r\n" or "\r". Only continued lines are copied.
 class TextReader {
@@ -39,7 +42,9 @@ class TextReader {
     while (position_ < text_.size()) {
       line_number_ = lines_passed_ + 1;
       rest_ = physical_line();
-      if (syntax_.continuations && rest_.ends_with('\\')) join_continuations();
+      skip_blanks();
+      if (syntax_.continues != nullptr && before_continuation(rest_) && syntax_.continues(peek_keyword()))
+        join_continuations();
       skip_blanks();
       if (!rest_.empty()) return true;
     }
@@ -57,7 +62,13 @@ class TextReader {
     return first_other_end && text_.substr(0, position_).ends_with("\r\n") ? position_ - 1 : position_;
   }
 
-  [[noreturn]] void broken(const std::string& reason) const { source_.broken(place(), reason); }
+  /// From here on parts are words on any lines: after a fault it is unknown where the next begins.
+  void read_words() { reads_words_ = true; }
+
+  [[noreturn]] void broken(const std::string& reason) const {
+    if (reads_words_) source_.lost(place(), reason);
+    source_.broken(place(), reason);
+  }
 
   /// Reports that something is missing at the end of the file. The place is the last line.
   [[noreturn]] void truncated(const std::string& reason) const {
@@ -70,6 +81,29 @@ class TextReader {
     rest_.remove_prefix(field.size());
     skip_blanks();
     return field;
+  }
+
+  /// Moves to the next word, which may be on a later line. Returns false at the end of the file.
+  bool next_word() { return !line_is_done() || next_line(); }
+  /// Returns what is left of the line.
+  [[nodiscard]] std::string_view rest_of_line() const { return rest_; }
+  /// Takes the next words, if they are this many numbers, and returns whether they are.
+  bool take_words(std::int64_t count) {
+    for (; count > 0; --count)
+      if (!next_word() || !nearest_double(take())) return false;
+    return true;
+  }
+  /// Takes the next word, if it is a count, and as many numbers; returns whether they are.
+  bool take_list_of_words() {
+    if (!next_word()) return false;
+    const std::optional<std::int64_t> count = whole_decimal(take());
+    return count && *count >= 0 && take_words(*count);
+  }
+  /// Returns the number of lines from the next on. Moves to the end of the file.
+  std::int64_t count_lines() {
+    std::int64_t count = 0;
+    while (next_line()) ++count;
+    return count;
   }
 
   /// Returns the next field without taking it.
@@ -146,6 +180,20 @@ class TextReader {
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
+  static std::string_view without_comment(std::string_view line) {
+    for (std::size_t i = line.find('#'); i < line.size(); i = line.find('#', i + 1))
+      if (i == 0 || is_blank(line[i - 1])) return line.substr(0, i);
+    return line;
+  }
+  /// Returns the line without the '\' at its end and the blanks after that; nothing if it has none.
+  static std::optional<std::string_view> before_continuation(std::string_view line) {
+    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+    if (!line.ends_with('\\')) return std::nullopt;
+    return line.substr(0, line.size() - 1);
+  }
+  /// Returns the next field without a '\' at its end.
+  [[nodiscard]] std::string_view peek_keyword() const { return before_continuation(peek()).value_or(peek()); }
+
   void skip_blanks() {
     std::size_t blanks = 0;
     while (blanks < rest_.size() && is_blank(rest_[blanks])) ++blanks;
@@ -160,13 +208,13 @@ class TextReader {
     if (text_.substr(position_, 1) == "\n") ++other_ends_;
     if (position_ < text_.size()) ++position_;
     ++lines_passed_;
-    return syntax_.comments ? line.substr(0, line.find('#')) : line;
+    return syntax_.comments ? without_comment(line) : line;
   }
 
   void join_continuations() {
     joined_.clear();
-    while (rest_.ends_with('\\')) {
-      joined_.append(rest_.substr(0, rest_.size() - 1)).push_back(' ');
+    while (const auto part = before_continuation(rest_)) {
+      joined_.append(*part).push_back(' ');
       rest_ = position_ < text_.size() ? physical_line() : std::string_view{};
     }
     joined_.append(rest_);
@@ -182,6 +230,7 @@ class TextReader {
   std::size_t line_number_ = 0;  // where the current line begins
   std::string_view rest_;        // the rest of the current line, from the next field on
   std::string joined_;           // the current line, if it was continued
+  bool reads_words_ = false;
 };
 
 }  // namespace touchstone::io

@@ -6,6 +6,7 @@ import tempfile
 import threading
 import types
 import unittest
+import warnings
 
 import numpy as np
 import touchstone
@@ -109,6 +110,17 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(touchstone.BrokenMesh, "nowhere.obj"):
             touchstone.Mesh.read("nowhere.obj")
         self.assertTrue(issubclass(touchstone.BrokenMesh, ValueError))
+
+    def test_warns_of_what_is_odd_in_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "open.stl"
+            file.write_text("solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n")
+            with self.assertWarnsRegex(UserWarning, "line 8: the last 'endsolid' is missing"):
+                self.assertEqual(len(touchstone.Mesh.read(file).faces), 1)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                with self.assertRaises(UserWarning):
+                    touchstone.Mesh.read(file)
 
 
 class Scenes(unittest.TestCase):

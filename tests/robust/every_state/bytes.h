@@ -74,7 +74,7 @@ class Bytes {
     add(tree.order()), add(tree.scale()[0]), add(tree.scale()[1]);
   }
   void add(const Mesh& m) { add(m.vertices), add(m.faces); }
-  void add(const ReadMesh& m) { add(m.mesh), add(m.left_out), add(m.parts_left_out); }
+  void add(const ReadMesh& m) { add(m.mesh), add(m.left_out), add(m.parts_left_out), add(m.warnings); }
   void add(const mesh::MergedFace& f) { add(f.polygon), add(f.faces), add(f.off_plane); }
   void add(const mesh::RejectedFace& f) { add(f.face), add(f.rejection); }
   void add(const mesh::MergedMesh& m) { add(m.faces), add(m.rejected), add(m.edges.merged), add(m.splits); }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/thesis/cell/model/exact_boolean.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/detail/nearest_double.h"
@@ -95,7 +96,7 @@ SolidFaces faces_of_boolean(const Solid& solid, const std::string& name) {
 }
 
 SolidFaces faces_of_mesh(const MeshFile& file, const Pose& pose, const std::string& name) {
-  Mesh mesh = read_mesh(file.file).mesh;
+  Mesh mesh = workloads::read_with_warnings(file.file, OnFault::Refuse).mesh;
   workloads::convert(mesh, file.unit, file.cell_unit);
   // Merged where it stands in its file: a pose rounds, and what it rounds is coplanar no more.
   mesh::MergedMesh merged = mesh::merge_faces(mesh);

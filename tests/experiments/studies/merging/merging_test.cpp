@@ -297,7 +297,7 @@ TEST_F(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
 }
 
 TEST_F(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {
-  for (const std::string tolerance : {"1e-400", "1e400", "nan", "-1", "0x1p-3", "0.1mm"}) {
+  for (const std::string tolerance : {"1e-400", "1e400", "nan", "-1", "0x1p-2000", "0x1p1024", "0.1mm"}) {
     const auto ran = run({"absent.obj", "--tolerance", tolerance});
     EXPECT_TRUE(ran.err.starts_with("--tolerance: \"" + tolerance + "\" is no")) << ran.err;
   }

@@ -309,6 +309,13 @@ TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
   EXPECT_NE(text_of(folder / "o/rejected.csv").find("model/cube,7,zero-normal,"), std::string::npos);
 }
 
+TEST_F(MeshContact, WarnsOfWhatIsOdd) {
+  write("open.stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n");
+  const Ran run = touchstone("meshes open.stl --methods exact --output o");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "touchstone: warning: open.stl: line 8: the last 'endsolid' is missing\n");
+}
+
 TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
   write("bad.obj", std::string(kCube) + "f 1 2 99\nf 3 4\n");
   EXPECT_EQ(touchstone("meshes bad.obj --methods exact --output o").status, 2);
