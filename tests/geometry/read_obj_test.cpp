@@ -47,7 +47,12 @@ TEST(ReadObj, DoesNotContinueComments) {
 TEST(ReadObj, TakesTheFirstThreeOfAVertexWithAColourOrTheWeightOne) {
   EXPECT_EQ(points(read(".obj", "v 1 2 3 1.0\nv 4 5 6 0 0 0.25\n\tv\t7  8\t9 \n")),
             (Points{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
-  EXPECT_EQ(fault(".obj", "v 1 2 3 2\n"), "line 1: the weight of a vertex must be 1");
+  EXPECT_EQ(points(read(".obj", "v 1 2 3 1 0.5 0.5 0.5\n")), (Points{{1, 2, 3}}));
+  for (const std::string more : {"2", "2 0 0 0"})
+    EXPECT_EQ(fault(".obj", "v 1 2 3 " + more + "\n"), "line 1: the weight of a vertex must be 1");
+  for (const std::string more : {"1 0", "1 0 0 0 0"})
+    EXPECT_EQ(fault(".obj", "v 1 2 3 " + more + "\n"),
+              "line 1: a vertex has a weight, a colour of three numbers, or both");
 }
 
 TEST(ReadObj, ContinuesLinesOfGeometryAlone) {
@@ -79,9 +84,18 @@ TEST(ReadObj, RefusesAWordThatItDoesNotKnow) {
   EXPECT_EQ(fault(".obj", kObj + "f 1 2 3\nF 1 2 3\n"), "line 5: 'F' is not an OBJ keyword");
   EXPECT_EQ(fault(".obj", "\xEF\xBB\xBF" + kObj + "f 1 2 3\n\xEF\xBB\xBF" + kObj),
             "line 5: '\\xef\\xbb\\xbfv' is not an OBJ keyword");
-  const ReadMesh result = skip(".obj", kObj + "F 1 2 3\nf 1 2 3\n");
+  const ReadMesh result = skip(".obj", kObj + "colour red\nf 1 2 3\nV 1 2 3\nf 3 2 1\n");
   EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}}));
-  EXPECT_EQ(result.left_out, (Sentences{"line 4: 'F' is not an OBJ keyword"}));
+  EXPECT_EQ(result.left_out,
+            (Sentences{"line 4: 'colour' is not an OBJ keyword", "line 6: 'V' is not an OBJ keyword"}));
+}
+
+// A backslash too many, or a line end too few, puts a vertex or a face on such a line.
+TEST(ReadObj, RefusesWordsAmongNumbersThatItDoesNotKeep) {
+  EXPECT_EQ(fault(".obj", kObj + "vt 0 0 \\\nv 1 0 0\nf 1 2 3\n"), "line 4: 'v' is not a number");
+  EXPECT_EQ(fault(".obj", kObj + "vn 0 0 1 f 1 2 3\nf 1 2 3\n"), "line 4: 'f' is not a number");
+  EXPECT_EQ(fault(".obj", kObj + "l 1/1 2/2 v\nf 1 2 3\n"), "line 4: 'v' is not a number");
+  EXPECT_EQ(read(".obj", kObj + "parm u 0 1 2\nl 1/1 -2/-2\nvn nan 0 0\nf 1 2 3\n").faces, (Faces{{0, 1, 2}}));
 }
 
 TEST(ReadObj, RefusesSurfacesThatAreNoPolygonsAndFilesThatItIncludes) {
@@ -115,7 +129,7 @@ TEST(ReadObj, RefusesAnIndexOutOfRange) {
 }
 
 TEST(ReadObj, RefusesAMalformedCorner) {
-  for (const std::string corner : {"x", "/1", "1.5", "99999999999999999999", "1e0"})
+  for (const std::string corner : {"x", "/1", "1.5", "99999999999999999999", "1e0", "3/x", "3/3#4", "3/1/y", "3/1/1/1"})
     EXPECT_EQ(fault(".obj", kObj + "f 1 2 " + corner + "\n"), "line 4: '" + corner + "' is not a corner of a face");
 }
 

@@ -41,15 +41,40 @@ TEST(ReadOff, ReadsHeadersInLowerCaseAndGluedToTheCounts) {
   for (const std::string header : {"off\n3 1 0\n", "OFF3 1 0\n", "off3 1\n"})
     expect_triangle(read(".off", header + kOffPoints + "3 0 1 2\n"));
   EXPECT_EQ(points(read(".off", "coff1 0 0\n1 2 3 255 0 0\n")), (Points{{1, 2, 3}}));
+  EXPECT_EQ(fault(".off", "nOFF 4 1 0 0\n0 0 0 0\n"), "line 1: expected 'OFF', found 'nOFF'");
+}
+
+TEST(ReadOff, ReadsCountsOnSeveralLines) {
+  for (const std::string counts : {"3 1\n0\n", "3\n1 0\n", "3\n1\n0\n", "3\n1\n"})
+    expect_triangle(read(".off", "OFF\n" + counts + kOffPoints + "3 0 1 2\n"));
+  EXPECT_EQ(fault(".off", "OFF 3 1 0 7\n" + kOffPoints + "3 0 1 2\n"), "line 1: unexpected numbers after the counts");
 }
 
 TEST(ReadOff, ReadsWordsWhereLinesDoNotHoldThePartsOneByOne) {
   const std::string twice = "3 0 1 2 3\n2 1 0";
-  for (const std::string& points : {std::string("0 0 0 1 0 0\n0 1 0 "), std::string("0\n0 0\n1 0 0 0 1 # here\n0\n")})
+  for (const std::string& points : {std::string("0 0 0 1 0 0\n0 1 0\n"), std::string("0\n0 0\n1 0 0 0 1 # here\n0\n")})
     EXPECT_EQ(read(".off", "OFF 3 2 0\n" + points + twice).faces, (Faces{{0, 1, 2}, {2, 1, 0}})) << points;
+  // With colours, and as many lines as there are parts.
+  EXPECT_EQ(read(".off", "OFF 4 2 0\n0 0 0 1 0 0 0 1 0 0 0 1\n3 0 1 2 255 0 0\n3 2 1 3 255 0 0\n").faces,
+            (Faces{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(read(".off", "OFF 7 1 0\n0 0 0 4 0 0\n5 2 0\n4 4 0\n2 5 0\n0 4 0\n-1 2 0\n7 0 1 2\n3 4 5 6\n").faces,
+            (Faces{{0, 1, 2, 3, 4, 5, 6}}));
   // Words that do not fill the file are not taken for others.
   EXPECT_EQ(fault(".off", "OFF 3 2 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 2 3 2 1 0 7\n"),
-            "line 4: the file is truncated: face 0 of 2 is missing");
+            "line 3: a vertex has 3 numbers, the first one has 6");
+}
+
+TEST(ReadOff, RefusesNumbersThatCanBeReadInTwoWays) {
+  EXPECT_EQ(fault(".off", "OFF\n4 2 0\n0 0 0 1 0 0 1 1 0 0 1 0\n3 0 1 2 5\n3 0 2 3 1\n"),
+            "line 2: the numbers after the counts can be read in two ways");
+}
+
+// A count that is wrong makes a vertex of a face, or a face of the end of another.
+TEST(ReadOff, RefusesLinesThatAreNotAlike) {
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  EXPECT_EQ(fault(".off", "OFF\n5 3 0\n" + points + faces), "line 7: a vertex has 4 numbers, the first one has 3");
+  EXPECT_EQ(fault(".off", "OFF\n4 1 0\n" + points + "3 0 1 2 1 2 3 4 5\n"),
+            "line 7: 5 numbers after a face are not a colour");
 }
 
 TEST(ReadOff, KeepsWhatCameBeforeAFaultyWord) {

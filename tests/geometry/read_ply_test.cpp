@@ -181,6 +181,19 @@ TEST(ReadPly, ReadsWordsWhereLinesDoNotHoldTheElementsOneByOne) {
   EXPECT_EQ(result.mesh.faces, Faces{});
 }
 
+TEST(ReadPly, RefusesElementsItPassesOverThatAreNotAsDeclared) {
+  const std::string camera = "element camera 1\nproperty int id\n", values = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(
+      fault(".ply", ply_header("ascii", camera + vertex_element("float") + kFaceElement) + values + "0 0 1\n3 0 1 2\n"),
+      "line 14: unexpected values after the last property");
+}
+
+TEST(ReadPly, RefusesOtherElementsThatHoldVertexNumbers) {
+  EXPECT_EQ(fault(".ply", ply_header("ascii", vertex_element("float") +
+                                                  "element tristrips 1\nproperty list int int vertex_indices\n")),
+            "line 11: the element 'tristrips' holds vertex numbers, and only faces are read");
+}
+
 TEST(ReadPly, WarnsOfBlankBytesAfterBinaryValues) {
   const std::string whole = ply_header("binary_little_endian", vertex_element("float") + kFaceElement) +
                             row({0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f}) + bytes(std::uint8_t{3}) +

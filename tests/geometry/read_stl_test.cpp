@@ -107,6 +107,21 @@ TEST(ReadStl, ReadsWordsOnWhateverLines) {
     EXPECT_EQ(read(".stl", text).faces, (Faces{{0, 1, 2}, {3, 4, 5}})) << text;
 }
 
+// What stands between solids and before facets is a name or a normal, and nothing that only a facet has.
+TEST(ReadStl, PassesNoFacetOverAsANameOrANormal) {
+  const std::string facet = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet ";
+  const std::string typing_error = "facet normal 0 0 1 oute" + facet.substr(24);
+  for (const std::string& text :
+       {"solid a " + typing_error + facet + "endsolid a", "solid a face" + facet.substr(5) + facet + "endsolid a",
+        "solid a facet" + facet.substr(12) + facet + "endsolid a",
+        "solid a " + facet + "endsolid a " + facet + "endsolid a",
+        "solid a " + facet + "endsolid a sold b " + facet + "endsolid b"})
+    EXPECT_NE(fault(".stl", text), "no fault") << text;
+  for (const std::string name : {"my solid facets", "facet normal test", "outer shell", "vertex"})
+    EXPECT_EQ(read(".stl", "solid " + name + "\n" + facet + "\nendsolid " + name + "\n").faces.size(), 1u) << name;
+  EXPECT_EQ(read(".stl", "solid\nfacet\nnormal\n0 0\n1\nouter\n" + facet.substr(25) + "end\nsolid").faces.size(), 1u);
+}
+
 TEST(ReadStl, WarnsOfALastEndThatIsMissing) {
   const std::string whole = "solid a\n" + kFacet + "endsolid a\n" + "solid b\n" + kFacet + kFacet;
   EXPECT_EQ(warnings(".stl", whole), (Sentences{"line 24: the last 'endsolid' is missing"}));
@@ -126,6 +141,12 @@ TEST(ReadStl, ReadsWhatAttributeCountsAnnounceIfTheFileIsAsLong) {
               "byte 134: the size of the file fits neither its count nor the 4 bytes announced after facet 0");
     EXPECT_EQ(skip(".stl", broken).mesh.faces.size(), 1u);
   }
+}
+
+TEST(ReadStl, PrefersWhatAttributeCountsAnnounceToBlankBytes) {
+  const std::string first = kBinaryFacet.substr(0, 48) + bytes(std::uint16_t{10}) + "payload123";
+  const std::string second = binary_facet({5, 0, 0, 5, 1, 0, 6, 0, 0}).substr(0, 48) + bytes(std::uint16_t{0});
+  EXPECT_EQ(points(read(".stl", binary_stl("", 2, first + second)))[3], (std::array<double, 3>{5, 0, 0}));
 }
 
 TEST(ReadStl, WarnsOfBlankBytesAfterBinaryFacets) {

@@ -15,11 +15,25 @@
 namespace touchstone::io {
 namespace {
 
+/// Returns whether this is nothing, `/7`, `/7/2` or `//2`.
+bool is_texture_and_normal(std::string_view suffix) {
+  int parts = 0;
+  while (suffix.starts_with('/')) {
+    const std::size_t next = std::min(suffix.find('/', 1), suffix.size());
+    const std::string_view part = suffix.substr(1, next - 1);
+    if (!part.empty() && !whole_number(part)) return false;
+    suffix.remove_prefix(next), ++parts;
+  }
+  return suffix.empty() && parts <= 2;
+}
+
 /// Takes a corner and returns its vertex number (from 1), for corners such as `7`, `7/1`, `7//2` or `-1/1/2`.
 std::int64_t take_corner(TextReader& lines, std::size_t vertices_so_far) {
   const std::string_view field = lines.take();
-  const std::optional<std::int64_t> number = whole_number(field.substr(0, field.find('/')));
-  if (!number) lines.broken(TextReader::quoted(field) + " is not a corner of a face");
+  const std::size_t slash = std::min(field.find('/'), field.size());
+  const std::optional<std::int64_t> number = whole_number(field.substr(0, slash));
+  if (!number || !is_texture_and_normal(field.substr(slash)))
+    lines.broken(TextReader::quoted(field) + " is not a corner of a face");
   if (*number >= 0) return *number;
   const std::int64_t from_start = static_cast<std::int64_t>(vertices_so_far) + 1 + *number;
   if (from_start < 1)
@@ -42,6 +56,27 @@ constexpr std::string_view kNumbers[] = {"vt",   "vn",   "vp",   "p",    "l",  "
 /// Keywords before other surfaces than polygons, and before the name of a file that may hold faces.
 constexpr std::string_view kSurfaces[] = {"surf", "bzp", "bsp", "cdp", "call"};
 
+/// Reports a fault if the rest of a line of numbers may hold a vertex or a face: a word but numbers, corners, and the
+/// directions u and v of a surface.
+void check_numbers(std::string_view keyword, TextReader& lines) {
+  const bool has_directions = keyword == "parm" || keyword == "bmat" || keyword == "res";
+  while (!lines.line_is_done()) {
+    const std::string_view field = lines.take();
+    const bool is_direction = has_directions && (field == "u" || field == "v");
+    const bool is_corner = field.find_first_not_of("0123456789+-/") == std::string_view::npos;
+    if (!is_direction && !is_corner && !nearest_double(field))
+      lines.broken(TextReader::quoted(field) + " is not a number");
+  }
+}
+
+/// Reports a line that is not read. If it may be a vertex, the numbers of the vertices after it are unknown.
+[[noreturn]] void refuse(TextReader& lines, const std::string& reason) {
+  int numbers = 0;
+  while (!lines.line_is_done() && nearest_double(lines.take())) ++numbers;
+  if (numbers >= 3 || reason.starts_with("'call'")) lines.read_words();
+  lines.broken(reason);
+}
+
 bool continues(std::string_view word) { return !is_among(kNames, word) && word != "call"; }
 
 }  // namespace
@@ -54,10 +89,11 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
     if (keyword == "v") {
       builder.add_vertex([&] {
         const Eigen::Vector3d point = lines.take_point("after 'v'");
-        if (lines.line_is_done()) return point;
-        const double weight = lines.take_number();  // or a colour's first number, if more follow
-        if (lines.line_is_done() && weight != 1) lines.broken("the weight of a vertex must be 1");
-        lines.rest_is_numbers();
+        const double first = lines.line_is_done() ? 1 : lines.take_number();
+        const int more = lines.take_rest_of_numbers();
+        if (more != 2 && first != 1) lines.broken("the weight of a vertex must be 1");
+        if (more != 0 && more != 2 && more != 3)
+          lines.broken("a vertex has a weight, a colour of three numbers, or both");
         return point;
       });
     } else if (keyword == "f" || keyword == "fo") {
@@ -67,9 +103,11 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
         builder.add_face(lines.place(), corners);
       });
     } else if (is_among(kSurfaces, keyword)) {
-      builder.attempt([&] { lines.broken(TextReader::quoted(keyword) + " is not read: only polygons are"); });
-    } else if (!is_among(kNames, keyword) && !is_among(kNumbers, keyword)) {
-      builder.attempt([&] { lines.broken(TextReader::quoted(keyword) + " is not an OBJ keyword"); });
+      builder.attempt([&] { refuse(lines, TextReader::quoted(keyword) + " is not read: only polygons are"); });
+    } else if (is_among(kNumbers, keyword)) {
+      builder.attempt([&] { check_numbers(keyword, lines); });
+    } else if (!is_among(kNames, keyword)) {
+      builder.attempt([&] { refuse(lines, TextReader::quoted(keyword) + " is not an OBJ keyword"); });
     }
   }
 }

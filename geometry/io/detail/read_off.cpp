@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Geomview OFF as text: the counts, then the vertices, then the faces, of which each begins with its number of
-// vertices. On a line of its own, a vertex or a face may be followed by other numbers, such as a colour.
+// vertices. A colour may follow a face on its line, and other numbers each vertex.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -29,22 +29,16 @@ bool is_header(std::string_view word) {
   return word.ends_with(kName) && word.find_first_not_of("STCN") == word.size() - kName.size();
 }
 
-std::string upper_case(std::string_view word) {
-  std::string upper(word);
-  for (char& c : upper)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return upper;
-}
-
-/// Takes the header. The word, in upper or lower case, may be missing; the counts follow it at once, on the same line
-/// or on the next.
+/// Takes the header. The word may be missing; the counts follow it at once, on the same line or on the next ones.
 Header take_header(TextReader& lines) {
   if (!lines.next_line()) lines.truncated("expected 'OFF'");
   Header header{.vertices = -1, .faces = 0, .is_plain = true};
   if (!whole_number(lines.peek())) {
     const std::string_view field = lines.take();
     const std::size_t letters = std::min(field.find_first_of("0123456789"), field.size());
-    const std::string word = upper_case(field.substr(0, letters));
+    const std::string_view given = field.substr(0, letters), word = given == "off"    ? "OFF"
+                                                                    : given == "coff" ? "COFF"
+                                                                                      : given;
     const std::optional<std::int64_t> count = whole_number(field.substr(letters));
     if (!is_header(word) || (letters < field.size() && !count))
       lines.broken("expected 'OFF', found " + TextReader::quoted(field));
@@ -53,25 +47,86 @@ Header take_header(TextReader& lines) {
     if (lines.line_is_done() && !lines.next_line()) lines.truncated("the counts of vertices and faces are missing");
   }
   if (header.vertices < 0) header.vertices = lines.take_count();
+  if (lines.line_is_done()) (void)lines.next_line();
   header.faces = lines.take_count();
-  lines.rest_is_numbers();  // the count of edges
+  // The count of edges, which may be missing.
+  if (!lines.line_is_done() || (lines.next_line_is_whole_number() && lines.next_line())) (void)lines.take_count();
+  if (!lines.line_is_done()) lines.broken("unexpected numbers after the counts");
   return header;
 }
 
-/// Returns whether the vertices and faces fill the file as words, but not the lines one by one.
-bool is_words(const MeshSource& source, const Header& header) {
-  const auto most = static_cast<std::int64_t>(source.bytes.size());
-  if (!header.is_plain || header.vertices > most || header.faces > most) return false;
-  TextReader lines(source, kSyntax);
-  (void)take_header(lines);
-  if (lines.count_lines() == header.vertices + header.faces) return false;
-  TextReader words(source, kSyntax);
-  (void)take_header(words);
+bool is_size_of_colour(int numbers) { return numbers == 0 || numbers == 1 || numbers == 3 || numbers == 4; }
+
+/// How the parts lie in a file. `Mixed`: vertices and faces are words, and the rest of a face's last line is a colour.
+/// `Lines` if no other fits.
+enum class Reading { Lines, Words, Mixed };
+
+/// Whether a reading fills the file exactly, and what it finds.
+struct Fit {
+  bool fits = false;
+  bool is_bare = true;  ///< no numbers but coordinates and vertex numbers
+};
+
+Fit fit_of_lines(TextReader lines, const Header& header) {
+  Fit fit{.fits = true};
+  int width = -1;
+  for (std::int64_t i = 0; i < header.vertices; ++i) {
+    if (!lines.next_line()) return {};
+    const int numbers = lines.count_numbers();
+    if (numbers < 3 || (width >= 0 && numbers != width)) return {};
+    width = numbers;
+  }
+  fit.is_bare = width <= 3;
+  for (std::int64_t i = 0; i < header.faces; ++i) {
+    if (!lines.next_line()) return {};
+    const std::optional<std::int64_t> corners = whole_number(lines.take());
+    const int numbers = lines.count_numbers();
+    if (!corners || *corners > numbers || !is_size_of_colour(static_cast<int>(numbers - *corners))) return {};
+    fit.is_bare &= *corners == numbers;
+  }
+  fit.fits = !lines.next_line();
+  return fit;
+}
+
+/// Takes the words of a face, if they are one, and returns whether they are.
+bool take_face(TextReader& words, const Header& header) {
+  const std::optional<std::int64_t> corners = words.next_word() ? whole_number(words.take()) : std::nullopt;
+  for (std::int64_t i = 0; corners && i < *corners; ++i) {
+    const std::optional<std::int64_t> vertex = words.next_word() ? whole_number(words.take()) : std::nullopt;
+    if (!vertex || *vertex < 0 || *vertex >= header.vertices) return false;
+  }
+  return corners && *corners >= 3;
+}
+
+/// The vertices end with a line: if a face began on the same line, a count would more likely be wrong.
+Fit fit_of_words(TextReader words, const Header& header, Reading reading) {
+  Fit fit;
   for (std::int64_t i = 0; i < header.vertices; ++i)
-    if (!words.take_words(3)) return false;
-  for (std::int64_t i = 0; i < header.faces; ++i)
-    if (!words.take_list_of_words()) return false;
-  return !words.next_word();
+    if (!words.take_words(3)) return {};
+  if (!words.line_is_done()) return {};
+  for (std::int64_t i = 0; i < header.faces; ++i) {
+    if (!take_face(words, header)) return {};
+    if (reading == Reading::Words) continue;
+    const int colour = words.count_numbers();
+    if (!is_size_of_colour(colour)) return {};
+    fit.is_bare &= colour == 0;
+  }
+  fit.fits = !words.next_word();
+  return fit;
+}
+
+/// Returns the only reading that fits. Reports a fault if several do that differ.
+Reading reading_of(const MeshSource& source, const Header& header, const TextReader& after_header) {
+  const auto most = static_cast<std::int64_t>(source.bytes.size());
+  if (header.vertices > most || header.faces > most) return Reading::Lines;
+  const Fit lines = fit_of_lines(after_header, header);
+  if (!header.is_plain || (lines.fits && lines.is_bare)) return Reading::Lines;
+  const Fit words = fit_of_words(after_header, header, Reading::Words);
+  const Fit mixed = fit_of_words(after_header, header, Reading::Mixed);
+  // As lines with three numbers a vertex, a file has the same parts as mixed.
+  if (words.fits && (lines.fits || (mixed.fits && !mixed.is_bare)))
+    source.lost(after_header.place(), "the numbers after the counts can be read in two ways");
+  return lines.fits ? Reading::Lines : words.fits ? Reading::Words : mixed.fits ? Reading::Mixed : Reading::Lines;
 }
 
 /// Moves to the line of the next vertex or face.
@@ -80,8 +135,8 @@ void need_part(TextReader& lines, const char* part, std::int64_t index, std::int
     lines.truncated(std::string(part) + " " + std::to_string(index) + " of " + std::to_string(count) + " is missing");
 }
 
-/// Reads what `is_words`.
-void read_words(TextReader& words, const Header& header, MeshBuilder& builder) {
+/// Reads what fits as words, or mixed.
+void read_words(TextReader& words, const Header& header, Reading reading, MeshBuilder& builder) {
   words.read_words();
   for (std::int64_t i = 0; i < header.vertices; ++i)
     builder.add_vertex([&] {
@@ -95,37 +150,49 @@ void read_words(TextReader& words, const Header& header, MeshBuilder& builder) {
     const SourceLocation place = words.place();
     corners.resize(static_cast<std::size_t>(words.take_count()));
     for (std::int64_t& corner : corners) (void)words.next_word(), corner = words.take_whole("vertex number");
+    if (reading == Reading::Mixed) (void)words.take_rest_of_numbers();
     builder.attempt([&] { builder.add_face(place, corners); });
   }
+}
+
+void read_lines(TextReader& lines, const Header& header, MeshBuilder& builder) {
+  std::optional<int> more_of_first;
+  for (std::int64_t i = 0; i < header.vertices; ++i) {
+    need_part(lines, "vertex", i, header.vertices);
+    builder.add_vertex([&] {
+      Eigen::Vector3d point = lines.take_point("for a vertex");
+      const int more = lines.take_rest_of_numbers();
+      if (more != more_of_first.value_or(more))
+        lines.broken("a vertex has " + std::to_string(3 + more) + " numbers, the first one has " +
+                     std::to_string(3 + *more_of_first));
+      more_of_first = more;
+      return point;
+    });
+  }
+
+  std::vector<std::int64_t> corners;
+  for (std::int64_t i = 0; i < header.faces; ++i) {
+    need_part(lines, "face", i, header.faces);
+    builder.attempt([&] {
+      lines.take_corners(lines.take_count(), corners);
+      if (const int colour = lines.take_rest_of_numbers(); !is_size_of_colour(colour))
+        lines.broken(std::to_string(colour) + " numbers after a face are not a colour");
+      builder.add_face(lines.place(), corners);
+    });
+  }
+  if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");
 }
 
 }  // namespace
 
 void read_off(const MeshSource& source, MeshBuilder& builder) {
   TextReader lines(source, kSyntax);
-  const Header counts = take_header(lines);
-  if (is_words(source, counts)) return read_words(lines, counts, builder);
-
-  for (std::int64_t i = 0; i < counts.vertices; ++i) {
-    need_part(lines, "vertex", i, counts.vertices);
-    builder.add_vertex([&] {
-      Eigen::Vector3d point = lines.take_point("for a vertex");
-      lines.rest_is_numbers();
-      return point;
-    });
-  }
-
-  std::vector<std::int64_t> corners;
-  for (std::int64_t i = 0; i < counts.faces; ++i) {
-    need_part(lines, "face", i, counts.faces);
-    builder.attempt([&] {
-      lines.take_corners(lines.take_count(), corners);
-      lines.rest_is_numbers();  // a colour
-      builder.add_face(lines.place(), corners);
-    });
-  }
-
-  if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");
+  const Header header = take_header(lines);
+  const Reading reading = reading_of(source, header, lines);
+  if (reading == Reading::Lines)
+    read_lines(lines, header, builder);
+  else
+    read_words(lines, header, reading, builder);
 }
 
 }  // namespace touchstone::io

@@ -143,6 +143,10 @@ void check_elements(const std::vector<Element>& elements, const TextReader& line
                      std::to_string(lists));
     }
   }
+  for (const Element& element : elements)
+    if (element.name != "face" && std::ranges::any_of(element.properties, holds_corners))
+      lines.broken("the element " + TextReader::quoted(element.name) +
+                   " holds vertex numbers, and only faces are read");
   if (vertex_elements != 1) lines.broken("expected one element 'vertex', found " + std::to_string(vertex_elements));
   if (face_elements > 1) lines.broken("expected one element 'face', found " + std::to_string(face_elements));
 }
@@ -183,9 +187,8 @@ Header take_header(TextReader& lines) {
 
 /// Returns whether the values fill the rest of the file as words, but not the lines one by one, so that no element can
 /// be skipped whose values are faulty.
-bool is_words(const MeshSource& source, const Header& header) {
-  TextReader lines(source, {}), words(source, {});
-  (void)take_header(lines), (void)take_header(words);
+bool is_words(const MeshSource& source, const Header& header, const TextReader& after_header) {
+  TextReader lines(after_header), words(after_header);
   const auto most = static_cast<std::int64_t>(source.bytes.size());
   std::int64_t elements = 0;
   for (const Element& element : header.elements)
@@ -214,9 +217,9 @@ class TextValues {
     if (!is_words_ && !lines_.line_is_done()) lines_.broken("unexpected values after the last property");
   }
   void pass_element(const Element& element) {
-    if (!is_words_) return;
     for (const Property& property : element.properties)
-      (void)(property.count_type ? lines_.take_list_of_words() : lines_.take_words(1));
+      skip(property.type, property.count_type ? take_count(property) : 1);
+    end_element();
   }
 
   [[nodiscard]] SourceLocation place() const { return lines_.place(); }
@@ -359,7 +362,7 @@ void read_elements(const MeshSource& source, const Header& header, Values values
           builder.add_face(place, corners);
         });
       else
-        values.pass_element(element);
+        builder.attempt([&] { values.pass_element(element); });
     }
   }
 }
@@ -370,7 +373,7 @@ void read_ply(const MeshSource& source, MeshBuilder& builder) {
   TextReader lines(source, {});
   const Header header = take_header(lines);
   if (header.encoding == Encoding::Text) {
-    read_elements(source, header, TextValues(lines, is_words(source, header)), builder);
+    read_elements(source, header, TextValues(lines, is_words(source, header, lines)), builder);
     if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");
   } else {
     ByteReader bytes(source, lines.position(),

@@ -57,9 +57,10 @@ enum class Layout { Dense, Payload, Unknown };
 
 Layout layout_of(const MeshSource& source, std::uint32_t count) {
   ByteReader dense(source, kHeaderBytes + count * kFacetBytes, std::endian::little);
-  const bool is_long_enough = source.bytes.size() - kHeaderBytes >= count * kFacetBytes;
-  if (is_long_enough && dense.only_blanks_left()) return Layout::Dense;
-  return has_payload(source, count) ? Layout::Payload : Layout::Unknown;
+  const std::size_t body = source.bytes.size() - kHeaderBytes;
+  if (body == count * kFacetBytes) return Layout::Dense;
+  if (has_payload(source, count)) return Layout::Payload;
+  return body > count * kFacetBytes && dense.only_blanks_left() ? Layout::Dense : Layout::Unknown;
 }
 
 void read_binary(const MeshSource& source, MeshBuilder& builder) {
@@ -102,7 +103,9 @@ class WordReader {
   [[nodiscard]] bool at_end() const { return at_end_; }
   [[nodiscard]] bool at(std::string_view keyword) const { return keyword_ == keyword; }
   [[nodiscard]] bool at_end_of(const std::string& part) const {
-    return at("end" + part) || (at("end") && lower_case(lines_.peek()) == part);
+    if (!at("end")) return at("end" + part);
+    TextReader ahead(lines_);
+    return ahead.next_word() && lower_case(ahead.peek()) == part;
   }
   [[nodiscard]] SourceLocation place() const { return lines_.place(); }
 
@@ -122,19 +125,38 @@ class WordReader {
     if (at("end")) advance();
     advance();
   }
-  /// Moves to the next line, or to a word on this line where something begins.
+  /// Moves over a name: to the next line, or to a word on this line where something begins. Reports a fault if the name
+  /// holds what only a facet has.
   template <class Begins>
-  void pass_rest_of_line(const Begins& begins) {
-    while (!at_end_ && !begins_line_ && !begins()) advance();
+  void pass_name(const Begins& begins) {
+    for (; !at_end_ && !begins_line_ && !begins(); advance()) {
+      const std::string next = lower_case(lines_.peek());
+      if ((at("outer") && next == "loop") || (at("vertex") && nearest_double(next)) || at("endloop") || at("endfacet"))
+        expected("a name");
+    }
+  }
+  /// Moves over `normal` and three numbers, whatever their values are.
+  void pass_normal() {
+    if (!at("normal")) return;
+    for (int i = 0; i <= 3; ++i, advance())
+      if (at_end_ || at("outer") || at("vertex") || at("facet")) expected("three numbers after 'normal'");
   }
   /// Returns whether a solid begins here: the word alone may be a part of a name.
-  [[nodiscard]] bool at_solid() const {
-    return at("solid") && (begins_line_ || lower_case(lines_.rest_of_line()).find("facet") != std::string::npos);
+  [[nodiscard]] bool at_solid() {
+    if (!at("solid") || begins_line_) return at("solid");
+    if (line_without_facet_ == lines_.place().number) return false;
+    const std::string rest = lower_case(lines_.rest_of_line());
+    const bool begins = rest.find("outer") != std::string::npos && rest.find("loop") != std::string::npos;
+    if (!begins) line_without_facet_ = lines_.place().number;
+    return begins;
   }
   /// Returns whether a facet begins here: the word alone may be a part of a name.
   [[nodiscard]] bool at_facet() const {
+    if (!at("facet") || begins_line_) return at("facet");
+    std::string_view rest = lines_.rest_of_line();
     const std::string next = lower_case(lines_.peek());
-    return at("facet") && (begins_line_ || next == "normal" || next == "outer");
+    rest.remove_prefix(next.size());
+    return next == "outer" || (next == "normal" && rest.find_first_of("0123456789") != std::string_view::npos);
   }
 
   Eigen::Vector3d take_vertex() {
@@ -169,12 +191,13 @@ class WordReader {
   TextReader lines_;
   std::string keyword_;
   bool at_end_ = false, begins_line_ = true;
+  std::size_t line_without_facet_ = 0;  // from the current word on
 };
 
 void read_facet(const MeshSource& source, WordReader& words, MeshBuilder& builder) {
   const SourceLocation place = words.place();
   words.pass("facet");
-  words.pass_rest_of_line([&] { return words.at("outer"); });  // the normal
+  words.pass_normal();
   words.pass("outer");
   words.pass("loop");
   Triangle triangle;
@@ -200,7 +223,7 @@ void read_text(const MeshSource& source, MeshBuilder& builder) {
   WordReader words(source);
   do {
     words.pass("solid");
-    words.pass_rest_of_line([&] { return words.at_facet() || words.at_end_of("solid"); });  // the name
+    words.pass_name([&] { return words.at_facet() || words.at_end_of("solid"); });
     for (bool has_facet = false; !words.at_end_of("solid"); has_facet = true) {
       if (words.at_end() && has_facet) return builder.warn(words.place(), "the last 'endsolid' is missing");
       if (!builder.attempt([&] {
@@ -210,7 +233,7 @@ void read_text(const MeshSource& source, MeshBuilder& builder) {
         leave_facet(words);
     }
     words.pass_end_of("solid");
-    words.pass_rest_of_line([&] { return words.at_solid(); });  // the name
+    words.pass_name([&] { return words.at_solid(); });
   } while (!words.at_end());
 }
 

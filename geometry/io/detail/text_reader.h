@@ -34,7 +34,8 @@ class TextReader {
     if (source.has_wide_byte_order_mark())
       source.lost(place(), "the byte order mark is that of UTF-16 or UTF-32; text must be UTF-8");
   }
-  TextReader(const TextReader&) = delete;
+  /// Reads on from where the other is. Requires a syntax without continuations.
+  TextReader(const TextReader&) = default;
   TextReader& operator=(const TextReader&) = delete;
 
   /// Moves to the next line that is not blank. Returns false at the end of the file.
@@ -85,6 +86,11 @@ class TextReader {
 
   /// Moves to the next word, which may be on a later line. Returns false at the end of the file.
   bool next_word() { return !line_is_done() || next_line(); }
+  /// Returns whether the next line that is not blank is one whole number.
+  [[nodiscard]] bool next_line_is_whole_number() {
+    TextReader ahead(*this);
+    return ahead.next_line() && whole_number(ahead.take()) && ahead.line_is_done();
+  }
   /// Returns what is left of the line.
   [[nodiscard]] std::string_view rest_of_line() const { return rest_; }
   /// Takes the next words, if they are this many numbers, and returns whether they are.
@@ -98,6 +104,13 @@ class TextReader {
     if (!next_word()) return false;
     const std::optional<std::int64_t> count = whole_decimal(take());
     return count && *count >= 0 && take_words(*count);
+  }
+  /// Takes the rest of the line. Returns how many numbers it holds; -1 if it holds anything else.
+  int count_numbers() {
+    int count = 0;
+    for (; !line_is_done(); ++count)
+      if (!nearest_double(take())) return -1;
+    return count;
   }
   /// Returns the number of lines from the next on. Moves to the end of the file.
   std::int64_t count_lines() {
@@ -165,10 +178,12 @@ class TextReader {
     }
   }
 
-  /// Reports a fault if the rest of the line holds anything but numbers, of any kind and value.
-  void rest_is_numbers() {
-    while (!rest_.empty())
+  /// Takes the rest of the line, and returns how many numbers it holds. Reports a fault if it holds anything else.
+  int take_rest_of_numbers() {
+    int count = 0;
+    for (; !rest_.empty(); ++count)
       if (const std::string_view field = take(); !nearest_double(field)) broken(quoted(field) + " is not a number");
+    return count;
   }
 
   static std::string quoted(std::string_view field) {
