@@ -196,6 +196,8 @@ be trusted.
 - [parity.v](coq/parity.v): a chain of edges crosses a line an odd number of times exactly if one of its ends is above
   the line; of several chains, modulo 2, as often as they have ends above. Used in
   [frame_query.h](../filtered/detail/polygon/frame_query.h), where boxes that are not met count by the ends of their chains.
+- [error_free.v](coq/error_free.v): the error-free sums, differences and products of doubles to nearest are exact where nothing
+  overflows or underflows: each as recorded, with and without fused products.
 - [calculus.v](coq/calculus.v): each rule of [error_bound.h](error_bound.h). A step that Coq finds justified holds for
   all numbers within its bounds and all roundings of the model. All steps that the tests carry out are recorded and
   checked, underflow included.
@@ -228,8 +230,8 @@ Of the claims that Coq checks:
   which the tests of bounds compare in rationals.
 - In double-doubles, `dot` and `cross` round otherwise than the sums and products that are recorded. That the claims hold
   with `kDot` and `kCross` in place of these is shown by the calculus, of which the next paragraph holds.
-- The arithmetic: IEEE-754 for doubles and floats; for double-doubles the bounds of [joldes2017], and error-free sums
-  and products [dekker1971]. Inputs are as accurate as `bounds.h` states.
+- The arithmetic: IEEE-754 for doubles and floats; for double-doubles the bounds of [joldes2017]. Inputs are as accurate as
+  `bounds.h` states.
 
 Of the calculus and the constants that Coq does not prove, besides the last column:
 - Each step of the calculus is checked, but not that the next step takes its result, nor the arithmetic that tests do

@@ -117,6 +117,29 @@ inline void print_claims_of_lanes() {
   });
 }
 
+/// Prints the operations of an error-free transformation, as its template compiles for this target.
+template <class Transformation>
+void print_transformation(std::string_view name, std::string_view target, const Transformation& transformation) {
+  Recording& recording = Recording::current();
+  recording.begin();
+  const Recorded a = Recorded::input("a"), b = Recorded::input("b");
+  const DoubleWord<Recorded> result = transformation(a, b);
+  std::cout << R"({"transformation": ")" << name << R"(", "target": ")" << target << R"(", "high": )"
+            << result.high.node << R"(, "low": )" << result.low.node << R"(, "nodes": )";
+  recording.print(std::cout, {result.high.node, result.low.node});
+  std::cout << "}\n";
+}
+inline void print_transformations(std::string_view target) {
+  using Words = const Recorded&;
+  print_transformation("two_sum", target, [](Words a, Words b) { return filtered::detail::two_sum<Recorded>(a, b); });
+  print_transformation("two_difference", target,
+                       [](Words a, Words b) { return filtered::detail::two_difference<Recorded>(a, b); });
+  print_transformation("quick_two_sum", target,
+                       [](Words a, Words b) { return filtered::detail::quick_two_sum<Recorded>(a, b); });
+  print_transformation("two_product", target,
+                       [](Words a, Words b) { return filtered::detail::two_product<Recorded>(a, b); });
+}
+
 /// Records what computes and combines the signs of triangles in lanes.
 inline void print_functions_in_lanes(std::string_view target) {
   {

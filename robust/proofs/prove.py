@@ -48,7 +48,8 @@ def read(program):
         if model[name] < least:
             raise uses.Misuse(f"{name}: operations round by more than {float(model[name]):.3g}")
     functions = [record for record in records if "function" in record]
-    listed = [renumbered(record) if "nodes" in record else record for record in records if "function" not in record]
+    listed = [renumbered(record) if "nodes" in record else record
+              for record in records if "function" not in record and "transformation" not in record]
     once = [record for i, record in enumerate(listed) if record not in listed[:i]]  # lanes of two targets may do the same
     return model, once + uses.claims(model, functions)
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Usage: python3 prove_in_coq.py RECORD GAPPA COQC FOLDER [--calculus TESTS] [--slice HASH/N] [--jobs N] [NAME...]
 
-Has Coq check every claim that prove.py has Gappa prove, from Gappa's proof; the theories of coq/; and each step of the
-error calculus that the program TESTS carries out (error_bound.h). All must rest on nothing but the axioms of Coq's
+Has Coq check every claim that prove.py has Gappa prove, from Gappa's proof; the theories of coq/; the error-free
+transformations, as recorded; and each step of the error calculus that the program TESTS carries out (error_bound.h). All must rest on nothing but the axioms of Coq's
 library. FOLDER, which is made anew, keeps the theories. NAME: only what begins so. --slice: only every N-th claim, from
 one that the hash of the commit selects. Exit status 1 if anything is not proved; an interruption stops at once.
 """
@@ -20,10 +20,11 @@ import time
 import calculus_steps
 import claims
 import coq
+import error_free
 import gappa
 import prove
 
-THEORIES = {"model": 0, "permanent": 0, "parity": 2, "calculus": 1}  # each with how many theorems it tells the assumptions of
+THEORIES = {"model": 0, "permanent": 0, "parity": 2, "calculus": 1, "error_free": 5}  # each with how many theorems it tells the assumptions of
 
 
 class Check:
@@ -73,6 +74,18 @@ class ProofOfClaim:
     def theory(self, gappa_program):
         proof = gappa.proof_for_coq(gappa_program, self.claim.says, self.claim.unit)
         return None if proof is None else coq.theory(self.claim.says, proof) + self.claim.sign
+
+
+class ProofOfTransformation:
+    """That an error-free transformation is exact."""
+
+    def __init__(self, transformation):
+        self.transformation, self.file_name = transformation, transformation.file_name
+        self.name, self.says = transformation.name, f"exact, as compiled for {' and '.join(transformation.targets)}"
+        self.count, self.theorems = 1, 1
+
+    def theory(self, _):
+        return self.transformation.theory()
 
 
 class ProofOfSteps:
@@ -163,6 +176,7 @@ def main():
     if given.slice:
         print(f"Of {len(proofs)} claims, slice {given.slice}")
         proofs = in_slice(proofs, given.slice)
+    proofs += [ProofOfTransformation(each) for each in error_free.transformations(prove.recorded(given.record))]
     if given.calculus:
         proofs += proofs_of_steps(given.calculus, given.folder.resolve() / "steps.txt")
     proofs = [proof for proof in proofs if not given.names or proof.name.startswith(tuple(given.names))]
@@ -171,8 +185,8 @@ def main():
         assumed |= names
     print("Assumed:", *sorted(assumed), sep="\n  ")
     print(*faults, sep="\n")
-    print(f"{tally(proofs, right, ProofOfClaim)} claims checked by Coq, {tally(proofs, right, ProofOfSteps)} steps of the"
-          f" error calculus, in {time.monotonic() - start:.0f} s")
+    print(f"{tally(proofs, right, ProofOfClaim)} claims checked by Coq, {tally(proofs, right, ProofOfTransformation)} error-free"
+          f" transformations, {tally(proofs, right, ProofOfSteps)} steps of the error calculus, in {time.monotonic() - start:.0f} s")
     return 1 if faults or not proofs else 0
 
 

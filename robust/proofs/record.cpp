@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints, as JSON lines, the model and what the filters compute: for each claim of expressions.h the operations of its
 // expression; for each filter of triangles, and for signs in double-doubles, all operations from the inputs on, and the
-// signs that are taken to be certain.
+// signs that are taken to be certain; and the operations of each error-free transformation.
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -162,6 +162,7 @@ int main() try {
       [](const proofs::Quotient& claim, const auto& expression) { proofs::print(claim, expression); });
   proofs::print_claims_of_lanes();
   proofs::print_functions_in_lanes("baseline");
+  proofs::print_transformations("baseline");
 #if defined(TOUCHSTONE_HAS_AVX2)
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
     std::cerr << "This processor has no AVX2: what its instructions compute cannot be recorded here.\n";

@@ -8,6 +8,7 @@ namespace touchstone::proofs {
 void print_avx2() {
   print_claims_of_lanes();
   print_functions_in_lanes("AVX2");
+  print_transformations("AVX2");
 }
 
 }  // namespace touchstone::proofs

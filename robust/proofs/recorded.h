@@ -99,6 +99,14 @@ bool operator<(const Recorded& a, const Recorded& b);
 bool operator==(const Recorded& a, int zero);
 /// @}
 
+/// @{
+/// What the error-free transformations of double_double.h need of words.
+inline Recorded multiplied(double factor, const Recorded& a) { return Recorded(factor) * a; }
+inline Recorded fused_multiply_subtract(const Recorded& a, const Recorded& b, const Recorded& c) {
+  return fused_difference(a, b, c);
+}
+/// @}
+
 /// The error-free transformations of double_double.h: a rounded operation and its exact rounding error.
 DoubleWord<Recorded> two_sum(const Recorded& a, const Recorded& b);
 DoubleWord<Recorded> two_difference(const Recorded& a, const Recorded& b);

@@ -19,6 +19,7 @@ sys.path.append(str(PROOFS))
 import calculus_steps  # noqa: E402
 import claims  # noqa: E402
 import coq  # noqa: E402
+import error_free  # noqa: E402
 import gappa  # noqa: E402
 import prove  # noqa: E402
 import prove_in_coq  # noqa: E402
@@ -26,6 +27,7 @@ import signs  # noqa: E402
 
 RECORD, GAPPA, COQC, CALCULUS, FILTERS = sys.argv[1:6]
 MODEL, RECORDS = prove.read(RECORD)
+TRANSFORMATIONS = error_free.transformations(prove.recorded(RECORD))
 CROSS = next(record for record in RECORDS if record["constant"] == "kRoundedCross")
 CLAIMED = CROSS["value"] - MODEL["rounding_of_bound"]
 
@@ -98,6 +100,24 @@ class Sign(InFolder):
             file.write_text(proof + sign)
             faults, _ = self.check.of_file(file, 2)
             self.assertEqual(faults == [], sign == claim.sign)
+
+
+class ErrorFree(InFolder):
+    """An error-free transformation with one operation in place of another."""
+
+    def setUp(self):
+        super().setUp()
+        self.assertEqual(self.check.of_theory("error_free", 5)[0], [])
+
+    def test_is_exact_only_as_it_is(self):
+        self.assertEqual(len(TRANSFORMATIONS), 5)
+        for each in TRANSFORMATIONS:
+            self.assertEqual(self.faults(each.theory()), [], each.name)
+            lets = [line for line in each.theory().splitlines() if line.startswith("  let ")]
+            for line in lets[1:]:  # what follows from the first operation
+                other = line.replace(" + ", " ~ ").replace(" - ", " + ").replace(" ~ ", " - ")
+                other = other if other != line else line.replace(" * ", " + ")
+                self.assertNotEqual(self.faults(each.theory().replace(line, other)), [], f"{each.name}: {other}")
 
 
 class Slice(InFolder):

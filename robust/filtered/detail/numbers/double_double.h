@@ -48,8 +48,9 @@ __attribute__((always_inline)) inline double fused_multiply_subtract(double a, d
 /// @}
 
 /// a + b exactly. Requires |a| >= |b| or a = 0.
-inline DoubleDouble quick_two_sum(double a, double b) {
-  const double sum = a + b;
+template <class Word>
+inline DoubleWord<Word> quick_two_sum(const Word& a, const Word& b) {
+  const Word sum = a + b;
   return {sum, b - (sum - a)};
 }
 
