@@ -62,6 +62,14 @@ TEST(ReadObj, ContinuesLinesOfGeometryAlone) {
   EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}}));
 }
 
+// A vertex that a faulty line swallowed would shift the numbers of all later ones.
+TEST(ReadObj, SkipReadsNothingAfterAFaultOfAContinuedLine) {
+  for (const std::string line : {"vt 0 0", "f 1 2 3", "v 0 0 0", "surf 0 1"})
+    EXPECT_EQ(skip(".obj", kObj + "f 1 2 3\n" + line + " \\\nv 1 0 0\nf 3 2 1\n").mesh.faces, (Faces{{0, 1, 2}}))
+        << line;
+  EXPECT_EQ(skip(".obj", kObj + "unknown \\\nv 9 9 9\nf 1 2 4\n").mesh.faces, (Faces{{0, 1, 3}}));
+}
+
 TEST(ReadObj, BeginsCommentsAtTheStartOfAWordOnly) {
   EXPECT_EQ(fault(".obj", "v 0 0 -1.#IND00\n"), "line 1: '-1.#IND00' is not a number");
   EXPECT_EQ(points(read(".obj", "v 1 2 3 #4\n#v 4 5 6\n")), (Points{{1, 2, 3}}));
@@ -99,9 +107,11 @@ TEST(ReadObj, RefusesWordsAmongNumbersThatItDoesNotKeep) {
 }
 
 TEST(ReadObj, RefusesSurfacesThatAreNoPolygonsAndFilesThatItIncludes) {
-  for (const std::string word : {"surf", "bzp", "bsp", "cdp", "call"})
+  for (const std::string word : {"surf", "bzp", "bsp", "cdp"})
     EXPECT_EQ(fault(".obj", kObj + "f 1 2 3\n" + word + " 1\n"),
               "line 5: '" + word + "' is not read: only polygons are");
+  EXPECT_EQ(fault(".obj", kObj + "call other.obj\nf 1 2 3\n"),
+            "line 4: 'call' is not read, and the file that it names may hold vertices");
 }
 
 // Each word of the format's specification, in the order of its index.

@@ -107,6 +107,8 @@ TEST(ReadOff, RefusesAWrongCount) {
             "line 6: unexpected data after the elements that the counts declare");
   EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "4 0 1 2\n"), "line 5: expected 4 vertex numbers, found 3");
   EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "-3 0 1 2\n"), "line 5: the count -3 is negative");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "-9223372036854775808 0 1 2\n"),
+            "line 5: the count -9223372036854775808 is negative");
 }
 
 TEST(ReadOff, RefusesAWrongFace) {

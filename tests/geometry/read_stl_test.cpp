@@ -122,6 +122,14 @@ TEST(ReadStl, PassesNoFacetOverAsANameOrANormal) {
   EXPECT_EQ(read(".stl", "solid\nfacet\nnormal\n0 0\n1\nouter\n" + facet.substr(25) + "end\nsolid").faces.size(), 1u);
 }
 
+// A search of the rest of the line at each word would take minutes.
+TEST(ReadStl, ReadsALongNameInLinearTime) {
+  std::string name;
+  for (int i = 0; i < 300'000; ++i) name += " facet normal";
+  const std::string facet = "\nfacet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n";
+  EXPECT_EQ(read(".stl", "solid" + name + facet + "endsolid").faces.size(), 1u);
+}
+
 TEST(ReadStl, WarnsOfALastEndThatIsMissing) {
   const std::string whole = "solid a\n" + kFacet + "endsolid a\n" + "solid b\n" + kFacet + kFacet;
   EXPECT_EQ(warnings(".stl", whole), (Sentences{"line 24: the last 'endsolid' is missing"}));

@@ -53,8 +53,8 @@ constexpr std::string_view kNames[] = {"g",      "o",          "s",     "mg",   
 /// Keywords before numbers that are neither vertices nor surfaces. Those of curves say nothing without a surface.
 constexpr std::string_view kNumbers[] = {"vt",   "vn",   "vp",   "p",    "l",  "deg", "bmat", "step", "curv", "curv2",
                                          "parm", "trim", "hole", "scrv", "sp", "end", "con",  "cdc",  "res"};
-/// Keywords before other surfaces than polygons, and before the name of a file that may hold faces.
-constexpr std::string_view kSurfaces[] = {"surf", "bzp", "bsp", "cdp", "call"};
+/// Keywords before other surfaces than polygons.
+constexpr std::string_view kSurfaces[] = {"surf", "bzp", "bsp", "cdp"};
 
 /// Reports a fault if the rest of a line of numbers may hold a vertex or a face: a word but numbers, corners, and the
 /// directions u and v of a surface.
@@ -71,13 +71,13 @@ void check_numbers(std::string_view keyword, TextReader& lines) {
 
 /// Reports a line that is not read. If it may be a vertex, the numbers of the vertices after it are unknown.
 [[noreturn]] void refuse(TextReader& lines, const std::string& reason) {
-  int numbers = 0;
-  while (!lines.line_is_done() && nearest_double(lines.take())) ++numbers;
-  if (numbers >= 3 || reason.starts_with("'call'")) lines.read_words();
+  if (lines.take_numbers() >= 3) lines.lost(reason);
   lines.broken(reason);
 }
 
-bool continues(std::string_view word) { return !is_among(kNames, word) && word != "call"; }
+bool continues(std::string_view word) {
+  return word == "v" || word == "f" || word == "fo" || is_among(kNumbers, word) || is_among(kSurfaces, word);
+}
 
 }  // namespace
 
@@ -88,7 +88,7 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
     const std::string_view keyword = lines.take();
     if (keyword == "v") {
       builder.add_vertex([&] {
-        const Eigen::Vector3d point = lines.take_point("after 'v'");
+        Eigen::Vector3d point = lines.take_point("after 'v'");
         const double first = lines.line_is_done() ? 1 : lines.take_number();
         const int more = lines.take_rest_of_numbers();
         if (more != 2 && first != 1) lines.broken("the weight of a vertex must be 1");
@@ -104,6 +104,8 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
       });
     } else if (is_among(kSurfaces, keyword)) {
       builder.attempt([&] { refuse(lines, TextReader::quoted(keyword) + " is not read: only polygons are"); });
+    } else if (keyword == "call") {
+      builder.attempt([&] { lines.lost("'call' is not read, and the file that it names may hold vertices"); });
     } else if (is_among(kNumbers, keyword)) {
       builder.attempt([&] { check_numbers(keyword, lines); });
     } else if (!is_among(kNames, keyword)) {

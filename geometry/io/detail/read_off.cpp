@@ -72,16 +72,18 @@ Fit fit_of_lines(TextReader lines, const Header& header) {
   int width = -1;
   for (std::int64_t i = 0; i < header.vertices; ++i) {
     if (!lines.next_line()) return {};
-    const int numbers = lines.count_numbers();
-    if (numbers < 3 || (width >= 0 && numbers != width)) return {};
+    const int numbers = lines.take_numbers();
+    if (!lines.line_is_done() || numbers < 3 || (width >= 0 && numbers != width)) return {};
     width = numbers;
   }
   fit.is_bare = width <= 3;
   for (std::int64_t i = 0; i < header.faces; ++i) {
     if (!lines.next_line()) return {};
     const std::optional<std::int64_t> corners = whole_number(lines.take());
-    const int numbers = lines.count_numbers();
-    if (!corners || *corners > numbers || !is_size_of_colour(static_cast<int>(numbers - *corners))) return {};
+    const int numbers = lines.take_numbers();
+    if (!lines.line_is_done() || !corners || *corners < 0 || *corners > numbers ||
+        !is_size_of_colour(static_cast<int>(numbers - *corners)))
+      return {};
     fit.is_bare &= *corners == numbers;
   }
   fit.fits = !lines.next_line();
@@ -107,8 +109,8 @@ Fit fit_of_words(TextReader words, const Header& header, Reading reading) {
   for (std::int64_t i = 0; i < header.faces; ++i) {
     if (!take_face(words, header)) return {};
     if (reading == Reading::Words) continue;
-    const int colour = words.count_numbers();
-    if (!is_size_of_colour(colour)) return {};
+    const int colour = words.take_numbers();
+    if (!words.line_is_done() || !is_size_of_colour(colour)) return {};
     fit.is_bare &= colour == 0;
   }
   fit.fits = !words.next_word();

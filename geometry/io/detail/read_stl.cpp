@@ -56,11 +56,12 @@ bool has_payload(const MeshSource& source, std::uint32_t count) {
 enum class Layout { Dense, Payload, Unknown };
 
 Layout layout_of(const MeshSource& source, std::uint32_t count) {
-  ByteReader dense(source, kHeaderBytes + count * kFacetBytes, std::endian::little);
-  const std::size_t body = source.bytes.size() - kHeaderBytes;
-  if (body == count * kFacetBytes) return Layout::Dense;
+  const std::uint64_t body = source.bytes.size() - kHeaderBytes, facets = std::uint64_t{count} * kFacetBytes;
+  if (body == facets) return Layout::Dense;
   if (has_payload(source, count)) return Layout::Payload;
-  return body > count * kFacetBytes && dense.only_blanks_left() ? Layout::Dense : Layout::Unknown;
+  if (body < facets) return Layout::Unknown;
+  const ByteReader after(source, static_cast<std::size_t>(kHeaderBytes + facets), std::endian::little);
+  return after.only_blanks_left() ? Layout::Dense : Layout::Unknown;
 }
 
 void read_binary(const MeshSource& source, MeshBuilder& builder) {
@@ -153,10 +154,9 @@ class WordReader {
   /// Returns whether a facet begins here: the word alone may be a part of a name.
   [[nodiscard]] bool at_facet() const {
     if (!at("facet") || begins_line_) return at("facet");
-    std::string_view rest = lines_.rest_of_line();
-    const std::string next = lower_case(lines_.peek());
-    rest.remove_prefix(next.size());
-    return next == "outer" || (next == "normal" && rest.find_first_of("0123456789") != std::string_view::npos);
+    TextReader ahead(lines_);
+    const std::string next = lower_case(ahead.take());
+    return next == "outer" || (next == "normal" && nearest_double(ahead.peek()));
   }
 
   Eigen::Vector3d take_vertex() {

@@ -44,8 +44,8 @@ class TextReader {
       line_number_ = lines_passed_ + 1;
       rest_ = physical_line();
       skip_blanks();
-      if (syntax_.continues != nullptr && before_continuation(rest_) && syntax_.continues(peek_keyword()))
-        join_continuations();
+      is_joined_ = syntax_.continues != nullptr && before_continuation(rest_) && syntax_.continues(peek_keyword());
+      if (is_joined_) join_continuations();
       skip_blanks();
       if (!rest_.empty()) return true;
     }
@@ -66,15 +66,16 @@ class TextReader {
   /// From here on parts are words on any lines: after a fault it is unknown where the next begins.
   void read_words() { reads_words_ = true; }
 
+  /// Reports a fault of this part. If another part may have begun within it, the rest of the file is lost.
   [[noreturn]] void broken(const std::string& reason) const {
-    if (reads_words_) source_.lost(place(), reason);
+    if (reads_words_ || is_joined_) lost(reason);
     source_.broken(place(), reason);
   }
+  /// Reports a fault after which the next part cannot be found.
+  [[noreturn]] void lost(const std::string& reason) const { source_.lost(place(), reason); }
 
   /// Reports that something is missing at the end of the file. The place is the last line.
-  [[noreturn]] void truncated(const std::string& reason) const {
-    source_.lost(place(), "the file is truncated: " + reason);
-  }
+  [[noreturn]] void truncated(const std::string& reason) const { lost("the file is truncated: " + reason); }
 
   /// Takes the next field of the line; empty at its end.
   std::string_view take() {
@@ -105,11 +106,10 @@ class TextReader {
     const std::optional<std::int64_t> count = whole_decimal(take());
     return count && *count >= 0 && take_words(*count);
   }
-  /// Takes the rest of the line. Returns how many numbers it holds; -1 if it holds anything else.
-  int count_numbers() {
+  /// Takes numbers up to the end of the line or to a field that is not a number. Returns how many.
+  int take_numbers() {
     int count = 0;
-    for (; !line_is_done(); ++count)
-      if (!nearest_double(take())) return -1;
+    for (; !line_is_done() && nearest_double(peek()); ++count) take();
     return count;
   }
   /// Returns the number of lines from the next on. Moves to the end of the file.
@@ -180,9 +180,8 @@ class TextReader {
 
   /// Takes the rest of the line, and returns how many numbers it holds. Reports a fault if it holds anything else.
   int take_rest_of_numbers() {
-    int count = 0;
-    for (; !rest_.empty(); ++count)
-      if (const std::string_view field = take(); !nearest_double(field)) broken(quoted(field) + " is not a number");
+    const int count = take_numbers();
+    if (!line_is_done()) broken(quoted(peek()) + " is not a number");
     return count;
   }
 
@@ -245,7 +244,7 @@ class TextReader {
   std::size_t line_number_ = 0;  // where the current line begins
   std::string_view rest_;        // the rest of the current line, from the next field on
   std::string joined_;           // the current line, if it was continued
-  bool reads_words_ = false;
+  bool reads_words_ = false, is_joined_ = false;
 };
 
 }  // namespace touchstone::io

@@ -27,6 +27,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import threading
@@ -68,6 +69,7 @@ class Workshop:
     def program_with(self, mutant, text):
         """The program of the mutant, linked with `text` as the content of the mutant's file."""
         folder, program = self.scratch / mutant["name"], program_of(mutant)
+        shutil.rmtree(folder, ignore_errors=True)  # headers of an earlier run would replace today's
         for unit in units(mutant):
             (folder / unit).parent.mkdir(parents=True, exist_ok=True)
             (folder / unit).write_text((self.source / unit).read_text())
