@@ -15,9 +15,8 @@ enum class RejectionCode {
   TooFewVertices,  ///< a loop has fewer than three vertices
   RepeatedVertex,  ///< two neighbouring vertices of a loop are equal
   ZeroNormal,      ///< the Newell normal of the outer loop is exactly zero
-  LoopMeetsItself,  ///< in the dropped-axis projection a loop crosses or touches itself, or has a spike or an edge of
-                    ///< length 0
-  LoopsMeet,        ///< two loops share a point
+  LoopMeetsItself,  ///< in the dropped-axis projection a loop crosses or overlaps itself, or has an edge of length 0
+  LoopsMeet,        ///< in the same projection two loops cross or overlap
   HoleOutside,      ///< a hole does not lie inside the outer loop
 };
 

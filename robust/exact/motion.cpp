@@ -158,51 +158,57 @@ std::optional<Event> first_event(const Moving& moving) {
   return first;
 }
 
-/// Returns whether the ball, which grazes a vertex, then slides along the face or along one of the vertex's two edges.
-///
-/// It slides along an edge that leads from the vertex in the direction of motion. It slides along the face if the
-/// motion is parallel to the plane at distance r, and the foot passes from outside to inside: that is, if one of the
-/// two edges leads to the left of the motion and the other to the right.
-bool slides_on(const Moving& moving, std::size_t vertex) {
-  const Lifted& polygon = moving.polygon;
-  std::size_t previous = 0;
-  while (polygon.next[previous] != vertex) ++previous;
-  const Vector edges[] = {moving.edge(vertex), -moving.edge(previous)};  // away from the vertex
-  for (const Vector& edge : edges)
-    if (kernel::cross_product(moving.velocity, edge) == kernel::NULL_VECTOR &&
-        kernel::is_positive(moving.velocity * edge))
-      return true;
+/// Returns whether the ball moves along the plane at distance r from it.
+bool slides_along_plane(const Moving& moving) {
   const auto& [s, change] = moving.height;
-  if (!kernel::is_zero(change) || kernel::square(s) != moving.radius_squared * polygon.normal_squared) return false;
-  const auto side = [&](const Vector& edge) {
-    return kernel::sign(polygon.normal * kernel::cross_product(moving.velocity, edge));
+  return kernel::is_zero(change) && kernel::square(s) == moving.radius_squared * moving.polygon.normal_squared;
+}
+
+/// What a ball does that grazes a vertex.
+struct Graze {
+  bool slides;  ///< along an edge, which leads from the vertex in the direction of motion
+  bool passes;  ///< between the two edges: one leads to the left of the motion, the other to the right
+};
+
+Graze graze(const Moving& moving, std::size_t vertex) {
+  std::size_t previous = 0;
+  while (moving.polygon.next[previous] != vertex) ++previous;
+  const Vector edges[] = {moving.edge(vertex), -moving.edge(previous)};  // away from the vertex
+  const auto slides = [&](const Vector& edge) {
+    return kernel::cross_product(moving.velocity, edge) == kernel::NULL_VECTOR &&
+           kernel::is_positive(moving.velocity * edge);
   };
-  return side(edges[0]) * side(edges[1]) == kernel::NEGATIVE;
+  const auto side = [&](const Vector& edge) {
+    return kernel::sign(moving.polygon.normal * kernel::cross_product(moving.velocity, edge));
+  };
+  return {slides(edges[0]) || slides(edges[1]), side(edges[0]) * side(edges[1]) == kernel::NEGATIVE};
 }
 
 /// Returns whether the ball leaves the polygon right after the first event.
 ///
 /// A feature that the ball enters at a simple root remains touched. At a double root the ball grazes the feature, and
-/// may then touch another one: it may slide along the face, or from a vertex along an edge.
+/// may then touch another one: it may slide from a vertex along an edge, or along the plane, if the foot, which comes
+/// from outside, then is inside. That is so if it passes an odd number of boundaries. Several, if loops touch there.
 bool is_momentary(const Moving& moving, const Event& first) {
   if (!first.time.is_double()) return false;
   if (first.feature.kind == Feature::Kind::Face) return true;  // a point passes through it
   const std::size_t count = moving.polygon.vertices.size();
+  bool goes_inside = false;
   const auto simultaneous = [&first](const std::optional<Event>& event) {
     return event && compare(event->time, first.time) == kernel::EQUAL;
   };
   for (std::size_t i = 0; i < count; ++i) {
     if (const auto event = edge_event(moving, i); simultaneous(event)) {
       if (!event->time.is_double()) return false;
-      // The foot crosses the edge from the outside, so it goes inside.
-      const auto& [s, change] = moving.height;
-      if (kernel::is_zero(change) && kernel::square(s) == moving.radius_squared * moving.polygon.normal_squared)
-        return false;
+      goes_inside = !goes_inside;
     }
-    if (const auto event = vertex_event(moving, i); simultaneous(event))
-      if (!event->time.is_double() || slides_on(moving, i)) return false;
+    if (const auto event = vertex_event(moving, i); simultaneous(event)) {
+      const auto [slides, passes] = graze(moving, i);
+      if (!event->time.is_double() || slides) return false;
+      goes_inside ^= passes;
+    }
   }
-  return true;
+  return !(goes_inside && slides_along_plane(moving));
 }
 
 Eigen::Vector3d touched_point(const Moving& moving, const Event& event) {

@@ -70,16 +70,15 @@ struct MergedMesh {
 ///  (5) the result depends only on the mesh and the tolerance, not on the caller's rounding mode or flush-to-zero
 ///      setting, which are left as found.
 ///
-/// A region that meets itself is not a valid polygon. Where it touches itself in a vertex or in an edge that may not be
-/// merged, or overlaps itself as a spiral ramp does, it is cut into connected parts; every face joins the part whose
+/// A region may touch itself in a vertex. Where it touches itself in an edge that may not be merged, or overlaps itself
+/// as a spiral ramp does, it is not a valid polygon and is cut into connected parts; every face joins the part whose
 /// faces at that place are the fewest edges away. With a tolerance, regions are grown from the largest faces first,
 /// over faces whose vertices lie within the tolerance of the first face's plane; a region is also cut if the plane of
 /// the resulting polygon is farther off.
 ///
 /// Throws std::invalid_argument for a tolerance that is negative or not finite, and whatever weld() throws. Cost: about
 /// 10 us per face, and a share of a microsecond per vertex that splits an edge. Each cut costs another examination of
-/// the parts, so a region that is cut often costs the square of its size: 24000 faces with 4000 vertices where their
-/// region touches itself take about 40 s.
+/// the parts, so a region that is cut often costs the square of its size.
 [[nodiscard]] MergedMesh merge_faces(const Mesh& mesh, double tolerance = 0);
 
 /// The same, but returns nothing if `stop` is set, by a signal handler or another thread, before the result is

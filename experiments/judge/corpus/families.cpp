@@ -18,9 +18,12 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/cases/workloads/loops.h"
+#include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/run/input.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -277,6 +280,52 @@ std::string holes() {
   });
 }
 
+/// Integer vectors, pairwise orthogonal and of one length.
+struct IntegerFrame {
+  Vector3d u, v, w;
+};
+const IntegerFrame kFrames[] = {
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{1, 2, 2}, {2, 1, -2}, {-2, 2, -1}}, {{2, 3, 6}, {3, -6, 2}, {6, 2, -3}}};
+
+/// A loop that visits a point twice, or a hole with a vertex on an edge or a vertex of the outline; and a ball near
+/// that point. Nothing if the loops cross.
+std::optional<CorpusCase> draw_touching(std::uint64_t index) {
+  workloads::Random random(kSeed, index, 'T');
+  const IntegerFrame& frame = kFrames[index % 3];
+  const auto at = [&](std::int64_t x, std::int64_t y) -> Vector3d {
+    return static_cast<double>(x) * frame.u + static_cast<double>(y) * frame.v;
+  };
+  const auto fan = [&](Loop& loop, std::int64_t lowest) {
+    loop.push_back(at(0, 0));
+    for (std::int64_t count = random.integer(2, 3); count > 0; --count)
+      loop.push_back(at(random.integer(-7, 7), random.integer(lowest, 7)));
+  };
+  std::vector<Loop> loops(1);
+  if (random.coin()) {
+    fan(loops[0], -7);
+    fan(loops[0], -7);
+  } else {
+    loops[0] = {at(-8, 0), at(8, 0), at(8, 8), at(-8, 8)};
+    if (random.coin()) loops[0].insert(loops[0].begin() + 1, at(0, 0));
+    fan(loops.emplace_back(), 1);
+  }
+  try {
+    Polygon polygon(loops[0], {loops.begin() + 1, loops.end()});
+    if (exact::validate(polygon)) return std::nullopt;
+    const double height = static_cast<double>(random.integer(0, 2)), quarter = 0.25;
+    const Vector3d beside = quarter * at(random.integer(-6, 6), random.integer(-6, 6)), above = height * frame.w;
+    cases::Shapes shapes{Ball{beside + above, 0}, polygon};
+    double radius = exact::answer(shapes.ball(), polygon).distance;
+    if (random.coin()) radius = std::nextafter(radius, random.coin() ? 0.0 : 100.0);
+    shapes.question = Ball{shapes.ball().center, radius};
+    return CorpusCase{fmt::format("touching-{}", index), std::move(shapes), {"touching"}, "touchstone corpus make"};
+  } catch (const Rejected&) {
+    return std::nullopt;  // two neighbours are equal, or the normal is zero
+  }
+}
+
+std::string touching() { return drawn_text({{.draw = draw_touching, .count = 240}}, any_kind); }
+
 std::string moving() {
   using workloads::Way;
   std::vector<Stream> streams;
@@ -318,6 +367,7 @@ const std::vector<Family>& all_families() {
       {"point", "radius zero or nearly so, centres on the triangle or within some doubles of it", point},
       {"off-plane", "loops that are off their plane: the lift matters", off_plane},
       {"holes", "an edge or a vertex of a hole is nearest", holes},
+      {"touching", "loops that touch: a point visited twice, a hole with a vertex on the outline", touching},
       {"moving", "moving balls: grazing, sliding, starting or ending in contact, passing through holes, at rest",
        moving},
       {"real-meshes", "faces of third-party models of robots and a milling centre, on which methods err the most",

@@ -58,11 +58,17 @@ int side(const Point2& a, const Point2& b, const Point2& c) {
 bool is_between(const Point2& a, const Point2& b, const Point2& c) {
   return sgn(mpq_class((a.x - c.x) * (b.x - c.x) + (a.y - c.y) * (b.y - c.y))) <= 0;
 }
-bool share_a_point(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  const int c_side = side(a, b, c), d_side = side(a, b, d), a_side = side(c, d, a), b_side = side(c, d, b);
-  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
-  return (c_side == 0 && is_between(a, b, c)) || (d_side == 0 && is_between(a, b, d)) ||
-         (a_side == 0 && is_between(c, d, a)) || (b_side == 0 && is_between(c, d, b));
+/// Returns whether the segments a b and c d cross between their ends, or share more than a point.
+bool cross_or_overlap(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const int c_side = side(a, b, c), d_side = side(a, b, d);
+  if (c_side != 0 || d_side != 0) return c_side * d_side < 0 && side(c, d, a) * side(c, d, b) < 0;
+  const Point2* shared = nullptr;
+  for (const Point2* p : {&a, &b, &c, &d}) {
+    if (!is_between(a, b, *p) || !is_between(c, d, *p)) continue;
+    if (shared != nullptr && !(*p == *shared)) return true;
+    shared = p;
+  }
+  return false;
 }
 
 /// Returns the vertices without the coordinate of the largest component of the normal; nothing if the normal is zero.
@@ -85,16 +91,58 @@ std::optional<std::vector<Point2>> dropped(const Polygon& polygon) {
   return points;
 }
 
-/// Returns whether edges i and j of one loop meet, apart from the shared vertex of neighbours.
-bool meet(const Polygon& polygon, const std::vector<Point2>& points, std::size_t i, std::size_t j) {
-  const std::size_t i_end = polygon.next(i), j_end = polygon.next(j);
-  if (i_end != j && j_end != i) return share_a_point(points[i], points[i_end], points[j], points[j_end]);
-  const auto& [before, corner, after] = i_end == j ? std::array{i, j, j_end} : std::array{j, i, i_end};
-  const Point2 &a = points[before], &b = points[corner], &c = points[after];  // a spike?
-  return side(a, b, c) == 0 && sgn(mpq_class((a.x - b.x) * (c.x - b.x) + (a.y - b.y) * (c.y - b.y))) > 0;
+/// A loop on its way through a point: the vertices before and after it, and the number of the vertex there, or of the
+/// edge, beyond all vertices.
+struct Run {
+  std::size_t before, after, number;
+};
+
+/// Returns how edge i runs through one of its points.
+Run run_of(const Polygon& polygon, const std::vector<Point2>& points, std::size_t i, const Point2& p) {
+  const std::size_t next = polygon.next(i);
+  if (p == points[i]) return {polygon.previous(i), next, i};
+  if (p == points[next]) return {i, polygon.next(next), next};
+  return {i, next, points.size() + i};
 }
 
-bool is_inside(const Polygon& polygon, const std::vector<Point2>& points, const Point2& p) {
+/// Returns whether edges i and j cross, overlap, or share a point in which their loops cross.
+bool meet(const Polygon& polygon, const std::vector<Point2>& points, std::size_t i, std::size_t j) {
+  const std::array ends{i, polygon.next(i), j, polygon.next(j)};
+  const Point2 &a = points[i], &b = points[ends[1]], &c = points[j], &d = points[ends[3]];
+  if (cross_or_overlap(a, b, c, d)) return true;
+  for (const std::size_t end : ends) {
+    const Point2& p = points[end];
+    if (side(a, b, p) != 0 || side(c, d, p) != 0 || !is_between(a, b, p) || !is_between(c, d, p)) continue;
+    const Run run = run_of(polygon, points, i, p), other = run_of(polygon, points, j, p);
+    if (run.number == other.number) continue;
+    const bool turns_left = side(points[run.before], p, points[run.after]) >= 0;
+    const auto is_left = [&](const Point2& q) {
+      const bool first = side(points[run.before], p, q) > 0, second = side(p, points[run.after], q) > 0;
+      return turns_left ? first && second : first || second;
+    };
+    if (is_left(points[other.before]) != is_left(points[other.after])) return true;
+  }
+  return false;
+}
+
+/// Returns whether a hole is inside the outer loop, where it begins: on its first edge, before any edge of that loop.
+bool begins_inside(const Polygon& polygon, const std::vector<Point2>& points, std::size_t hole) {
+  const Point2 &start = points[hole], &end = points[polygon.next(hole)];
+  mpq_class least = 1;  // the part of the edge up to where an edge of the outer loop meets its line
+  for (std::size_t i = 0; i < polygon.loop_end(0); ++i) {
+    const Point2 &a = points[i], &b = points[polygon.next(i)];
+    const auto area = [&](const Point2& p) -> mpq_class {
+      return (end.x - start.x) * (p.y - start.y) - (end.y - start.y) * (p.x - start.x);
+    };
+    const mpq_class from = area(a), to = area(b);
+    if (sgn(from) * sgn(to) > 0 || from == to) continue;
+    const mpq_class along = from / (from - to);
+    const Point2 met{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
+    const mpq_class part = start.x != end.x ? mpq_class((met.x - start.x) / (end.x - start.x))
+                                            : mpq_class((met.y - start.y) / (end.y - start.y));
+    if (part > 0 && part < least) least = part;
+  }
+  const Point2 p{start.x + least / 2 * (end.x - start.x), start.y + least / 2 * (end.y - start.y)};
   bool inside = false;
   for (std::size_t i = 0; i < polygon.loop_end(0); ++i) {
     const Point2 &a = points[i], &b = points[polygon.next(i)];
@@ -173,17 +221,16 @@ std::optional<RejectionCode> find_rational_fault(const Polygon& polygon) {
   const auto points = dropped(polygon);
   if (!points) return RejectionCode::ZeroNormal;
   const std::size_t count = polygon.vertex_count();
-  const auto end = [&](std::size_t i) -> const Point2& { return (*points)[polygon.next(i)]; };
   for (std::size_t i = 0; i < count; ++i) {
-    if ((*points)[i] == end(i)) return RejectionCode::LoopMeetsItself;
+    if ((*points)[i] == (*points)[polygon.next(i)]) return RejectionCode::LoopMeetsItself;
     for (std::size_t j = i + 1; j < polygon.loop_end(polygon.loop_of(i)); ++j)
       if (meet(polygon, *points, i, j)) return RejectionCode::LoopMeetsItself;
   }
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = polygon.loop_end(polygon.loop_of(i)); j < count; ++j)
-      if (share_a_point((*points)[i], end(i), (*points)[j], end(j))) return RejectionCode::LoopsMeet;
+      if (meet(polygon, *points, i, j)) return RejectionCode::LoopsMeet;
   for (std::size_t loop = 1; loop < polygon.loop_count(); ++loop)
-    if (!is_inside(polygon, *points, (*points)[polygon.loop_begin(loop)])) return RejectionCode::HoleOutside;
+    if (!begins_inside(polygon, *points, polygon.loop_begin(loop))) return RejectionCode::HoleOutside;
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 // The definitions of the templates of fast_motion.h, for the scalars that fast_definitions.h describes.
 
 #include <Eigen/Geometry>
+#include <array>
 #include <optional>
 
 #include "geometry/contact/detail/fast_definitions.h"
@@ -31,11 +32,12 @@ struct MovingSphere {
   Scalar radius;
 };
 
-/// When the ball reaches a feature, and whether it then leaves the polygon at once.
+/// When the ball reaches a feature, whether it then leaves the feature and its edges at once, and whether its foot, if
+/// the ball moves along the plane, passes a boundary.
 template <class Scalar>
 struct Event {
   Scalar time;
-  bool momentary;
+  bool momentary, passes = false;
 };
 
 /// Returns the root c / (root - b) of a t^2 + 2 b t + c, a >= 0, if the ball comes nearer and reaches the feature by
@@ -90,7 +92,7 @@ class Passage {
     if (!time) return std::nullopt;
     const Scalar along = view.along + *time * moving_.velocity.dot(direction);
     if (!(along > 0 && along < length_squared)) return std::nullopt;
-    return Event<Scalar>{*time, excess == 0 && !slides_along_plane()};
+    return Event<Scalar>{*time, excess == 0, true};
   }
 
   [[nodiscard]] std::optional<Event<Scalar>> vertex(std::size_t i) const {
@@ -102,7 +104,7 @@ class Passage {
     const auto time = smaller_root<Scalar>(from.dot(moving_.velocity),
                                            from.squaredNorm() - moving_.start.radius_squared, sqrt(excess));
     if (!time) return std::nullopt;
-    return Event<Scalar>{*time, excess == 0 && !slides_on(i)};
+    return Event<Scalar>{*time, excess == 0 && !slides_from(i), passes_between_edges_of(i)};
   }
 
   /// Returns the contact at t = 0, given that there is one.
@@ -124,6 +126,7 @@ class Passage {
         feature = {kind, i};
       } else if (event->time == first->time) {
         first->momentary = first->momentary && event->momentary;
+        first->passes = first->passes != event->passes;
       }
     };
     for (std::size_t i = 0; i < polygon_.edges().size(); ++i) consider(Feature::Kind::Edge, i, edge(i));
@@ -147,25 +150,34 @@ class Passage {
   }
 
   [[nodiscard]] FirstContact first_contact(const Feature& feature, const Event<Scalar>& event) const {
-    return {FirstContactKind::Way, to_double(event.time), event.momentary, feature, point(event.time, feature)};
+    // A foot that came from outside is inside if it passed an odd number of boundaries.
+    const bool momentary = event.momentary && !(event.passes && slides_along_plane());
+    return {FirstContactKind::Way, to_double(event.time), momentary, feature, point(event.time, feature)};
   }
 
-  /// Returns whether the ball moves along the plane and touches it: having grazed an edge, it slides on over the face.
+  /// Returns whether the ball moves along the plane and touches it.
   [[nodiscard]] bool slides_along_plane() const {
     return change_ == 0 && height_ * height_ == moving_.start.radius_squared * polygon_.normal_squared();
   }
 
-  /// Returns whether the ball, having grazed a vertex, slides along one of its edges, or over the face between them.
-  [[nodiscard]] bool slides_on(std::size_t vertex) const {
+  /// Returns the directions of the two edges of a vertex, away from it.
+  [[nodiscard]] std::array<Vector<Scalar>, 2> edges_of(std::size_t vertex) const {
     std::size_t previous = 0;
     while (polygon_.next(previous) != vertex) ++previous;
-    const Vector<Scalar> edges[] = {polygon_.edges()[vertex].direction, -polygon_.edges()[previous].direction};
-    for (const Vector<Scalar>& edge : edges)
+    return {polygon_.edges()[vertex].direction, -polygon_.edges()[previous].direction};
+  }
+  /// Returns whether the ball, having grazed a vertex, slides along one of its edges.
+  [[nodiscard]] bool slides_from(std::size_t vertex) const {
+    for (const Vector<Scalar>& edge : edges_of(vertex))
       if (moving_.velocity.cross(edge).isZero(0) && moving_.velocity.dot(edge) > 0) return true;
-    if (!slides_along_plane()) return false;
+    return false;
+  }
+  /// Returns whether one edge of a vertex leads to the left of the motion, and the other to the right.
+  [[nodiscard]] bool passes_between_edges_of(std::size_t vertex) const {
     const auto left = [&](const Vector<Scalar>& edge) {
       return polygon_.plane().normal.dot(moving_.velocity.cross(edge));
     };
+    const auto edges = edges_of(vertex);
     const Scalar first = left(edges[0]), second = left(edges[1]);
     return (first < 0 && second > 0) || (first > 0 && second < 0);
   }

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "robust/detail/exact_kernel.h"
 
@@ -35,106 +37,130 @@ using Point = PlanarLoops::Point;
 /// Returns whether p is to the left of (1), on (0) or to the right of (-1) the directed line a b.
 int side(const Point& a, const Point& b, const Point& p) { return orientation(a.x, a.y, b.x, b.y, p.x, p.y); }
 
-/// Returns whether p lies on the closed segment. Requires that it lies on the line a b.
-bool within(const Point& a, const Point& b, const Point& p) { return std::min(a, b) <= p && p <= std::max(a, b); }
-
 class Sweep {
  public:
   Sweep(const PlanarLoops& loops, std::size_t begin, std::size_t end)
-      : loops_(loops), begin_(begin), status_(Below{this}), place_(end - begin) {
-    order_.resize(end - begin);
+      : loops_(loops), status_(Below{this}), order_(end - begin) {
     std::iota(order_.begin(), order_.end(), begin);
     std::sort(order_.begin(), order_.end(),
               [&](std::size_t i, std::size_t j) { return loops_[i] != loops_[j] ? loops_[i] < loops_[j] : i < j; });
   }
 
   std::optional<Meeting> run() {
-    coinciding_vertices();
-    for (std::size_t k = 0; k < order_.size() && !found_; ++k) pass(order_[k]);
+    for (const std::size_t i : order_)
+      if (loops_[i] == loops_[loops_.next(i)]) return Meeting{Meeting::Kind::Point, i, i};
+    for (auto first = order_.begin(); first != order_.end() && !found_;) {
+      const auto last = std::find_if(first, order_.end(), [&](std::size_t i) { return loops_[i] != loops_[*first]; });
+      pass({first, last});
+      first = last;
+    }
     return found_;
   }
 
  private:
-  /// Orders edges along the sweep line, from bottom to top. Both cross it, so the ends that were passed last decide.
-  /// Edges that touch cannot be ordered: they are a meeting.
+  /// Orders edges along the sweep line, from bottom to top, and points of the line among them.
   struct Below {
+    using is_transparent = void;
     Sweep* sweep;
     bool operator()(std::size_t i, std::size_t j) const { return i != j && sweep->order(i, j) < 0; }
+    bool operator()(std::size_t i, const Point& p) const { return sweep->side_of(i, p) > 0; }
+    bool operator()(const Point& p, std::size_t i) const { return sweep->side_of(i, p) < 0; }
   };
   using Status = std::set<std::size_t, Below>;
 
-  const Point& left(std::size_t edge) const { return std::min(loops_[edge], loops_[loops_.next(edge)]); }
-  const Point& right(std::size_t edge) const { return std::max(loops_[edge], loops_[loops_.next(edge)]); }
+  /// An edge as seen from one of its points.
+  struct Ray {
+    Point to;
+    std::size_t edge;
+    std::pair<bool, std::size_t> run;  // the edge, or the vertex with its two edges, that runs through the point
+  };
 
-  void report(std::size_t i, std::size_t j) {
-    if (!found_) found_ = Meeting{std::min(i, j), std::max(i, j)};
+  [[nodiscard]] const Point& left(std::size_t edge) const { return std::min(loops_[edge], loops_[loops_.next(edge)]); }
+  [[nodiscard]] const Point& right(std::size_t edge) const { return std::max(loops_[edge], loops_[loops_.next(edge)]); }
+  [[nodiscard]] int side_of(std::size_t edge, const Point& p) const { return side(left(edge), right(edge), p); }
+
+  void report(Meeting::Kind kind, std::size_t i, std::size_t j) {
+    if (!found_) found_ = Meeting{kind, std::min(i, j), std::max(i, j)};
   }
 
-  void coinciding_vertices() {
-    for (std::size_t k = 1; k < order_.size(); ++k) {
-      const std::size_t i = order_[k - 1], j = order_[k];
-      if (loops_[i] != loops_[j]) continue;
-      if (loops_.next(i) == j) return report(i, i);
-      if (loops_.next(j) == i) return report(j, j);
-      return report(i, j);
+  /// Both edges cross the sweep line, so the ends that were passed last decide; if edges touch there, the other ends.
+  [[nodiscard]] int order(std::size_t i, std::size_t j) const {
+    if (left(j) < left(i)) return place_above(j, i);
+    return -place_above(i, j);
+  }
+  /// Returns whether `later`, which does not start before `edge`, runs above (1) or below it (-1).
+  [[nodiscard]] int place_above(std::size_t edge, std::size_t later) const {
+    const int start = side_of(edge, left(later));
+    return start != 0 ? start : side_of(edge, right(later));
+  }
+
+  /// Finds edges that cross at no vertex.
+  void test(std::size_t i, std::size_t j) {
+    const Point &a = loops_[i], &b = loops_[loops_.next(i)], &c = loops_[j], &d = loops_[loops_.next(j)];
+    if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) report(Meeting::Kind::Crossing, i, j);
+  }
+
+  /// Returns whether two rays from p have the same direction.
+  static bool same_direction(const Point& p, const Ray& first, const Ray& second) {
+    return (first.to < p) == (second.to < p) && side(p, first.to, second.to) == 0;
+  }
+
+  /// Examines the runs through p: the vertices there, and edges that do not end there. Runs that do not cross are
+  /// nested like brackets around p.
+  void compare_runs(const Point& p, std::span<const std::size_t> vertices, Status::iterator low,
+                    Status::iterator high) {
+    std::vector<Ray>& rays = rays_;
+    rays.clear();
+    for (const std::size_t v : vertices) {
+      rays.push_back({loops_[loops_.previous(v)], loops_.previous(v), {false, v}});
+      rays.push_back({loops_[loops_.next(v)], v, {false, v}});
+    }
+    for (; low != high; ++low)
+      if (right(*low) != p)
+        for (const Point& end : {left(*low), right(*low)}) rays.push_back({end, *low, {true, *low}});
+    if (rays.size() > 2)
+      std::sort(rays.begin(), rays.end(), [&](const Ray& first, const Ray& second) {
+        const bool is_left = first.to < p, other_is_left = second.to < p;
+        return is_left != other_is_left ? is_left : side(p, first.to, second.to) > 0;
+      });
+    for (std::size_t k = 1; k < rays.size(); ++k)
+      if (same_direction(p, rays[k - 1], rays[k]))
+        return report(Meeting::Kind::Overlap, rays[k - 1].edge, rays[k].edge);
+    if (rays.size() == 2) return;
+
+    std::set<std::pair<bool, std::size_t>> opened;
+    std::vector<const Ray*> open;
+    for (const Ray& ray : rays) {
+      if (opened.insert(ray.run).second)
+        open.push_back(&ray);
+      else if (open.back()->run == ray.run)
+        open.pop_back();
+      else
+        return report(Meeting::Kind::Crossing, open.back()->edge, ray.edge);
     }
   }
 
-  int order(std::size_t i, std::size_t j) {
-    const bool i_starts_later = left(j) < left(i);
-    const Point& later = i_starts_later ? left(i) : left(j);
-    int place = i_starts_later ? side(left(j), right(j), later) : -side(left(i), right(i), later);
-    if (place == 0 && left(i) == left(j)) place = side(left(j), right(j), right(i));
-    if (place == 0) report(i, j);
-    return place;
-  }
-
-  bool meet(std::size_t i, std::size_t j) const {
-    const Point &a = loops_[i], &b = loops_[loops_.next(i)], &c = loops_[j], &d = loops_[loops_.next(j)];
-    if (loops_.next(i) == j) return overlap(a, b, d);
-    if (loops_.next(j) == i) return overlap(b, a, c);
-    const int c_side = side(a, b, c), d_side = side(a, b, d), a_side = side(c, d, a), b_side = side(c, d, b);
-    if (c_side * d_side < 0 && a_side * b_side < 0) return true;
-    return (c_side == 0 && within(a, b, c)) || (d_side == 0 && within(a, b, d)) || (a_side == 0 && within(c, d, a)) ||
-           (b_side == 0 && within(c, d, b));
-  }
-
-  /// Returns whether the edges from `vertex` to `p` and to `q` share more than that vertex.
-  static bool overlap(const Point& p, const Point& vertex, const Point& q) {
-    return side(p, vertex, q) == 0 && (p < vertex) == (q < vertex);
-  }
-
-  void test(std::size_t i, std::size_t j) {
-    if (meet(i, j)) report(i, j);
-  }
-
-  void insert(std::size_t edge) {
-    const auto [place, inserted] = status_.insert(edge);
-    if (!inserted || found_) return report(edge, *place);
-    place_[edge - begin_] = place;
-    if (place != status_.begin()) test(*std::prev(place), edge);
-    if (std::next(place) != status_.end()) test(edge, *std::next(place));
-  }
-
-  void erase(std::size_t edge) {
-    const auto after = status_.erase(place_[edge - begin_]);
-    if (after != status_.begin() && after != status_.end()) test(*std::prev(after), *after);
-  }
-
-  /// The sweep line passes a vertex: edges that end there leave, edges that start there enter.
-  void pass(std::size_t vertex) {
-    const std::size_t edges[2] = {loops_.previous(vertex), vertex};
-    for (const std::size_t edge : edges)
-      if (!found_ && right(edge) == loops_[vertex]) erase(edge);
-    for (const std::size_t edge : edges)
-      if (!found_ && left(edge) == loops_[vertex]) insert(edge);
+  /// The sweep line passes the vertices at a point: edges that end there leave, edges that start there enter.
+  void pass(std::span<const std::size_t> vertices) {
+    const Point& p = loops_[vertices.front()];
+    auto [low, high] = status_.equal_range(p);
+    compare_runs(p, vertices, low, high);
+    if (found_) return;
+    const bool has_lower = low != status_.begin();
+    const auto lower = has_lower ? std::prev(low) : low;
+    while (low != high) low = right(*low) == p ? status_.erase(low) : std::next(low);
+    for (const std::size_t v : vertices)
+      for (const std::size_t edge : {loops_.previous(v), v})
+        if (left(edge) == p) status_.insert(high, edge);
+    const auto first = has_lower ? std::next(lower) : status_.begin();
+    if (has_lower && first != status_.end()) test(*lower, *first);
+    if (first != high && high != status_.end()) test(*std::prev(high), *high);
   }
 
   const PlanarLoops& loops_;
-  std::size_t begin_;
-  std::vector<std::size_t> order_;  // vertices from left to right
   Status status_;
-  std::vector<Status::iterator> place_;  // of the edges that are in the status
+  std::vector<std::size_t> order_;  // vertices from left to right
+  std::vector<Ray> rays_;           // of `compare_runs`, kept for their memory
   std::optional<Meeting> found_;
 };
 
@@ -150,13 +176,16 @@ std::optional<Meeting> find_meeting(const PlanarLoops& loops, std::size_t begin,
   return Sweep(loops, begin, end).run();
 }
 
-bool is_inside(const PlanarLoops& loops, std::size_t vertex, std::size_t begin, std::size_t end) {
-  const Point& p = loops[vertex];
+bool begins_inside(const PlanarLoops& loops, std::size_t edge, std::size_t begin, std::size_t end) {
+  const Point &p = loops[edge], &towards = loops[loops.next(edge)];
+  // A ray runs to the left from the point that follows p on the edge, however near.
+  const auto above = [&](const Point& q) { return q.y != p.y ? q.y > p.y : towards.y < p.y; };
   bool inside = false;
   for (std::size_t i = begin; i < end; ++i) {
     const Point &a = loops[i], &b = loops[loops.next(i)];
-    const bool upwards = a.y <= p.y && p.y < b.y, downwards = b.y <= p.y && p.y < a.y;
-    if ((upwards && side(a, b, p) > 0) || (downwards && side(a, b, p) < 0)) inside = !inside;
+    if (above(a) == above(b)) continue;
+    const int at_start = side(a, b, p), place = at_start != 0 ? at_start : side(a, b, towards);
+    if ((place > 0) == above(b)) inside = !inside;
   }
   return inside;
 }

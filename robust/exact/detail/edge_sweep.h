@@ -43,21 +43,26 @@ class PlanarLoops {
   std::vector<Point> points_;
 };
 
-/// Two edges that share a point other than the common vertex of neighbouring edges. If the ends of one edge coincide,
-/// both are that edge.
+/// Two edges of loops that would cross even if the loops were moved by a little.
 struct Meeting {
+  enum class Kind {
+    Point,     ///< the ends of an edge coincide; `first` and `second` are that edge
+    Crossing,  ///< two edges cross, or two loops cross where a vertex of one is a point of the other
+    Overlap    ///< two edges share more than a point
+  } kind;
   std::size_t first, second;  // first <= second
 };
 
-/// Returns a meeting among the edges [begin, end) of whole loops, if there is one. Exact. Cost: O(n log n) with
-/// n = end - begin.
+/// Returns a meeting among the edges [begin, end) of whole loops, if there is one. Loops that touch in a vertex without
+/// crossing there do not meet. Exact. Cost: O(n log n) with n = end - begin.
 ///
-/// A line sweeps over the points in lexicographic order and keeps the edges that it crosses in order. As long as no
-/// neighbours in that order meet, no edges meet (Shamos and Hoey). Source: [shamos1976].
+/// A line sweeps over the points in lexicographic order and keeps the edges that it crosses in order. The first edges
+/// that cross between vertices are neighbours in that order before (Shamos and Hoey). At each vertex, the directions of
+/// all edges that run through that point tell whether loops cross or overlap there. Source: [shamos1976].
 [[nodiscard]] std::optional<Meeting> find_meeting(const PlanarLoops& loops, std::size_t begin, std::size_t end);
 
-/// Returns whether a vertex is inside the loops with edges [begin, end), by the even-odd rule. Requires that it lies on
-/// none of these edges. Exact. Cost: linear.
-[[nodiscard]] bool is_inside(const PlanarLoops& loops, std::size_t vertex, std::size_t begin, std::size_t end);
+/// Returns whether an edge, near its start, is inside the loops with edges [begin, end), by the even-odd rule. Requires
+/// that it overlaps none of these edges. Exact. Cost: linear.
+[[nodiscard]] bool begins_inside(const PlanarLoops& loops, std::size_t edge, std::size_t begin, std::size_t end);
 
 }  // namespace touchstone::exact::detail

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/robust/lattice/lattice_loops.h"
 
+#include <algorithm>
+
 namespace touchstone::lattice_tests {
 namespace {
 
@@ -13,23 +15,27 @@ bool holds(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p) 
   return turn(a, b, p) == 0 && (p.x - a.x) * (p.x - b.x) + (p.y - a.y) * (p.y - b.y) <= 0;
 }
 
+/// Do the segments a b and c d cross between their ends, or share more than a point?
 bool meet(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
-  if (holds(a, b, c) || holds(a, b, d) || holds(c, d, a) || holds(c, d, b)) return true;
-  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+  if (turn(a, b, c) != 0 || turn(a, b, d) != 0)
+    return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+  const auto along = [&](const LatticePoint& p) { return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y); };
+  return std::min(std::max(along(c), along(d)), along(b)) > std::max(std::min(along(c), along(d)), 0);
 }
 
-/// Does the path a, b, c turn back on itself?
-bool is_spike(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
-  return turn(a, b, c) == 0 && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < 0;
+/// Is p to the left of the path a, b, c near b? Requires that it is on none of the two rays from b.
+bool is_left(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& p) {
+  const bool left_of_first = turn(a, b, p) > 0, left_of_second = turn(b, c, p) > 0;
+  return turn(a, b, c) >= 0 ? left_of_first && left_of_second : left_of_first || left_of_second;
 }
 
-/// Grows paths vertex by vertex. A loop starts at its lowest vertex, and the second is lower than the last.
+/// Grows paths vertex by vertex. A loop starts at its lowest vertex. Of all sequences that are the same loop it takes
+/// the lowest.
 class Search {
  public:
   Search(int width, int height, std::size_t most_vertices) : most_vertices_(most_vertices) {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) points_.push_back({x, y});
-    used_.resize(points_.size());
     for (std::size_t start = 0; start < points_.size(); ++start) extended_by(start);
   }
 
@@ -39,42 +45,57 @@ class Search {
   void extended_by(std::size_t point) {
     path_.push_back(points_[point]);
     numbers_.push_back(point);
-    used_[point] = true;
-    if (numbers_.size() >= 3 && numbers_[1] < numbers_.back() && closes()) found.push_back(path_);
+    if (numbers_.size() >= 3 && closes() && is_lowest()) found.push_back(path_);
     if (numbers_.size() < most_vertices_)
-      for (std::size_t next = numbers_[0] + 1; next < points_.size(); ++next)
-        if (!used_[next] && admits(points_[next])) extended_by(next);
-    used_[point] = false;
+      for (std::size_t next = numbers_[0]; next < points_.size(); ++next)
+        if (next != point && admits(points_[next])) extended_by(next);
     numbers_.pop_back();
     path_.pop_back();
   }
 
   [[nodiscard]] bool admits(const LatticePoint& next) const {
-    const std::size_t n = path_.size();
-    if (n >= 2 && is_spike(path_[n - 2], path_[n - 1], next)) return false;
-    for (std::size_t i = 0; i + 2 < n; ++i)
-      if (meet(path_[i], path_[i + 1], path_[n - 1], next)) return false;
+    for (std::size_t i = 0; i + 1 < path_.size(); ++i)
+      if (meet(path_[i], path_[i + 1], path_.back(), next)) return false;
     return true;
   }
 
   [[nodiscard]] bool closes() const {
-    const std::size_t n = path_.size();
-    if (is_spike(path_[n - 2], path_[n - 1], path_[0]) || is_spike(path_[n - 1], path_[0], path_[1])) return false;
-    for (std::size_t i = 1; i + 2 < n; ++i)
-      if (meet(path_[i], path_[i + 1], path_[n - 1], path_[0])) return false;
+    if (path_.front() == path_.back() || !admits(path_[0])) return false;
+    for (std::size_t vertex = 0; vertex < path_.size(); ++vertex)
+      for (std::size_t edge = 0; edge < path_.size(); ++edge)
+        if (crosses(vertex, edge)) return false;
+    return true;
+  }
+
+  [[nodiscard]] const LatticePoint& at(std::size_t i) const { return path_[i % path_.size()]; }
+
+  /// Does the loop cross itself at this vertex, which is the start of the edge or lies between its ends?
+  [[nodiscard]] bool crosses(std::size_t vertex, std::size_t edge) const {
+    const LatticePoint &here = at(vertex), &start = at(edge), &end = at(edge + 1);
+    if (vertex == edge || here == end || !holds(start, end, here)) return false;
+    const LatticePoint& before = here == start ? at(edge + path_.size() - 1) : start;
+    return is_left(before, here, end, at(vertex + path_.size() - 1)) != is_left(before, here, end, at(vertex + 1));
+  }
+
+  [[nodiscard]] bool is_lowest() const {
+    std::vector<std::size_t> other = numbers_;
+    for (int direction = 0; direction < 2; ++direction, std::ranges::reverse(other))
+      for (std::size_t start = 0; start < other.size(); ++start) {
+        if (other < numbers_) return false;
+        std::ranges::rotate(other, other.begin() + 1);
+      }
     return true;
   }
 
   std::size_t most_vertices_;
   std::vector<LatticePoint> points_;
-  std::vector<bool> used_;
   LatticeLoop path_;
   std::vector<std::size_t> numbers_;
 };
 
 }  // namespace
 
-std::vector<LatticeLoop> simple_loops(int width, int height, std::size_t most_vertices) {
+std::vector<LatticeLoop> valid_loops(int width, int height, std::size_t most_vertices) {
   return Search(width, height, most_vertices).found;
 }
 

@@ -16,9 +16,10 @@ struct LatticePoint {
 /// The vertices of a closed loop in order.
 using LatticeLoop = std::vector<LatticePoint>;
 
-/// Every simple loop whose vertices are different points of the lattice {0, ..., width - 1} x {0, ..., height - 1}, at
-/// most `most_vertices` of them: once, not once for each start and direction. Straight runs of edges are legal.
-[[nodiscard]] std::vector<LatticeLoop> simple_loops(int width, int height, std::size_t most_vertices);
+/// Every loop with vertices on the lattice {0, ..., width - 1} x {0, ..., height - 1}, at most `most_vertices` of them,
+/// that may touch itself, but neither crosses nor overlaps itself: once, not once for each start and direction.
+/// Straight runs of edges are legal.
+[[nodiscard]] std::vector<LatticeLoop> valid_loops(int width, int height, std::size_t most_vertices);
 
 /// Where a point lies in the region that loops bound, by the even-odd rule. In integers, and by another ray than the
 /// library's: it goes up and a little to the right.

@@ -108,7 +108,7 @@ std::ostream& operator<<(std::ostream& out, const Asked& asked) {
 /// Calls ask(parts, questions, signs) for polygons in integer planes, where ties are common.
 template <class Ask>
 void for_each_polygon(std::uint64_t feet, const Ask& ask) {
-  const auto loops = simple_loops(4, 3, 8);
+  const auto loops = valid_loops(4, 3, 7);
   std::uint64_t drawn = 0;
   for (std::uint64_t number = 0; drawn < feet; ++number)
     for (const PlaneKind kind : {PlaneKind::Tilted, PlaneKind::Warped}) {

@@ -137,7 +137,7 @@ std::optional<Case> grid_case(int warp) {
   if (tie)
     loops.push_back(rectangle(axis, h));
   else
-    loops.push_back(with_hole ? grid_loop(count, 1, 4, warp, axis, h) : grid_loop(count, 0, 6, warp, axis, h));
+    loops.push_back(with_hole ? grid_loop(count, 0, 4, warp, axis, h) : grid_loop(count, 0, 6, warp, axis, h));
   const int x = tie ? 3 : *rc::gen::inRange(-2, 9), y = *rc::gen::inRange(-2, 9);
   const Ball ball{on_grid({x, y, *rc::gen::inRange(-4, 5)}, axis, h), static_cast<double>(*rc::gen::inRange(0, 9))};
   try {

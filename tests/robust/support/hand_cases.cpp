@@ -142,6 +142,35 @@ const Polygon& warped() {
   return polygon;
 }
 
+/// Two triangles that share the point (3, 3): vertices 2 and 5.
+const Polygon& pinched() {
+  static const Polygon polygon({{0, 0, 0}, {6, 0, 0}, {3, 3, 0}, {6, 6, 0}, {0, 6, 0}, {3, 3, 0}});
+  return polygon;
+}
+/// A hole that touches edge 3 in its vertex 4.
+const Polygon& touching_hole() {
+  static const Polygon polygon(square(0, 8), {{{0, 4, 0}, {4, 1, 0}, {4, 7, 0}}});
+  return polygon;
+}
+
+std::vector<HandCase> touching_cases() {
+  const double root_of_2 = std::sqrt(2.0);
+  return {
+      {{"above the point in which a loop touches itself", {{3, 3, 2}, 2}, pinched()},
+       {Intersects, kTangent, Boundary, {1, 2, 4, 5}, Touching, vertex(2), {3, 3, 0}, 2, 0}},
+      {{"beside the point in which a loop touches itself", {{5, 3, 0}, 1}, pinched()},
+       {Intersects, kNotTangent, Outside, {}, Separate, edge(1), {4, 2, 0}, root_of_2, 0}},
+      {{"beyond the point in which a loop touches itself", {{1, 3, 0}, 2}, pinched()},
+       {Intersects, kNotTangent, Outside, {1, 2, 4, 5}, Overlapping, edge(4), {2, 4, 0}, root_of_2, 0}},
+      {{"above the triangle behind the point in which a loop touches itself", {{3, 4, 2}, 1}, pinched()},
+       {InFront, kNotTangent, Inside, {}, Separate, kFace, {3, 4, 0}, 2, 0}},
+      {{"above the point in which a hole touches the outline", {{0, 4, 1}, 1}, touching_hole()},
+       {Intersects, kTangent, Boundary, {3, 4, 6}, Touching, edge(3), {0, 4, 0}, 1, 0}},
+      {{"in a hole that touches the outline", {{3, 4, 0}, 1}, touching_hole()},
+       {Intersects, kNotTangent, Outside, {5}, Touching, edge(5), {4, 4, 0}, 1, 0}},
+  };
+}
+
 constexpr bool kMomentary = true, kStays = false;
 
 FirstContact start(Feature feature, const Eigen::Vector3d& point) {
@@ -156,7 +185,8 @@ FirstContact way(double time, bool momentary, Feature feature, const Eigen::Vect
 const std::vector<HandCase>& hand_cases() {
   static const std::vector<HandCase> all = [] {
     std::vector<HandCase> cases = triangle_cases();
-    for (const auto& more : {letter_cases(), hole_cases()}) cases.insert(cases.end(), more.begin(), more.end());
+    for (const auto& more : {letter_cases(), hole_cases(), touching_cases()})
+      cases.insert(cases.end(), more.begin(), more.end());
     return cases;
   }();
   return all;
@@ -236,6 +266,14 @@ const std::vector<MovingHandCase>& moving_hand_cases() {
        way(0.5, kStays, vertex(1), {4, 0, 0})},
       {{"slides above the face across a hole", {{{2, -2, 1}, 1}, {2, 6, 1}}, frame()},
        way(0.25, kStays, edge(0), {2, 0, 0})},
+      {{"slides over the point in which a loop touches itself", {{{-1, 3, 1}, 1}, {7, 3, 1}}, pinched()},
+       way(0.5, kMomentary, vertex(2), {3, 3, 0})},
+      {{"slides through that point from face to face", {{{3, -3, 1}, 1}, {3, 9, 1}}, pinched()},
+       way(0.25, kStays, edge(0), {3, 0, 0})},
+      {{"slides over an edge into a hole that touches it", {{{-4, 4, 1}, 1}, {4, 4, 1}}, touching_hole()},
+       way(0.5, kMomentary, edge(3), {0, 4, 0})},
+      {{"slides over that point past the hole", {{{-2, 0, 1}, 1}, {2, 8, 1}}, touching_hole()},
+       way(0.5, kStays, edge(3), {0, 4, 0})},
       {{"fits a hole just so", {{{2, 2, 4}, 1}, {2, 2, -4}}, frame()}, way(0.5, kMomentary, edge(4), {2, 1, 0})},
       {{"passes through a hole", {{{2, 2, 4}, 0.999}, {2, 2, -4}}, frame()}, {}},
       {{"fits between the fingers just so", {{{1.5, 5, 0}, 0.5}, {1.5, 1, 0}}, narrow_u()},

@@ -148,35 +148,62 @@ def apart(a, b, p):
     return any(max(x, y) < min(z) or max(z) < min(x, y) for x, y, z in zip(a, b, zip(*p)))
 
 
-def share_a_point(first, second):
-    """Whether two closed segments share a point."""
-    (a, b), (c, d) = first, second
-    if apart(a, b, second):
-        return False
-    turns = turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)
-    ends = zip(turns, (first, first, second, second), (c, d, a, b))
-    if any(t == 0 and between(*segment, p) for t, segment, p in ends):
-        return True
-    return opposite(turns[0], turns[1]) and opposite(turns[2], turns[3])
-
-
 def opposite(s, t):
     return s < 0 < t or t < 0 < s
 
 
+def is_left(a, b, c, p):
+    """Whether p is to the left of the path a, b, c near b, if it is on neither ray from b."""
+    both = turn(a, b, p) > 0, turn(b, c, p) > 0
+    return all(both) if turn(a, b, c) >= 0 else any(both)
+
+
+def run(loop, i, p):
+    """The loop on its way through the point p of edge i: what names it, the vertex before, the vertex after."""
+    n = len(loop)
+    j = (i + 1) % n
+    if p == loop[i]:
+        return i, loop[i - 1], loop[j]
+    return (j, loop[i], loop[(j + 1) % n]) if p == loop[j] else (n + i, loop[i], loop[j])
+
+
+def edges_meet(first, i, second, j):
+    """Whether two edges cross, overlap, or share a point in which their loops cross."""
+    a, b, c, d = first[i], first[(i + 1) % len(first)], second[j], second[(j + 1) % len(second)]
+    if apart(a, b, (c, d)):
+        return False
+    turns = turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)
+    if opposite(turns[0], turns[1]) and opposite(turns[2], turns[3]):
+        return True
+    ends = zip(turns, ((a, b), (a, b), (c, d), (c, d)), (c, d, a, b))
+    shared = {p for t, segment, p in ends if t == 0 and between(*segment, p)}
+    if len(shared) > 1:
+        return True
+    for p in shared:
+        here, before, after = run(first, i, p)
+        other, come, go = run(second, j, p)
+        if first is second and here == other:
+            continue
+        if is_left(before, p, after, come) != is_left(before, p, after, go):
+            return True
+    return False
+
+
 def meets_itself(loop):
-    """Whether an edge is a point, turns back on the one before, or shares a point with one that is no neighbour."""
-    sides = edges(loop)
-    if any(a == b for a, b in sides):
-        return True
-    if any(turn(a, b, c) == 0 and dot(sub(b, a), sub(c, b)) < 0 for (a, b), (_, c) in edges(sides)):
-        return True
-    return any(share_a_point(sides[i], sides[j]) for i, j in combinations(range(len(sides)), 2)
-               if 1 < j - i < len(sides) - 1)
+    """Whether an edge is a point, or two edges meet; those of a spike overlap."""
+    return any(a == b for a, b in edges(loop)) or any(
+        edges_meet(loop, i, loop, j) for i, j in combinations(range(len(loop)), 2))
 
 
 def meet(first, second):
-    return any(share_a_point(e, f) for e in edges(first) for f in edges(second))
+    return any(edges_meet(first, i, second, j) for i in range(len(first)) for j in range(len(second)))
+
+
+def begins_inside(hole, outer):
+    """Whether the hole is inside the outer loop, near the start of its first edge, where no edge of that loop is."""
+    start, end = hole[0], hole[1]
+    most = 4 * max(abs(x - y) for p, q in edges(outer + hole) for x, y in zip(p, q)) ** 2 + 1  # above any cross product
+    return locate(tuple(most * x + y - x for x, y in zip(start, end)), [[times(most, p) for p in outer]]) == "inside"
 
 
 def locate(p, loops):
@@ -219,7 +246,7 @@ def validate(radius, loops):
     flat = [[drop(p, dropped_axis(normal)) for p in loop] for loop in loops]
     reject_if(any(map(meets_itself, flat)), "loop-meets-itself")
     reject_if(any(meet(a, b) for a, b in combinations(flat, 2)), "loops-meet")
-    reject_if(any(locate(hole[0], flat[:1]) != "inside" for hole in flat[1:]), "hole-outside")
+    reject_if(not all(begins_inside(hole, flat[0]) for hole in flat[1:]), "hole-outside")
 
 
 def scaled_to_integers(center, to, radius, loops):

@@ -255,10 +255,23 @@ class Rejections(unittest.TestCase):
                 ("spike", [[1, 1, 0], [3, 1, 0], [2, 1, 0], [2, 2, 0]]),
                 ("collinear triangle", [[1, 1, 0], [2, 2, 0], [3, 3, 0]]),
                 ("edge becomes a point", [[1, 1, 0], [3, 1, 0], [3, 1, 1], [2, 3, 0]]),
-                ("vertex on an edge", [[1, 1, 0], [3, 1, 0], [3, 2, 0], [2, 1, 0], [1, 2, 0]]),
-                ("vertex on a vertex", [[1, 1, 0], [2, 2, 0], [3, 1, 0], [3, 3, 0], [2, 2, 5], [1, 3, 0]])):
+                ("crossing at a vertex", [[1, 1, 0], [3, 1, 0], [3, 2, 0], [2, 1, 0], [1, 0.5, 0]]),
+                ("crossing at two vertices", [[1, 1, 0], [2, 2, 0], [3, 3, 0], [3, 1, 0], [2, 2, 5], [1, 3, 0]])):
             self.assertEqual(code(holes=[hole]), "loop-meets-itself", name)
             self.assertEqual(code(holes=[hole[::-1]]), "loop-meets-itself", name)
+
+    def test_loops_may_touch(self):
+        for name, hole in (
+                ("vertex on an edge", [[1, 1, 0], [3, 1, 0], [3, 2, 0], [2, 1, 0], [1, 2, 0]]),
+                ("vertex on a vertex", [[1, 1, 0], [2, 2, 0], [3, 1, 0], [3, 3, 0], [2, 2, 5], [1, 3, 0]]),
+                ("at the outline", [[0, 1, 0], [1, 1, 0], [1, 2, 0]]), ("at a corner", [[0, 0, 0], [1, 2, 0], [2, 1, 0]]),
+                ("at four edges", [[2, 0, 0], [4, 2, 0], [2, 4, 0], [0, 2, 0]])):
+            self.assertIsNone(code(holes=[hole]), name)
+            self.assertIsNone(code(holes=[hole[::-1]]), name)
+        small = [[1, 1, 0], [2, 1, 0], [1, 2, 0]]
+        self.assertIsNone(code(holes=[small, [[2, 1, 0], [3, 1, 0], [3, 2, 0]]]))
+        self.assertIsNone(code(holes=[small, [[1, 1, 0], [1.5, 1.25, 0], [1.25, 1.5, 0]]]), "an island")
+        self.assertEqual(code(holes=[[[4, 1, 0], [6, 1, 0], [6, 2, 0]]]), "hole-outside")
 
     def test_straight_runs_are_legal(self):
         self.assertIsNone(code(outer=[[0, 0, 0], [1, 0, 0], [2, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0], [0, 1, 0]]))
@@ -266,10 +279,11 @@ class Rejections(unittest.TestCase):
     def test_loops_meet(self):
         small = [[1, 1, 0], [2, 1, 0], [1, 2, 0]]
         for name, holes in (
-                ("vertex on an edge", [[[0, 1, 0], [1, 1, 0], [1, 2, 0]]]), ("twice the same", [small, small]),
-                ("shared vertex", [small, [[2, 1, 0], [3, 1, 0], [3, 2, 0]]]),
+                ("crossing at a vertex", [[[0, 1, 0], [1, 1, 0], [-1, 2, 0]]]), ("twice the same", [small, small]),
+                ("crossing at a shared vertex", [small, [[2, 1, 0], [1.25, 1.25, 0], [3, 2, 0]]]),
                 ("crossing", [[[1, 1, 0], [9, 1, 0], [1, 2, 0]]]),
-                ("at different heights", [[[0, 1, 7], [1, 1, 9], [1, 2, 3]]])):
+                ("overlap", [[[0, 1, 0], [0, 2, 0], [1, 2, 0]]]),
+                ("at different heights", [[[-1, 1, 7], [1, 1, 9], [1, 2, 3]]])):
             self.assertEqual(code(holes=holes), "loops-meet", name)
 
     def test_hole_outside(self):
@@ -281,7 +295,7 @@ class Rejections(unittest.TestCase):
     def test_the_first_code_that_applies(self):
         two, twice = [[1, 1, 0], [2, 2, 0]], [[1, 1, 0], [1, 1, 0], [2, 1, 0]]
         line, bow = [[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[1, 1, 0], [3, 3, 0], [3, 1, 0], [1, 3, 0]]
-        meets, away = [[0, 1, 0], [1, 1, 0], [1, 2, 0]], [[9, 9, 0], [10, 9, 0], [9, 10, 0]]
+        meets, away = [[0, 1, 0], [1, 1, 0], [0, 2, 0]], [[9, 9, 0], [10, 9, 0], [9, 10, 0]]
         huge = text(radius=-77, outer=line).replace("77", "1e400")
         self.assertEqual(checker.judge_case(huge.replace('"id"', '"di"'))["error"], "malformed-case")
         self.assertEqual(checker.judge_case(huge)["error"], "not-finite")

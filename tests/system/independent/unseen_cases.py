@@ -102,11 +102,24 @@ def square(x, y, half):
     return [(x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half)]
 
 
+def touching(rng):
+    """Loops that touch: an outline that visits a point twice, and holes with vertices on the outline or on others."""
+    slab, k = square(6, 6, 6), rng.randint(1, 3)
+    loops = rng.choice((
+        [[(0, 0), (6, 0), (3, 3), (6, 6), (0, 6), (3, 3)]], [[(0, 0), (8, 0), (8, 5), (4, 0), (0, rng.randint(1, 9))]],
+        [slab, [(0, rng.randint(1, 11)), (5, 1), (5, 11)]], [slab, [(0, 0), (8, 3), (3, 8)]],
+        [slab, [(6, 0), (12, 6), (6, 12), (0, 6)]], [slab, square(6, 6, 4), [(2, 2), (9, 4), (6, 9)]],
+        [slab, [(2, 2), (6, 3), (3, 6)], [(6, 3), (10, rng.randint(0, 2)), (9, 8)]]))
+    return [[(k * x, k * y) for x, y in loop] for loop in loops]
+
+
 def region(rng):
-    """Loops of a legal region: an outline, a frame with islands in holes, or a slab with several holes."""
+    """Loops of a legal region: an outline, loops that touch, a frame with islands in holes, or a slab with holes."""
     kind = rng.random()
-    if kind < 0.6:
+    if kind < 0.5:
         return [outline(rng)]
+    if kind < 0.6:
+        return touching(rng)
     if kind < 0.75:
         return [square(0, 0, 2 * half) for half in range(rng.randint(2, 6), 0, -1)]
     holes = rng.sample([(x, y) for x in range(3) for y in range(2)], rng.randint(1, 4))
@@ -384,13 +397,13 @@ def minus_zeros(rng):
 # Rejected cases
 
 FOLDED = (
-    [(2, 2), (4, 4), (4, 2), (3, 5)], [(2, 2), (5, 2), (4, 2), (4, 4)], [(2, 2), (6, 2), (6, 4), (4, 2), (3, 4)],
-    [(2, 2), (4, 3), (6, 2), (6, 5), (4, 3), (2, 5)], [(2, 2), (5, 2), (5, 2, 1), (3, 5)], [(2, 2), (3, 3), (5, 5)],
+    [(2, 2), (4, 4), (4, 2), (3, 5)], [(2, 2), (5, 2), (4, 2), (4, 4)], [(2, 2), (6, 2), (6, 4), (4, 2), (3, 1)],
+    [(2, 2), (4, 3), (6, 5), (6, 2), (4, 3), (2, 5)], [(2, 2), (5, 2), (5, 2, 1), (3, 5)], [(2, 2), (3, 3), (5, 5)],
     [(2, 2), (6, 2), (6, 5), (5, 5), (5, 2), (2, 2, 3)])
 MEETING = (
-    [square(10, 10, 1), square(12, 12, 1)], [square(10, 10, 2), square(13, 11, 2)],
+    [square(10, 10, 1), square(11, 11, 1)], [square(10, 10, 2), square(13, 11, 2)],
     [square(10, 10, 1), square(12, 10, 1)], [square(10, 10, 1), square(10, 10, 1)], [square(0, 10, 2)],
-    [[(20, 5), (15, 3), (15, 7)]], [square(18, 18, 2)])
+    [[(22, 5), (15, 3), (15, 7)]], [square(18, 18, 2)])
 OUTSIDE = square(30, 10, 2), square(10, 10, 50), [(-5, -5), (-3, -5), (-5, -3)]
 NULL_NORMAL = (
     [(0, 0), (1, 1), (2, 2)], [(0, 0), (8, 8), (8, 0), (0, 8)], [(0, 0), (1, 2), (2, 4), (5, 10)],
