@@ -5,6 +5,7 @@
 
 #include "geometry/contact/answer.h"
 #include "robust/filtered/detail/numbers/bounded.h"
+#include "robust/filtered/detail/triangle/ball_triangle_view.h"
 
 /// The events of a moving ball at edges and their starts, over lanes of doubles and over double-doubles alike, and the
 /// first of them.
@@ -138,6 +139,15 @@ class FirstCandidate {
   [[nodiscard]] TOUCHSTONE_INLINE bool any() const { return before(latest_, Time(kNever)); }
   /// Returns whether one event is certainly before all others.
   [[nodiscard]] TOUCHSTONE_INLINE bool certain() const { return any() && before(latest_, earliest_of_others_); }
+  /// Returns Yes if it is certain which event is first, or, if `any`, that one happens; No if it is certain that none
+  /// does. `unsure`: whether events may happen that were not added.
+  template <bool any>
+  [[nodiscard]] TOUCHSTONE_INLINE FilterResult known(bool unsure) const {
+    if (any && this->any()) return FilterResult::Yes;
+    if (unsure) return FilterResult::Unsure;
+    if (!this->any()) return FilterResult::No;
+    return certain() ? FilterResult::Yes : FilterResult::Unsure;
+  }
   [[nodiscard]] const Feature& feature() const { return feature_; }
   /// Returns the time of the first event, and its error.
   [[nodiscard]] const Time& time() const { return time_; }

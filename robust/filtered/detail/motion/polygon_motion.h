@@ -99,11 +99,9 @@ FrameMotionResult frame_motion_filter(const FrameMotion& motion, const Entry<Pac
     consider(Feature::Kind::Edge, interior_event(moving));
     consider(Feature::Kind::Vertex, start_event(moving));
   });
-  if (any && first.any()) return {FilterResult::Yes, {}};
-  if (unsure) return {FilterResult::Unsure, {}};
-  if (!first.any()) return {FilterResult::No, {}};
-  if (!first.certain()) return {FilterResult::Unsure, {}};
-  return {FilterResult::Yes, first.feature()};
+  const FilterResult known = first.known<any>(unsure);
+  if (known != FilterResult::Yes) return {known, {}};
+  return {known, first.feature()};
 }
 
 /// Looks for the first event of an edge or a vertex in double-doubles. Looks for any event if `any`.
@@ -129,10 +127,7 @@ FilterResult doubles_filter(const FrameMotion& in_frame, const EdgeIndex& edges,
     }
     disc.end_at(first.latest());
   });
-  if (any && first.any()) return FilterResult::Yes;
-  if (unsure) return FilterResult::Unsure;
-  if (!first.any()) return FilterResult::No;
-  return first.certain() ? FilterResult::Yes : FilterResult::Unsure;
+  return first.known<any>(unsure);
 }
 
 /// The knowledge of the first stage about a motion that may touch.

@@ -142,10 +142,7 @@ class TriangleMotionDoubles {
       if ((possible.interiors >> i & 1) != 0) consider(Feature::Kind::Edge, i, interior_event(moving(i)));
       if ((possible.starts >> i & 1) != 0) consider(Feature::Kind::Vertex, i, start_event(moving(i)));
     }
-    if (any && first.any()) return FilterResult::Yes;
-    if (unsure) return FilterResult::Unsure;
-    if (!first.any()) return FilterResult::No;
-    return first.certain() ? FilterResult::Yes : FilterResult::Unsure;
+    return first.template known<any>(unsure);
   }
 
  private:
