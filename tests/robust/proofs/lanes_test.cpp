@@ -10,6 +10,7 @@
 #include "robust/filtered/detail/signs/bounds.h"
 #include "robust/filtered/detail/triangle/triangle_lanes.h"
 #include "robust/proofs/error_bound.h"
+#include "tests/robust/proofs/ratio.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::proofs::lanes {
@@ -26,11 +27,17 @@ ErrorBound known(const mpq_class& magnitude, const mpq_class& error) {
 /// What a ball's subnormal number that was flushed to zero may have been worth, times the largest scale.
 const mpq_class kFlushed = mpq_class(0x1p-122);
 
-// A difference and two products in doubles, the rounding to a float, and what was flushed before.
+/// A coordinate in steps, as doubles compute it, by its ratio to the exact one.
+Ratio<52> coordinate_in_steps() {
+  const lane::Seen<Ratio<52>> seen({}, {}, {});
+  return lane::in_steps<Ratio<52>>(seen.in_units, {});
+}
+
+// The rounding to a float, and what was flushed before.
 TEST(Lanes, CentresAreKnown) {
-  const mpq_class in_doubles = power(1 + mpq_class(bounds::kUnit), 3);
-  const mpq_class error = in_doubles * (1 + kUnit) - 1 + kFlushed + mpq_class(bounds::kFloatTiny);
+  const mpq_class error = coordinate_in_steps().most * (1 + kUnit) - 1 + kFlushed + mpq_class(bounds::kFloatTiny);
   EXPECT_LE(error, bounds::kLaneCentre * kUnit);
+  EXPECT_GT(error, bounds::kLaneCentre * kUnit * 15 / 16) << "it is loose";
 }
 
 // A stored vertex is exact, and at most 1 from the origin.
@@ -40,10 +47,9 @@ TEST(Lanes, VerticesAreKnownAsSeenFromTheCentre) {
   EXPECT_LE(seen.error, 2 * bounds::kLaneVertex * kUnit);
 }
 
-// Each coordinate is rounded to the nearest step after a difference and two products in doubles.
+// Each coordinate is rounded to the nearest step.
 TEST(Lanes, StoredVerticesAreNearTheGivenOnes) {
-  const mpq_class in_doubles = power(1 + mpq_class(bounds::kUnit), 3) - 1;
-  const mpq_class apart = root_above(3) * (1 / (2 * kSteps) + in_doubles);
+  const mpq_class apart = root_above(3) * (1 / (2 * kSteps) + coordinate_in_steps().most - 1);
   EXPECT_LE(apart, bounds::kLaneStored);
   EXPECT_GT(apart, mpq_class(bounds::kLaneStored) * 99 / 100) << "it is loose";
 }
@@ -56,12 +62,8 @@ TEST(Lanes, MagnitudesMayExceedTheirBounds) {
     EXPECT_LE((mpq_class(constant) - mpq_class(1, 32)) * excess, constant);
 }
 
-/// The relative error of a root whose square was rounded `roundings` times.
-mpq_class relative_error_of_root(std::size_t roundings) { return root_above(power(1 + kUnit, roundings)) - 1; }
-
-/// That of the computed length of a point: its square is three products, each rounded and added at most twice, and one
-/// sum; the root is rounded, too.
-const mpq_class kLength = relative_error_of_root(6);
+/// The relative error of the computed length of a point.
+const mpq_class kLength = lane::length(Vector3<Ratio<23>>{}, Ratio<23>{}).most - 1;
 
 /// The limits for a radius of S, as doubles compute them.
 lane::Limits<ErrorBound> limits() {
@@ -113,8 +115,14 @@ TEST(Lanes, UnderflowDoesNotMatter) {
   const mpq_class least_limit = bounds::kLaneStored * kSteps / 2, least_length = root_above(bounds::kLaneTiny) / 2;
   const mpq_class farthest = 8 * mpq_class(TriangleGroup::kReach) * kSteps;
   const mpq_class least_point = least_limit * least_length / farthest;
-  EXPECT_LE(12 * mpq_class(bounds::kFloatTiny) / least_point / kSteps, kUnit / 256);
-  EXPECT_LE(12 * mpq_class(bounds::kFloatTiny), mpq_class(bounds::kLaneTiny) * kUnit);
+  // What sums and products lose that do not round. The support is the sum of two such products.
+  static const ErrorModel underflow{0, bounds::kFloatTiny, true};
+  const ErrorBound any = known_within(underflow, farthest, 0);
+  const mpq_class of_product =
+      lane::product(Vector3<ErrorBound>{any, any, any}, Vector3<ErrorBound>{any, any, any}).error;
+  const mpq_class of_sum = underflow.underflow;
+  EXPECT_LE((2 * of_product + of_sum) / least_point / kSteps, kUnit / 256);
+  EXPECT_LE(of_product + of_sum, mpq_class(bounds::kLaneTiny) * kUnit);
 }
 
 // No product of steps overflows: centres within reach, in steps, and what is added to their distances.

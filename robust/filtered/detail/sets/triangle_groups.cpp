@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robust/filtered/detail/triangle/triangle_lanes.h"
+
 namespace touchstone::filtered::detail {
 namespace {
 
-std::int16_t to_steps(double number) { return static_cast<std::int16_t>(std::lrint(number * TriangleGroup::kSteps)); }
+/// Returns a coordinate in steps.
+std::int16_t to_steps(double given, double origin, double scale) {
+  const lane::Seen<double> seen(given, origin, scale);
+  return static_cast<std::int16_t>(std::lrint(lane::in_steps<double>(seen.in_units, TriangleGroup::kSteps)));
+}
 
 }  // namespace
 
@@ -36,19 +42,18 @@ TriangleGroup group_of(std::span<const Triangle> triangles) {
 
   // Within a power of two of the radius, so that no square underflows or overflows.
   const double power = std::ldexp(1.0, -std::ilogb(extent));
-  const auto scaled = [&group](const Eigen::Vector3d& p, double scale) -> Eigen::Vector3d {
-    return scale * (p - Eigen::Vector3d(group.origin));
-  };
   double radius = 0;
-  each_vertex([&](const Eigen::Vector3d& p) { radius = std::max(radius, scaled(p, power).norm()); });
+  each_vertex([&](const Eigen::Vector3d& p) {
+    radius = std::max(radius, (power * (p - Eigen::Vector3d(group.origin))).norm());
+  });
   group.scale = (1 - 0x1p-40) / radius * power;  // rounding moves no vertex beyond the radius
   group.reach = TriangleGroup::kReach / group.scale;
   for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
     const Triangle& triangle = triangles[lane];
     const Eigen::Vector3d* const vertices[] = {&triangle.a, &triangle.b, &triangle.c};
     for (std::size_t i = 0; i < 3; ++i) {
-      const Eigen::Vector3d vertex = scaled(*vertices[i], group.scale);
-      for (int k = 0; k < 3; ++k) group.vertices[i][k][lane] = to_steps(vertex[k]);
+      for (int k = 0; k < 3; ++k)
+        group.vertices[i][k][lane] = to_steps((*vertices[i])[k], group.origin[k], group.scale);
     }
   }
   return group;

@@ -48,7 +48,7 @@ struct LaneDistances {
 /// in lanes are in steps.
 TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const double* center_of_ball) {
   const auto in_steps = [](double number) {
-    return all_float_lanes(static_cast<float>(TriangleGroup::kSteps * number));
+    return all_float_lanes(static_cast<float>(lane::in_steps<double>(number, TriangleGroup::kSteps)));
   };
   using Vector = Vector3<FloatPack>;
   const auto stored = [&](int i) -> Vector {
@@ -67,11 +67,9 @@ TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const
   const Vector point{coordinate(corner.vertex.x, corner.first.x, corner.second.x),
                      coordinate(corner.vertex.y, corner.first.y, corner.second.y),
                      coordinate(corner.vertex.z, corner.first.z, corner.second.z)};
-  // A length that is not too small for its square.
-  const FloatPack squared = lane::product(point, point) + all_float_lanes(bounds::kLaneTiny);
   const double size = std::max(std::max(1.0, std::abs(center_of_ball[0])),
                                std::max(std::abs(center_of_ball[1]), std::abs(center_of_ball[2])));
-  return {square_root(squared), lane::support(point, corner, zero), size};
+  return {lane::length(point, all_float_lanes(bounds::kLaneTiny)), lane::support(point, corner, zero), size};
 }
 
 /// Returns which of the triangles in `lanes` the ball touches, asking about each alone.
@@ -98,9 +96,9 @@ TOUCHSTONE_INLINE bool in_reach_of_groups(const Ball& ball) {
 /// Writes a ball in the group's units, as lane_distances takes it. Returns false if that is beyond the group's reach.
 /// Requires in_reach_of_groups(ball).
 TOUCHSTONE_INLINE bool see(const Ball& ball, const TriangleGroup& group, double (&seen)[4]) {
-  const Pack relative = load(numbers_of(ball)) - load(group.origin);
-  if (negative_lanes(all_lanes(group.reach) - magnitude(relative)) != 0) return false;
-  store(seen, relative * all_lanes(group.scale));
+  const lane::Seen<Pack> numbers(load(numbers_of(ball)), load(group.origin), all_lanes(group.scale));
+  if (negative_lanes(all_lanes(group.reach) - magnitude(numbers.relative)) != 0) return false;
+  store(seen, numbers.in_units);
   return true;
 }
 

@@ -17,6 +17,21 @@
 namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 namespace lane {
 
+/// A number of a ball, or a coordinate of a vertex, as seen from a group of triangles.
+template <class N>
+struct Seen {
+  N relative;  ///< to the group's origin
+  N in_units;  ///< of the group
+
+  __attribute__((always_inline)) constexpr Seen(const N& given, const N& origin, const N& scale)
+      : relative(given - origin), in_units(relative * scale) {}
+};
+/// Returns a length in steps.
+template <class N>
+__attribute__((always_inline)) constexpr N in_steps(const N& in_units, const N& steps) {
+  return steps * in_units;
+}
+
 /// A vertex and the two edges that begin there.
 template <class T>
 struct Corner {
@@ -40,6 +55,12 @@ constexpr auto coordinate(const Weight& s, const Weight& t, const Vertex& vertex
 template <class A, class B>
 constexpr auto product(const Vector3<A>& direction, const Vector3<B>& other) {
   return multiply_add(direction.x, other.x, multiply_add(direction.y, other.y, direction.z * other.z));
+}
+
+/// Returns the length of a vector; `tiny`, bounds::kLaneTiny, is added to its square, which may underflow.
+template <class T>
+__attribute__((always_inline)) constexpr T length(const Vector3<T>& vector, const T& tiny) {
+  return square_root(product(vector, vector) + tiny);
 }
 
 /// Returns the least product of a direction with a vertex of the triangle.
