@@ -36,8 +36,8 @@ LEFT = {
                      "kDistance", "kNear", "kBoxReach", "kBoxRounding", "kLaneDistance", "kLaneVertex", "kLift", "kSlope",
                      "kLiftedEdge", "kLiftedMaximum", "kPerSquare", "kClosest"), AFTER_STEPS),
     **dict.fromkeys(("kWide", "kNarrow"), RATIOS + "; where they cover other roundings than those of a disc, counted by hand"),
-    "kWideError": RATIOS + "; of quotients and roots, counted by hand",
-    **dict.fromkeys(("kLaneCentre", "kLaneStored", "kLaneTiny"), COUNTED),
+    "kWideError": AFTER_STEPS + ". The roundings of errors: " + RATIOS,
+    **dict.fromkeys(("kLaneCentre", "kLaneStored"), RATIOS), "kLaneTiny": AFTER_STEPS,
     "kNormalUnderflow": "an argument about underflow, in rationals; measured, against rationals",
 }
 LEFT_OF_SCENES = {

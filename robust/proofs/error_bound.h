@@ -128,11 +128,25 @@ inline ErrorBound exact_product(const ErrorBound& a, const ErrorBound& b) {
                *std::max_element(std::begin(corners), std::end(corners)),
                a.magnitude() * b.error + a.error * (b.magnitude() + b.error)});
 }
+/// The divisor is positive, also without errors. q - A / B = (q (B - b) + (a - A)) / B, q = a / b.
+inline ErrorBound exact_quotient(const ErrorBound& a, const ErrorBound& b) {
+  const mpq_class corners[] = {a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high};
+  ErrorBound result{model_of(a, b), *std::min_element(std::begin(corners), std::end(corners)),
+                    *std::max_element(std::begin(corners), std::end(corners)), 0};
+  result.error = (a.error + result.magnitude() * b.error) / (b.low - b.error);
+  return step("division", a, b, result);
+}
+/// Requires bounds of the root, low > 0. |sqrt a - sqrt A| sqrt a <= |a - A|.
+inline ErrorBound exact_root(const ErrorBound& a, const mpq_class& low, const mpq_class& high) {
+  return step("root", {}, a, {a.model, low, high, a.error / low});
+}
 /// @}
 
+inline ErrorBound operator-(const ErrorBound& a) { return exact_difference(ErrorBound::all(0), a); }
 inline ErrorBound operator+(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_sum(a, b)); }
 inline ErrorBound operator-(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_difference(a, b)); }
 inline ErrorBound operator*(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_product(a, b)); }
+inline ErrorBound operator/(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_quotient(a, b)); }
 
 /// Multiplies by a number that is known exactly.
 inline ErrorBound operator/(const ErrorBound& a, double count) {

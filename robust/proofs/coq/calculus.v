@@ -33,6 +33,8 @@ Definition magnitude (b : bounds) : Q := larger (Qabs (low b)) (Qabs (high b)).
 (* The steps, with the numbers that they are given besides. *)
 Inductive rule :=
   | Sum | Difference | Product | Square | Maximum | Magnitude
+  | Division                            (* by a number that is positive, also as it would be without errors *)
+  | Root                                (* of a number that is computed to be positive *)
   | Quotient (count : Q)                (* by a number that is known exactly *)
   | Rounded (unit underflow : Q)        (* the result of an operation in the model *)
   | Off (by_at_most : Q).               (* a result that is known to differ by no more *)
@@ -49,6 +51,8 @@ Definition meaning (s : step) : Prop :=
   | Square => holds (result s) (x * x) (X * X)
   | Maximum => holds (result s) (Rmax x y) (Rmax X Y)
   | Magnitude => holds (result s) (Rabs x) (Rabs X)
+  | Division => holds (result s) (x / y) (X / Y)
+  | Root => holds (result s) (sqrt x) (sqrt X)
   | Quotient count => holds (result s) (x / Q2R count) (X / Q2R count)
   | Rounded unit underflow => forall d t, Rabs d <= Q2R unit -> Rabs t <= Q2R underflow ->
       holds (result s) (x * (1 + d) + t) X
@@ -73,6 +77,13 @@ Definition justified (s : step) : bool :=
   | Square => covers r zero (magnitude a * magnitude a) (magnitude a * error a + error a * (magnitude a + error a))
   | Maximum => covers r (larger (low a) (low b)) (larger (high a) (high b)) (larger (error a) (error b))
   | Magnitude => covers r zero (magnitude a) (error a)
+  | Division =>
+      negb (low b <=? error b) &&
+      forallb (fun y => (low r * y <=? low a) && (high a <=? high r * y)) (low b :: high b :: nil) &&
+      (error a + magnitude r * error b <=? error r * (low b - error b))
+  | Root =>
+      negb (low r <=? zero) && (zero <=? high r) &&
+      (low r * low r <=? low a) && (high a <=? high r * high r) && (error a <=? error r * low r)
   | Quotient count => (one <=? count) && covers r (low a / count) (high a / count) (error a / count)
   | Rounded unit underflow =>
       (unit <=? one) &&
@@ -92,6 +103,12 @@ Proof. unfold is_at_most, Qle_bool; now rewrite (Z.mul_comm (QDen q)), (Z.mul_co
 
 Lemma at_most (p q : Q) : (p <=? q)%fast = true -> Q2R p <= Q2R q.
 Proof. rewrite order; intro le; apply Qle_Rle, Qle_bool_iff, le. Qed.
+
+Lemma not_at_most (p q : Q) : negb (p <=? q)%fast = true -> Q2R q < Q2R p.
+Proof.
+  rewrite order; intro more; apply Qlt_Rlt, Qnot_le_lt; intro no.
+  apply Qle_bool_iff in no; rewrite no in more; discriminate.
+Qed.
 
 Lemma real_abs (q : Q) : Q2R (Qabs q) = Rabs (Q2R q).
 Proof.
@@ -116,13 +133,16 @@ Proof.
   apply at_most in errors, lows, highs; unfold holds; lra.
 Qed.
 
-Lemma small (b : bounds) (computed exact : R) : holds b computed exact -> Rabs computed <= Q2R (magnitude b).
+Lemma within (b : bounds) (x : R) : Q2R (low b) <= x <= Q2R (high b) -> Rabs x <= Q2R (magnitude b).
 Proof.
-  intros [between _]; unfold magnitude.
+  intro between; unfold magnitude.
   pose proof (larger_left (Qabs (low b)) (Qabs (high b))) as left.
   pose proof (larger_right (Qabs (low b)) (Qabs (high b))) as right.
   rewrite real_abs in left, right; revert left right; unfold Rabs; repeat destruct Rcase_abs; lra.
 Qed.
+
+Lemma small (b : bounds) (computed exact : R) : holds b computed exact -> Rabs computed <= Q2R (magnitude b).
+Proof. intros [between _]; now apply within. Qed.
 
 Lemma exact_small (b : bounds) (computed exact : R) :
   holds b computed exact -> Rabs exact <= Q2R (magnitude b) + Q2R (error b).
@@ -146,6 +166,34 @@ Proof.
   replace (x * y - X * Y) with (x * (y - Y) + (x - X) * Y) by ring.
   eapply Rle_trans; [apply Rabs_triang |]; rewrite !Rabs_mult.
   apply Rplus_le_compat; apply Rmult_le_compat; auto using Rabs_pos.
+Qed.
+
+(* q - X / Y = (q (Y - y) + (x - X)) / Y, q = x / y. *)
+Lemma division_near (x X y Y l m ea eb e : R) :
+  0 < l - eb -> l <= y -> Rabs (x - X) <= ea -> Rabs (y - Y) <= eb -> Rabs (x / y) <= m -> ea + m * eb <= e * (l - eb) ->
+  Rabs (x / y - X / Y) <= e.
+Proof.
+  intros apart below near_x near_y quotient enough.
+  pose proof (Rabs_pos (y - Y)); pose proof (Rabs_pos (x - X)); pose proof (Rabs_pos (x / y)).
+  assert (l - eb <= Y) as least by (revert near_y; unfold Rabs; destruct Rcase_abs; lra).
+  assert (0 <= e) as positive by nra.
+  apply Rmult_le_reg_r with Y; [lra |]; rewrite <- (Rabs_pos_eq Y) at 2 by lra; rewrite <- Rabs_mult.
+  replace ((x / y - X / Y) * Y) with ((x - X) - x / y * (y - Y)) by (field; lra).
+  eapply Rle_trans; [apply Rabs_triang |]; rewrite Rabs_Ropp, Rabs_mult.
+  assert (Rabs (x / y) * Rabs (y - Y) <= m * eb) by (apply Rmult_le_compat; auto using Rabs_pos).
+  nra.
+Qed.
+
+(* (sqrt x - sqrt X) sqrt x is at most x - X in magnitude, also where X is negative and its root is taken to be 0. *)
+Lemma root_near (x X l ea e : R) : 0 < l <= sqrt x -> Rabs (x - X) <= ea -> ea <= e * l -> Rabs (sqrt x - sqrt X) <= e.
+Proof.
+  intros [positive least] near enough; pose proof (Rabs_pos (x - X)).
+  assert (0 < x) by (apply Rnot_le_lt; intro no; rewrite (sqrt_neg_0 x no) in least; lra).
+  pose proof (sqrt_sqrt x ltac:(lra)); pose proof (sqrt_pos X).
+  assert (0 <= e) by nra.
+  assert (sqrt X * sqrt X = X \/ (X < 0 /\ sqrt X = 0)) as square.
+  { destruct (Rle_dec 0 X); [left; now apply sqrt_sqrt | right; split; [lra | apply sqrt_neg_0; lra]]. }
+  revert near; unfold Rabs; repeat destruct Rcase_abs; destruct square as [square | [negative ->]]; nra.
 Qed.
 
 Lemma between (x m : R) : Rabs x <= m -> - m <= x <= m.
@@ -187,6 +235,23 @@ Proof.
   - apply (covered _ _ _ _ _ _ just).
     + pose proof (small _ _ _ A); pose proof (Rabs_pos x); real; lra.
     + destruct A as [_ near_a]; absolute.
+  - parts; apply not_at_most in H; cbn [forallb] in *; parts.
+    repeat match goal with H : (_ <=? _)%fast = true |- _ => apply at_most in H end; real.
+    destruct A as [in_a near_a], B as [in_b near_b]; pose proof (Rabs_pos (y - Y)).
+    assert (Q2R (low r) <= x / y <= Q2R (high r)) as in_r.
+    { split; apply Rmult_le_reg_r with y; try lra; replace (x / y * y) with x by (field; lra); rewrite Rmult_comm.
+      - apply Rle_trans with (Q2R (low a)); [apply (below_ends _ _ _ _ _ in_b); lra | lra].
+      - apply Rle_trans with (Q2R (high a)); [lra | apply (above_ends _ _ _ _ _ in_b); lra]. }
+    split; [assumption |].
+    apply (division_near _ _ _ _ (Q2R (low b)) (Q2R (magnitude r)) (Q2R (error a)) (Q2R (error b))); try lra.
+    now apply within.
+  - parts; apply not_at_most in H.
+    repeat match goal with H : (_ <=? _)%fast = true |- _ => apply at_most in H end; real.
+    destruct A as [in_a near_a].
+    assert (Q2R (low r) <= sqrt x) by (rewrite <- (sqrt_square (Q2R (low r))) by lra; apply sqrt_le_1_alt; lra).
+    split; [split; [assumption |] |].
+    + rewrite <- (sqrt_square (Q2R (high r))) by assumption; apply sqrt_le_1_alt; lra.
+    + apply (root_near _ _ (Q2R (low r)) (Q2R (error a))); lra.
   - parts. apply at_most in H.
     assert (0 < Q2R count) by (revert H; unfold Q2R at 1; cbn; lra).
     assert (~ (count == 0)%Q) as nonzero by (intro zero; apply Qeq_eqR in zero; rewrite RMicromega.Q2R_0 in zero; lra).

@@ -35,7 +35,11 @@ struct Size {
   friend Size operator+(const Size& a, const Size&) { return a; }
   friend Size operator-(const Size& a, const Size&) { return a; }
   friend Size operator*(const Size& a, const Size&) { return a; }
+  friend Size quotient(const Size&, const Size&) { return {Ratio<52>{}.rounded()}; }
+  friend Size square_root(const Size& a) { return {square_root(a.ratio)}; }
+  friend Size at_least(const Size& a, const Ratio<52>&) { return a; }
   friend Ratio<52> magnitude(const Size& a) { return a.ratio; }
+  friend Ratio<52> leading(const Size& a) { return a.ratio; }
 };
 
 }  // namespace
@@ -65,12 +69,44 @@ const ErrorModel& model() {
   return std::is_same_v<Number, Pack> ? kLanes : kDoubleDoubles;
 }
 
-/// The high part of a double-double differs from it by half a unit of doubles at most.
+/// How much the high part of a double-double differs from it, relative to either.
+template <class Number>
+const mpq_class kLow = std::is_same_v<Number, Pack> ? mpq_class(0) : mpq_class(bounds::kUnit / 2);
+
 template <class Number>
 Stand<Pack> magnitude(const Stand<Number>& a) {
   const mpq_class least = std::max<mpq_class>({a.bound.low, -a.bound.high, 0});
-  const mpq_class apart = std::is_same_v<Number, Pack> ? mpq_class(0) : kU;
-  return {{&kLanes, least * (1 - apart), a.bound.magnitude() * (1 + apart), 0}};
+  return {{&kLanes, least * (1 - kLow<Number>), a.bound.magnitude() * (1 + kLow<Number>), 0}};
+}
+/// Of a number that is positive.
+template <class Number>
+Stand<Pack> leading(const Stand<Number>& a) {
+  return magnitude(a);
+}
+/// Of a number that is not negative without its error, and so the larger of it and 0, from which `least` differs by
+/// itself. High parts decide.
+template <class Number>
+Stand<Number> at_least(const Stand<Number>& a, const Stand<Pack>& least) {
+  const mpq_class& high = least.bound.high;
+  return {proofs::maximum(a.bound, {nullptr, least.bound.low * (1 - kLow<Number>), high, high})};
+}
+/// Rounds a quotient or a root: of double-doubles as Gappa proves it of the operations that are compiled.
+template <class Number>
+Stand<Number> rounded_quotient(ErrorBound exact) {
+  static const mpq_class units = std::is_same_v<Number, Pack> ? 1 : bounds::kQuotient;
+  static const ErrorModel of_quotients{units * model<Number>().unit, 0, false};
+  exact.model = &of_quotients;
+  ErrorBound result = rounded(exact);
+  result.model = &model<Number>();
+  return {result};
+}
+template <class Number>
+Stand<Number> quotient(const Stand<Number>& a, const Stand<Number>& b) {
+  return rounded_quotient<Number>(exact_quotient(a.bound, b.bound));
+}
+template <class Number>
+Stand<Number> square_root(const Stand<Number>& a) {
+  return rounded_quotient<Number>(exact_root(a.bound, root_below(a.bound.low), root_above(a.bound.high)));
 }
 template <class Number>
 Stand<Pack> largest_component(const Vector3<Stand<Number>>& v) {
@@ -92,10 +128,10 @@ Vector3<Stand<Number>> cross(const Vector3<Stand<Number>>& a, const Vector3<Stan
 
 Stand<Pack> exactly(const mpq_class& number) { return {{&kLanes, number, number, 0}}; }
 
-/// A number that was computed as `value`.
+/// A number that was computed as `value`. `lacking`: by what factor the carried error is too small.
 template <class Number>
-Bounded<Stand<Number>> known(const mpq_class& value, const mpq_class& error) {
-  return {{{&model<Number>(), value, value, error}}, exactly(error)};
+Bounded<Stand<Number>> known(const mpq_class& value, const mpq_class& error, const mpq_class& lacking = 1) {
+  return {{{&model<Number>(), value, value, error * lacking}}, exactly(error)};
 }
 /// A vector of any numbers up to this size.
 template <class Number>
@@ -105,8 +141,8 @@ BoundedVector<Stand<Number>> vector_of(const mpq_class& size, const mpq_class& e
 }
 
 /// The carried error is rounded eight times at most.
-void expect_covered(const ErrorBound& value, const Stand<Pack>& error) {
-  EXPECT_LE(value.error, error.bound.low * (1 + 8 * kUnit)) << value.low << " to " << value.high;
+void expect_covered(const ErrorBound& value, const Stand<Pack>& error, const mpq_class& lacking = 1) {
+  EXPECT_LE(value.error, lacking * error.bound.low * (1 + 8 * kUnit)) << value.low << " to " << value.high;
 }
 /// The errors of a number and of a vector.
 const std::vector<mpq_class> kErrors{0, mpq_class(1, mpz_class(1) << 60), 1, 1000};
@@ -136,21 +172,56 @@ void expect_products_of_vectors_covered() {
         }
 }
 
-TEST(BoundedOperations, OfLanesCoverTheirErrors) {
-  expect_sums_and_products_covered<Pack>();
-  expect_products_of_vectors_covered<Pack>();
+/// By what factors carried errors may be too small: by none, and after 2^11 operations.
+const std::vector<mpq_class> kLacking{1, (1 + mpq_class(bounds::kWideError)) / 2};
+/// Errors of a divisor that is 1, which is certainly positive.
+const std::vector<mpq_class> kErrorsOfDivisors{0, 0x1p-60, 0x1p-20, 0x1p-16, 0x1p-8, 0.5, 1 - 0x1p-8, 1 - 0x1p-20};
+
+// A quotient and its error are linear in what is divided and its error, and scale with the divisor.
+template <class Number>
+void expect_quotients_covered() {
+  for (const mpq_class& lacking : kLacking)
+    for (const int a : {0, 1, -3, 1000})
+      for (const mpq_class& of_a : kErrors)
+        for (const mpq_class& of_b : kErrorsOfDivisors) {
+          const auto result = quotient(known<Number>(a, of_a, lacking), known<Number>(1, of_b, lacking));
+          expect_covered(result.value.bound, result.error, lacking);
+        }
 }
 
-TEST(BoundedOperations, OfDoubleDoublesCoverTheirErrors) {
-  expect_sums_and_products_covered<DoubleDouble>();
-  expect_products_of_vectors_covered<DoubleDouble>();
+// The exact number is not negative; the computed one may be, up to its error.
+template <class Number>
+void expect_roots_covered() {
+  for (const mpq_class& lacking : kLacking) {
+    for (const mpq_class& error : kErrorsOfDivisors) {
+      const auto result = root(known<Number>(1, error, lacking));
+      expect_covered(result.value.bound, result.error, lacking);
+    }
+    for (const double a : {-1.0, -0.5, 0.0, 0.5, 1 - 0x1p-20, 1.0, 1 + 0x1p-40}) {
+      const auto result = root(known<Number>(a, 1, lacking));
+      expect_covered(result.value.bound, result.error, lacking);
+    }
+  }
 }
+
+template <class Number>
+void expect_covered() {
+  expect_sums_and_products_covered<Number>();
+  expect_products_of_vectors_covered<Number>();
+  expect_quotients_covered<Number>();
+  expect_roots_covered<Number>();
+}
+
+TEST(BoundedOperations, OfLanesCoverTheirErrors) { expect_covered<Pack>(); }
+TEST(BoundedOperations, OfDoubleDoublesCoverTheirErrors) { expect_covered<DoubleDouble>(); }
 
 TEST(BoundedOperations, AreTight) {
   const auto x = vector_of<Pack>(1, 0), y = vector_of<Pack>(1, 1);
   const auto of_exact = filtered::detail::dot(x, x), of_unknown = filtered::detail::dot(x, y);
   EXPECT_GT(of_exact.value.bound.error, of_exact.error.bound.low * 63 / 64);
   EXPECT_GT(of_unknown.value.bound.error, of_unknown.error.bound.low * 63 / 64);
+  for (const auto& result : {quotient(known<Pack>(1, 1), known<Pack>(1, 0.5)), root(known<Pack>(1, 0x1p-20))})
+    EXPECT_GT(result.value.bound.error, result.error.bound.low * 63 / 64);
 }
 
 TEST(BoundedOperations, RoundTheirErrorAtMostEightTimes) {
@@ -161,6 +232,9 @@ TEST(BoundedOperations, RoundTheirErrorAtMostEightTimes) {
     EXPECT_GE(error.least, power(1 - kUnit, 8));
     EXPECT_LE(error.most, power(1 + kUnit, 8));
   }
+  // What is subtracted from a divisor may be so near that nothing bounds the error of the quotient from above.
+  for (const Ratio<52>& error : {quotient(x, y).error, root(x).error}) EXPECT_GE(error.least, power(1 - kUnit, 8));
+  EXPECT_LE(power(1 + 8 * kUnit, 1 << 11), kLacking.back());
   // The factor, and its product with the error.
   EXPECT_LE(power(1 + 8 * kUnit, 1 << 12), bounds::kWideError * (1 - kUnit));
 }

@@ -16,7 +16,7 @@ template <int bits>
 struct Ratio {
   mpq_class least = 1, most = 1;
 
-  static Ratio all(double constant) { return std::abs(constant - 1) < 0x1p-40 ? Ratio{constant, constant} : Ratio{}; }
+  static Ratio all(double constant) { return std::abs(constant - 1) < 0x1p-30 ? Ratio{constant, constant} : Ratio{}; }
   [[nodiscard]] Ratio rounded() const {
     const mpq_class unit = power(mpq_class(1, 2), bits);
     return {least * (1 - unit), most * (1 + unit)};
@@ -27,6 +27,9 @@ struct Ratio {
   }
   friend Ratio operator+(const Ratio& a, const Ratio& b) { return maximum(a, b).rounded(); }
   friend Ratio operator*(const Ratio& a, const Ratio& b) { return Ratio{a.least * b.least, a.most * b.most}.rounded(); }
+  friend Ratio quotient(const Ratio& a, const Ratio& b) {
+    return Ratio{a.least / b.most, b.least > 0 ? mpq_class(a.most / b.least) : power(2, 5000)}.rounded();
+  }
   friend Ratio square_root(const Ratio& a) { return Ratio{root_below(a.least), root_above(a.most)}.rounded(); }
   /// p A - q B <= p (A - B) if p <= q. So a difference has a bound on the side on which its operands allow this.
   friend Ratio operator-(const Ratio& a, const Ratio& b) {

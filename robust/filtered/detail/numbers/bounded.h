@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/lanes.h"
@@ -10,10 +9,10 @@
 
 /// Numbers that carry a bound of their error through any expression: doubles in lanes and double-doubles.
 ///
-/// Guarantee: after k operations on top of each other a computed value differs from the exact one by at most
-/// (1 + 8 u)^k times its `error`, u = 2^-52. The factor is that of the roundings of the error itself, of which no
-/// operation makes more than eight; `positive` and `negative` allow for 2^12 operations. Lanes are valid in every
-/// rounding direction and under flush-to-zero, double-doubles in round to nearest.
+/// Guarantee: after k operations a computed value differs from the exact one by at most (1 + 8 u)^k times its `error`,
+/// u = 2^-52. The factor is that of the roundings of the error itself, of which no operation makes more than eight;
+/// `positive` and `negative` allow for 2^12 operations, divisors for half as many. Lanes are valid in every rounding
+/// direction and under flush-to-zero, double-doubles in round to nearest.
 ///
 /// Requires lengths of at most bounds::kLongestMotion, and vectors whose maximum is at least the inverse of that. Then
 /// nothing overflows in expressions of degree 8, and the error of every expression of vectors exceeds the effect of
@@ -53,6 +52,10 @@ TOUCHSTONE_INLINE DoubleDouble square_root(const DoubleDouble& a) { return sqrt(
 TOUCHSTONE_INLINE Pack quotient(const Pack& a, const Pack& b) { return a / b; }
 TOUCHSTONE_INLINE double quotient(double a, double b) { return a / b; }
 TOUCHSTONE_INLINE DoubleDouble quotient(const DoubleDouble& a, const DoubleDouble& b) { return a / b; }
+TOUCHSTONE_INLINE Pack at_least(const Pack& a, const Pack& least) { return maximum(a, least); }
+TOUCHSTONE_INLINE DoubleDouble at_least(const DoubleDouble& a, double least) {
+  return a.high < least ? DoubleDouble(least) : a;
+}
 /// @}
 
 /// A number and a bound of its error.
@@ -103,10 +106,7 @@ TOUCHSTONE_INLINE unsigned negative(const Bounded<Number>& a) {
 /// become small positive numbers, so that divisions and roots raise no flag.
 template <class Number>
 TOUCHSTONE_INLINE Number at_least_error(const Bounded<Number>& a) {
-  if constexpr (std::is_same_v<Number, Pack>)
-    return maximum(a.value, a.error);
-  else
-    return a.value.high < a.error ? Number(a.error) : a.value;
+  return at_least(a.value, a.error);
 }
 
 /// Returns a / b where b is certainly positive; other lanes hold any finite number with a large error.
