@@ -20,9 +20,9 @@ ROOT = PROOFS.parents[1]
 PAGE = PROOFS / "CLAIMS.md"
 BOUNDS = "robust/filtered/detail/signs/bounds.h"
 # Headers with constants that are proved over the calculus or by counting roundings, and where these may be used.
-OF_SCENES = [f"robust/scene/detail/{name}.h"
-             for name in ("rounded_sum", "culling_ball", "culling_motion", "own_frame", "distance_bound", "held_vertex",
-                          "lifted_box")]
+OTHER_HEADERS = ["robust/filtered/detail/motion/polygon_events.h",
+                 *(f"robust/scene/detail/{name}.h" for name in ("rounded_sum", "culling_ball", "culling_motion", "own_frame",
+                                                                "distance_bound", "held_vertex", "lifted_box"))]
 
 # What is left to trust of the constants of bounds.h that no claim is about.
 AFTER_STEPS = "Coq checks the steps of the calculus; roots, powers and the comparison are C++ over GMP"
@@ -40,7 +40,8 @@ LEFT = {
     **dict.fromkeys(("kLaneCentre", "kLaneStored"), RATIOS), "kLaneTiny": AFTER_STEPS,
     "kNormalUnderflow": "an argument about underflow, in rationals; measured, against rationals",
 }
-LEFT_OF_SCENES = {
+LEFT_OF_OTHERS = {
+    "polygon_events": AFTER_STEPS + ". Times, reaches and boxes: by hand, what they contain if numbers are off by so much",
     "rounded_sum": "what `Permanent` guarantees, and C++ over GMP", "culling_ball": AFTER_STEPS,
     "own_frame": "inequalities of norms, by hand; " + COUNTED, "distance_bound": AFTER_STEPS + ". `kWide`: " + COUNTED,
     "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP. `kTiny`: " + COUNTED,
@@ -144,10 +145,10 @@ def rows_left(used, listed):
     for constant in constants:
         tests = links(users(constant, "tests/robust"), "none names it")
         yield [f"`{constant}`", links(users(constant, "robust")), tests, LEFT[constant]]
-    for header in OF_SCENES:
+    for header in OTHER_HEADERS:
         name = pathlib.Path(header).stem
         tests = [path for path in sources("tests/robust") if header in path.read_text()]
-        yield [", ".join(named_constants_of(header)), links([ROOT / header]), links(tests), LEFT_OF_SCENES[name]]
+        yield [", ".join(named_constants_of(header)), links([ROOT / header]), links(tests), LEFT_OF_OTHERS[name]]
 
 
 def page(model, records):

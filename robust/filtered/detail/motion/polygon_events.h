@@ -72,61 +72,130 @@ TOUCHSTONE_INLINE MovingEdge<Pack> moving_edges(const EdgeTree::Leaf& leaf, cons
           motion.radius};
 }
 
+/// The computations of a SweptDisc, over any numbers, also those that carry the bounds of their errors for the proof
+/// (tests/robust/proofs/swept_disc_test.cpp).
+namespace swept_disc {
+
+/// More than the error of any coordinate of a motion, in units of its size.
+inline constexpr double kMargin = 0x1p-40;
+
+template <class N>
+constexpr N margin(const N& size) {
+  return constant<N>(kMargin) * size;
+}
+
+/// The times between which the height above the plane, first + t change, is at most r in magnitude, up to the margin.
+template <class N>
+struct Times {
+  N begin, end;
+
+  /// `speed`: the magnitude of `change`.
+  TOUCHSTONE_INLINE Times(const N& first, const N& change, const N& speed, const N& radius, const N& margin) {
+    const N middle = -first / change, half = (radius + margin) / speed;
+    begin = maximum(middle - half, constant<N>(0));
+    end = middle + half;
+  }
+};
+
+/// Returns a bound of the distance between centre and plane, given one that is computed.
+template <class N>
+TOUCHSTONE_INLINE N least_distance(const N& computed, const N& margin) {
+  return maximum(computed - margin, constant<N>(0));
+}
+/// Returns the radius of the disc in which a ball at this distance or farther meets the plane.
+template <class N>
+TOUCHSTONE_INLINE N reach(const N& radius, const N& distance, const N& margin) {
+  return frame::half_chord(radius, distance) * constant<N>(bounds::kWide) + margin;
+}
+
+/// The way of a foot, from its middle and half of it.
+template <class N>
+struct Way {
+  N middle_x, middle_y, half_x, half_y;
+
+  static TOUCHSTONE_INLINE Way between(const N& begin, const N& end, const N& x, const N& y, const N& velocity_x,
+                                       const N& velocity_y) {
+    const N middle = constant<N>(0.5) * (begin + end), half = constant<N>(0.5) * (end - begin);
+    return {x + middle * velocity_x, y + middle * velocity_y, half * velocity_x, half * velocity_y};
+  }
+  /// Returns twice the area that half of the way spans with a point at distance `reach`.
+  [[nodiscard]] TOUCHSTONE_INLINE N area(const N& reach) const {
+    return reach * square_root(frame::squared_length(half_x, half_y)) * constant<N>(bounds::kWide);
+  }
+};
+
+/// A box as seen from a way. It has this centre, a unit axis and half sizes.
+template <class N>
+struct BoxFromWay {
+  N beside, above;   ///< beyond what the way spans along the axis and across it
+  N offset, shadow;  ///< of the centre from the way's line, and what the box spans across it, times half of the way
+
+  TOUCHSTONE_INLINE BoxFromWay(const Way<N>& way, const N& center_x, const N& center_y, const N& axis_x,
+                               const N& axis_y, const N& half_along, const N& half_across, const N& margin) {
+    const N &x = way.middle_x, &y = way.middle_y, zero = constant<N>(0);
+    const N along = frame::along(x, y, center_x, center_y, axis_x, axis_y);
+    const N across = frame::across(x, y, center_x, center_y, axis_x, axis_y);
+    const N span_along = magnitude(frame::turned_along(way.half_x, way.half_y, axis_x, axis_y));
+    const N span_across = magnitude(frame::turned_across(way.half_x, way.half_y, axis_x, axis_y));
+    const N wide_along = half_along + margin, wide_across = half_across + margin;
+    beside = maximum(frame::beyond(along, span_along + wide_along), zero);
+    above = maximum(frame::beyond(across, span_across + wide_across), zero);
+    offset = magnitude((x - center_x) * way.half_y - (y - center_y) * way.half_x);
+    shadow = wide_along * span_across + wide_across * span_along;
+  }
+  /// Returns a number that is negative only if all points of the box are farther than `reach` from the way.
+  [[nodiscard]] TOUCHSTONE_INLINE N within(const N& reach) const {
+    return reach * reach - frame::squared_length(beside, above);
+  }
+  /// The same by the distance from the way's line. `area`: of the way; `least`: covers underflow.
+  [[nodiscard]] TOUCHSTONE_INLINE N astride(const N& area, const N& least) const {
+    return (shadow + area) * constant<N>(1 + 0x1p-40) + least - offset;
+  }
+};
+
+}  // namespace swept_disc
+
 /// The part of the plane that a motion's ball may touch until some time: all points within `reach` of the segment that
-/// the foot covers while the ball may reach the plane. Only ever too large.
+/// the foot covers while the ball may reach the plane. Only ever too large. Requires a ball that does not touch at its
+/// start: its radius is at most twice the motion's size.
 class SweptDisc {
  public:
-  TOUCHSTONE_INLINE explicit SweptDisc(const FrameMotion& motion) : motion_(motion) {
-    margin_ = 0x1p-40 * motion.size;  // far above the error of any coordinate
+  TOUCHSTONE_INLINE explicit SweptDisc(const FrameMotion& motion)
+      : motion_(motion), margin_(swept_disc::margin(motion.size)) {
     const double radius = motion.start.radius, first = motion.start.height, change = motion.velocity.z;
-    // The times between which the height is at most r, up to the margin. Its errors are far below the margin, too.
     if (const double speed = std::abs(change); speed > margin_) {
-      const double middle = -first / change, half = (radius + margin_) / speed;
-      begin_ = maximum(middle - half, 0);
-      end_ = middle + half;
+      const swept_disc::Times<double> times(first, change, speed, radius, margin_);
+      begin_ = times.begin, end_ = times.end;
     }
     // The least height above the plane, on either side.
     const double last = first + change;
-    const double low = maximum(maximum(first < last ? first : last, first < last ? -last : -first) - margin_, 0);
-    reach_ = frame::half_chord(radius, low) * bounds::kWide + margin_;
+    const double least = maximum(first < last ? first : last, first < last ? -last : -first);
+    reach_ = swept_disc::reach(radius, swept_disc::least_distance(least, margin_), margin_);
     end_at(1);
   }
   /// Ends the motion at this time, if it does not end before.
   TOUCHSTONE_INLINE void end_at(double time) {
     end_ = maximum(begin_, time < end_ ? time : end_);
-    const double middle = 0.5 * (begin_ + end_), half = 0.5 * (end_ - begin_);
-    middle_x_ = motion_.x + middle * motion_.velocity.x, half_x_ = half * motion_.velocity.x;
-    middle_y_ = motion_.y + middle * motion_.velocity.y, half_y_ = half * motion_.velocity.y;
-    // Twice the area that the foot's half segment spans with a point at distance `reach`.
-    reach_area_ = reach_ * std::sqrt(half_x_ * half_x_ + half_y_ * half_y_) * bounds::kWide;
+    way_ = swept_disc::Way<double>::between(begin_, end_, motion_.x, motion_.y, motion_.velocity.x, motion_.velocity.y);
+    area_ = way_.area(reach_);
   }
   /// Returns the lanes of boxes that the disc certainly misses. Each box has this centre, a unit axis and half sizes.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned misses(const Pack& center_x, const Pack& center_y, const Pack& axis_x,
                                                   const Pack& axis_y, const Pack& half_along,
                                                   const Pack& half_across) const {
-    const Pack x = all_lanes(middle_x_), y = all_lanes(middle_y_), zero = all_lanes(0);
-    const Pack half_x = all_lanes(half_x_), half_y = all_lanes(half_y_), margin = all_lanes(margin_);
-    const Pack along = frame::along(x, y, center_x, center_y, axis_x, axis_y);
-    const Pack across = frame::across(x, y, center_x, center_y, axis_x, axis_y);
-    const Pack span_along = magnitude(frame::turned_along(half_x, half_y, axis_x, axis_y));
-    const Pack span_across = magnitude(frame::turned_across(half_x, half_y, axis_x, axis_y));
-    const Pack wide_along = half_along + margin, wide_across = half_across + margin;
-    const Pack beside = maximum(frame::beyond(along, span_along + wide_along), zero);
-    const Pack above = maximum(frame::beyond(across, span_across + wide_across), zero);
-    const Pack reach = all_lanes(reach_);
-    const unsigned apart = negative_lanes(reach * reach - frame::squared_length(beside, above));
-    // The same across the segment: the distance of the boxes from its line, times its half length.
-    const Pack offset = magnitude((x - center_x) * half_y - (y - center_y) * half_x);
-    const Pack shadow = wide_along * span_across + wide_across * span_along;
-    return apart | negative_lanes((shadow + all_lanes(reach_area_)) * all_lanes(1 + 0x1p-40) +
-                                  all_lanes(margin_ * margin_) - offset);
+    const swept_disc::Way<Pack> way{all_lanes(way_.middle_x), all_lanes(way_.middle_y), all_lanes(way_.half_x),
+                                    all_lanes(way_.half_y)};
+    const swept_disc::BoxFromWay<Pack> box(way, center_x, center_y, axis_x, axis_y, half_along, half_across,
+                                           all_lanes(margin_));
+    return negative_lanes(box.within(all_lanes(reach_))) |
+           negative_lanes(box.astride(all_lanes(area_), all_lanes(margin_ * margin_)));
   }
 
  private:
   const FrameMotion& motion_;
   double begin_ = 0, end_ = 1;  // times
-  double margin_, reach_, reach_area_;
-  double middle_x_, middle_y_, half_x_, half_y_;
+  double margin_, reach_, area_;
+  swept_disc::Way<double> way_;
 };
 
 /// A motion and a prepared polygon in double-doubles, in the frame's unit of length but along the axes of the input,
