@@ -20,28 +20,33 @@ namespace touchstone {
 namespace {
 
 struct Format {
-  std::string_view extension;
+  std::string_view name;
   void (*read)(const io::MeshSource&, io::MeshBuilder&);
   std::int64_t first_vertex;
 };
 
 constexpr std::array<Format, 4> kFormats{{
-    {".obj", io::read_obj, 1},
-    {".off", io::read_off, 0},
-    {".stl", io::read_stl, 0},
-    {".ply", io::read_ply, 0},
+    {"obj", io::read_obj, 1},
+    {"off", io::read_off, 0},
+    {"stl", io::read_stl, 0},
+    {"ply", io::read_ply, 0},
 }};
 
-const Format& format_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
+/// Returns nothing if there is no format of that name.
+const Format* find_format(std::string name) {
+  for (char& c : name)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   const auto* const format =
-      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.extension == extension; });
-  if (format == kFormats.end())
-    throw BrokenMesh(io::all_legible(file.string()) + ": unknown extension '" + io::legible(extension) +
-                     "'; expected .obj, .off, .stl or .ply");
-  return *format;
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.name == name; });
+  return format == kFormats.end() ? nullptr : format;
+}
+
+const Format& format_of(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  const Format* const format = extension.empty() ? nullptr : find_format(extension.substr(1));
+  if (format != nullptr) return *format;
+  throw BrokenMesh(io::all_legible(file.string()) + ": unknown extension '" + io::legible(extension) +
+                   "'; expected .obj, .off, .stl or .ply");
 }
 
 io::MeshSource load(const std::filesystem::path& file) {
@@ -58,27 +63,49 @@ io::MeshSource load(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string io::sentence(const std::string& file, SourceLocation place, const std::string& reason) {
-  return all_legible(file) + (place.unit == SourceLocation::Unit::Line ? ": line " : ": byte ") +
-         std::to_string(place.number) + ": " + reason;
+std::string io::text_of(SourceLocation place) {
+  return (place.unit == SourceLocation::Unit::Line ? "line " : "byte ") + std::to_string(place.number);
 }
 
-ReadMesh io::read_content(const std::filesystem::path& file, OnFault on_fault) try {
+std::string io::sentence(const std::string& file, SourceLocation place, const std::string& reason) {
+  return all_legible(file) + ": " + text_of(place) + ": " + reason;
+}
+
+namespace {
+
+ReadMesh content_of(const io::MeshSource& source, const Format& format, OnFault on_fault) {
   const FloatingPointState nearest;  // subnormal floats of binary files become doubles, too
-  const Format& format = format_of(file);
-  const io::MeshSource source = load(file);
   io::MeshBuilder builder(source, on_fault, format.first_vertex);
   builder.attempt_file([&] { format.read(source, builder); });
   return std::move(builder).finish();
+}
+
+/// Returns what was read. Throws BrokenMesh if that has no face.
+ReadMesh with_faces(ReadMesh read, const std::string& name) {
+  if (!read.mesh.faces.empty()) return read;
+  throw BrokenMesh((read.left_out.empty() ? io::all_legible(name) + ":" : read.left_out.front() + ";") +
+                   " the file has no face");
+}
+
+}  // namespace
+
+ReadMesh io::read_content(const std::filesystem::path& file, OnFault on_fault) try {
+  const Format& format = format_of(file);
+  return content_of(load(file), format, on_fault);
 } catch (const std::bad_alloc&) {
   throw BrokenMesh(io::all_legible(file.string()) + ": there is not enough memory to read it");
 }
 
 ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) {
-  ReadMesh read = io::read_content(file, on_fault);
-  if (!read.mesh.faces.empty()) return read;
-  throw BrokenMesh((read.left_out.empty() ? io::all_legible(file.string()) + ":" : read.left_out.front() + ";") +
-                   " the file has no face");
+  return with_faces(io::read_content(file, on_fault), file.string());
+}
+
+ReadMesh read_mesh(std::string content, std::string_view format, const std::string& name, OnFault on_fault) {
+  const Format* const known = find_format(std::string(format));
+  if (known == nullptr)
+    throw BrokenMesh(io::all_legible(name) + ": unknown format '" + io::legible(format) +
+                     "'; expected obj, off, stl or ply");
+  return with_faces(content_of({name, std::move(content)}, *known, on_fault), name);
 }
 
 }  // namespace touchstone

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "../shapes/mesh.h"
@@ -21,6 +22,9 @@ struct SourceLocation {
   Unit unit;           ///< lines or bytes
   std::size_t number;  ///< from 1 for lines, from 0 for bytes
 };
+
+/// Returns `line 12` or `byte 84`.
+[[nodiscard]] std::string text_of(SourceLocation place);
 
 /// Returns `arm.stl: line 12: reason`.
 [[nodiscard]] std::string sentence(const std::string& file, SourceLocation place, const std::string& reason);
@@ -61,15 +65,21 @@ inline constexpr std::size_t kMostSentences = 1000;
 /// curves.
 ///
 /// Throws BrokenMesh if the file cannot be opened, has an unknown extension, is truncated, is text in UTF-16 or UTF-32,
-/// or has a word that the format does not define, a number that is malformed or beyond the finite doubles, an index out
-/// of range, a face of fewer than three vertices, a vertex whose weight is not 1, another surface than a polygon, or a
-/// wrong count. With OnFault::Skip a faulty line, vertex or face is left out and reported, as are faces that use a
-/// vertex left out; if the structure of the file is lost (a bad header, truncated binary data), what came before is
-/// kept. In either case throws BrokenMesh if no face can be read: nothing would touch such a mesh, so it is most likely
-/// the wrong file. Blank bytes after the end, and a last `endsolid` that is missing, are warnings.
+/// or has a word that the format does not define, a malformed number, an index out of range, a face of fewer than three
+/// vertices, a face that uses a vertex beyond the finite doubles, a vertex whose weight is not 1, another surface than
+/// a polygon, or a wrong count. A vertex that no face uses may be infinite or NaN. With OnFault::Skip a faulty line,
+/// vertex or face is left out and reported, as are faces that use a vertex left out; if the structure of the file is
+/// lost (a bad header, truncated binary data), what came before is kept. In either case throws BrokenMesh if no face
+/// can be read: nothing would touch such a mesh, so it is most likely the wrong file. Blank bytes after the end, and a
+/// last `endsolid` that is missing, are warnings.
 ///
 /// The result does not depend on the caller's rounding mode and flush-to-zero setting, which are left as found. Cost:
 /// time and memory linear in the size of the file, whatever counts the file declares.
 [[nodiscard]] ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault = OnFault::Refuse);
+
+/// Reads the content of a file in memory likewise. `format` is an extension without its dot, in upper or lower case;
+/// messages begin with `name`.
+[[nodiscard]] ReadMesh read_mesh(std::string content, std::string_view format, const std::string& name,
+                                 OnFault on_fault = OnFault::Refuse);
 
 }  // namespace touchstone

@@ -70,7 +70,7 @@ TEST(BrokenMeshes, AreWholeWhereNothingIsWrong) {
 
 // The faults that the issue names, in every format that can have them.
 TEST(BrokenMeshes, AreRefusedWithThePlaceOfTheFault) {
-  const std::string third = std::to_string(ply_head(kBinary, "3", "1").size() + 24);
+  const std::string third = "(byte " + std::to_string(ply_head(kBinary, "3", "1").size() + 24) + ")";
   const std::string list = std::to_string(ply_head(kBinary, "3", "1").size() + 36);
   const std::string later = std::to_string(ply_head(kBinary, "3", kTwoGigabytes).size() + 52);
   struct Fault {
@@ -78,12 +78,12 @@ TEST(BrokenMeshes, AreRefusedWithThePlaceOfTheFault) {
   };
   const std::vector<Fault> faults{
       // Vertices that are not numbers.
-      {".obj", obj("nan 1 0", "1 2 3"), "line 3: "},
-      {".off", off("nan 1 0", "3 0 1 2"), "line 4: "},
+      {".obj", obj("nan 1 0", "1 2 3"), "line 4: the face uses vertex 3, whose coordinates (line 3)"},
+      {".off", off("nan 1 0", "3 0 1 2"), "line 5: the face uses vertex 2, whose coordinates (line 4)"},
       {".stl", stl_text("nan 1 0"), "line 6: "},
       {".stl", stl_binary(1, kNanF), "byte 120: "},
-      {".ply", ply_text("nan 1 0", "3 0 1 2"), "line 12: "},
-      {".ply", ply_binary(kNanF, 2), "byte " + third + ": "},
+      {".ply", ply_text("nan 1 0", "3 0 1 2"), "line 13: the face uses vertex 2, whose coordinates (line 12)"},
+      {".ply", ply_binary(kNanF, 2), "byte " + list + ": the face uses vertex 2, whose coordinates " + third},
       // Indices out of range. STL has none.
       {".obj", obj("0 1 0", "1 2 4"), "line 4: "},
       {".obj", obj("0 1 0", "1 2 99999999999"), "line 4: "},
@@ -128,7 +128,8 @@ TEST(BrokenMeshes, AreNeverMoreThanWhatIsThere) {
     }
 }
 
-// A byte in place of another, anywhere: refused or read, never worse; every index is in range, every number finite.
+// A byte in place of another, anywhere: refused or read, never worse; every index is in range, every number of a face
+// finite.
 TEST(BrokenMeshes, AreReadOrRefusedWhateverAByteIsChangedTo) {
   for (const auto& [extension, content] : whole_files())
     for (std::size_t i = 0; i < content.size(); ++i)
@@ -140,10 +141,12 @@ TEST(BrokenMeshes, AreReadOrRefusedWhateverAByteIsChangedTo) {
           try {
             const ReadMesh result = io::read_content(file.path(), on_fault);
             ASSERT_EQ(result.places.size(), result.mesh.faces.size()) << changed;
-            for (const auto& vertex : result.mesh.vertices) ASSERT_TRUE(vertex.allFinite()) << changed;
             for (const auto& face : result.mesh.faces) {
               ASSERT_GE(face.size(), 3U) << changed;
-              for (const std::uint32_t corner : face) ASSERT_LT(corner, result.mesh.vertices.size()) << changed;
+              for (const std::uint32_t corner : face) {
+                ASSERT_LT(corner, result.mesh.vertices.size()) << changed;
+                ASSERT_TRUE(result.mesh.vertices[corner].allFinite()) << changed;
+              }
             }
           } catch (const BrokenMesh&) {
             EXPECT_EQ(on_fault, OnFault::Refuse) << changed;

@@ -62,6 +62,10 @@ TEST(ReadMesh, ReadsTheNearestDouble) {
                                   {9007199254740992.0, std::numeric_limits<double>::max(), 100.0}}));
 }
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double coordinate_read(const std::string& number) { return read(".obj", "v 0 0 " + number + "\n").vertices[0][2]; }
+
 TEST(ReadMesh, ReadsHexadecimalNumbers) {
   const Mesh mesh = read(".obj",
                          "v 0x1p+2 -0X1.8P-3 +0x10\n"
@@ -69,8 +73,8 @@ TEST(ReadMesh, ReadsHexadecimalNumbers) {
                          "v 0x1p-1076 0x0p99999 -0x0.000001p-1080\n");
   EXPECT_EQ(points(mesh), (Points{{4, -0.1875, 16}, {0.5, 0x1.fffffffffffffp0, -0x1p-1074}, {0, 0, 0}}));
   EXPECT_TRUE(std::signbit(mesh.vertices[2][2]));
-  EXPECT_EQ(fault(".obj", "v 0 0 -0x1p1024\n"), "line 1: '-0x1p1024' is not a finite double");
-  EXPECT_EQ(fault(".obj", "v 0 0 0x0.0001p1200\n"), "line 1: '0x0.0001p1200' is not a finite double");
+  EXPECT_EQ(coordinate_read("-0x1p1024"), -kInfinity);
+  EXPECT_EQ(coordinate_read("0x0.0001p1200"), kInfinity);
 }
 
 // Rounding to zero is not a fault; rounding to infinity is. Both are out of range for std::from_chars.
@@ -83,16 +87,45 @@ TEST(ReadMesh, ReadsNumbersCloseToZeroAsTheNearestDouble) {
   EXPECT_TRUE(std::signbit(mesh.vertices[0][2]));
 }
 
-TEST(ReadMesh, RefusesNumbersBeyondTheFiniteDoubles) {
-  EXPECT_EQ(fault(".obj", "v 0 0 0\nv 0 1e400 0\n"), "line 2: '1e400' is not a finite double");
-  EXPECT_EQ(fault(".obj", "v 0 -1.7976931348623159e308 0\n"),
-            "line 1: '-1.7976931348623159e308' is not a finite double");
-  EXPECT_EQ(fault(".obj", "v 0 nan 0\n"), "line 1: 'nan' is not a finite double");
-  EXPECT_EQ(fault(".off", "OFF 1 0 0\n0 0 -inf\n"), "line 2: '-inf' is not a finite double");
-  EXPECT_EQ(fault(".obj", "v 0 0 1e99999999999999999999\n"), "line 1: '1e99999999999999999999' is not a finite double");
-  const std::string digits = "1" + std::string(400, '0');
-  EXPECT_EQ(fault(".obj", "v 0 0 " + digits + "\n"),
-            "line 1: '" + digits.substr(0, 40) + "...' is not a finite double");
+TEST(ReadMesh, RefusesFacesThatUseNumbersBeyondTheFiniteDoubles) {
+  for (const std::string number : {"1e400", "-1.7976931348623159e308", "nan", "-inf", "1e99999999999999999999"}) {
+    EXPECT_FALSE(std::isfinite(coordinate_read(number))) << number;
+    EXPECT_EQ(fault(".obj", "v 0 0 0\nv 1 " + number + " 0\nv 0 1 0\n\nf 1 2 3\n"),
+              "line 5: the face uses vertex 2, whose coordinates (line 2) are not finite doubles");
+    EXPECT_EQ(fault(".off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 " + number + " 1\n3 0 1 2\n"),
+              "line 5: the face uses vertex 2, whose coordinates (line 4) are not finite doubles");
+    EXPECT_EQ(fault(".stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 " + number + "\nvertex 0 1 0\n"),
+              "line 5: '" + number + "' is not a finite double");
+  }
+  EXPECT_FALSE(std::isfinite(coordinate_read("1" + std::string(400, '0'))));
+}
+
+// As of an organised scan. The others keep their numbers.
+TEST(ReadMesh, KeepsVerticesThatNoFaceUsesWhateverTheyAre) {
+  for (const OnFault on_fault : {OnFault::Refuse, OnFault::Skip}) {
+    const ReadMesh result =
+        read_mesh("v nan nan nan\nv 0 0 0\nv 1 0 0\nv inf 0 1e400\nv 0 1 0\nf 2 3 5\n", "OBJ", "scan", on_fault);
+    EXPECT_EQ(result.mesh.vertices.size(), 5U);
+    EXPECT_EQ(result.mesh.faces, (Faces{{1, 2, 4}}));
+    EXPECT_EQ(result.parts_left_out, 0U);
+  }
+}
+
+TEST(ReadMesh, ReadsTheContentOfAFileInMemory) {
+  const std::string content = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  expect_triangle(read_mesh(content, "obj", "memory").mesh);
+  const auto fault_of = [](const std::string& bytes, const std::string& format) -> std::string {
+    try {
+      (void)read_mesh(bytes, format, "memory");
+      return "no fault";
+    } catch (const BrokenMesh& broken) {
+      return broken.what();
+    }
+  };
+  EXPECT_EQ(fault_of(content + "f 1 2 4\n", "obj"),
+            "memory: line 5: vertex 4 is out of range: 3 vertices were read, numbered from 1");
+  EXPECT_EQ(fault_of("", "obj"), "memory: the file has no face");
+  EXPECT_EQ(fault_of(content, "step"), "memory: unknown format 'step'; expected obj, off, stl or ply");
 }
 
 TEST(ReadMesh, RefusesMalformedNumbers) {

@@ -234,7 +234,8 @@ TEST(ReadPly, RefusesWrongText) {
   const std::string vertices = kAsciiTriangle + "0 0 0\n1 0 0\n0 1 0\n";
   EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0\n1 0\n"), "line 13: expected a number, found the end of the line");
   EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0 0\n"), "line 12: unexpected values after the last property");
-  EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 1e400\n"), "line 12: '1e400' is not a finite double");
+  EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 1e400\n1 0 0\n0 1 0\n3 0 1 2\n"),
+            "line 15: the face uses vertex 0, whose coordinates (line 12) are not finite doubles");
   EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 zero\n"), "line 12: 'zero' is not a number");
   EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0\n"), "line 12: the file is truncated: vertex 1 of 3 is missing");
   EXPECT_EQ(fault(".ply", vertices), "line 14: the file is truncated: face 0 of 1 is missing");
@@ -251,10 +252,10 @@ TEST(ReadPly, SkipLeavesOutWrongLines) {
   const std::string header =
       ply_header("ascii", vertex_element("float", "4") + "element face 3\nproperty list uchar int vertex_indices\n");
   const ReadMesh result = skip(".ply", header + "0 0 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2\n3 0 2 3\n");
-  expect_triangle(result.mesh);
+  EXPECT_EQ(result.mesh.faces, (Faces{{0, 2, 3}}));
   EXPECT_EQ(result.left_out,
-            (Sentences{"line 13: 'nan' is not a finite double", "line 17: expected 3 vertex numbers, found 2",
-                       "line 16: the face uses vertex 1, which was left out"}));
+            (Sentences{"line 17: expected 3 vertex numbers, found 2",
+                       "line 16: the face uses vertex 1, whose coordinates (line 13) are not finite doubles"}));
 }
 
 /// Four vertices, of which the second is not finite, and three faces: the first needs that vertex, the second names one
@@ -274,13 +275,14 @@ struct BinaryPly {
 
 TEST(ReadPly, NamesTheByteOfABinaryPartThatIsWrong) {
   const BinaryPly file;
-  EXPECT_EQ(fault(".ply", file.whole()), file.byte(24) + "a coordinate is not a finite number");
+  const std::string not_finite = file.byte(96) + "the face uses vertex 1, whose coordinates (byte " +
+                                 std::to_string(file.header.size() + 24) + ") are not finite doubles";
+  EXPECT_EQ(fault(".ply", file.whole()), not_finite);
   const ReadMesh result = skip(".ply", file.whole());
-  expect_triangle(result.mesh);
-  EXPECT_EQ(result.left_out,
-            (Sentences{file.byte(24) + "a coordinate is not a finite number",
-                       file.byte(96) + "the face uses vertex 1, which was left out",
-                       file.byte(100) + "vertex 4 is out of range: 4 vertices were read, numbered from 0"}));
+  EXPECT_EQ(result.mesh.faces, (Faces{{0, 2, 3}}));
+  EXPECT_EQ(
+      result.left_out,
+      (Sentences{not_finite, file.byte(100) + "vertex 4 is out of range: 4 vertices were read, numbered from 0"}));
 }
 
 TEST(ReadPly, EveryTruncationOfABinaryFileIsAFaultAndKeepsWhatCameBefore) {

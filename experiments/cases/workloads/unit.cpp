@@ -51,6 +51,7 @@ double converted(double length, const Unit& from, const Unit& to) {
 void convert(Mesh& mesh, const Unit& from, const Unit& to) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     for (double& x : mesh.vertices[i]) {
+      if (!std::isfinite(x)) continue;  // no face uses the vertex
       x = converted(x, from, to);
       if (!std::isfinite(x))
         throw std::range_error("vertex " + std::to_string(i) + " leaves the finite doubles from " +

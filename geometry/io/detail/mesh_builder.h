@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -51,10 +52,11 @@ class MeshBuilder {
   }
 
   /// Adds the point that `read_point` returns. If that throws, the vertex is left out, but keeps its number in the
-  /// file.
+  /// file. A point that is not finite is the fault of a face that uses it.
   template <class ReadPoint>
-  void add_vertex(ReadPoint read_point) {
+  void add_vertex(SourceLocation place, ReadPoint read_point) {
     const bool was_read = attempt([&] { mesh_.vertices.push_back(read_point()); });
+    if (was_read && !mesh_.vertices.back().allFinite()) not_finite_.emplace_back(number_in_mesh_.size(), place);
     number_in_mesh_.push_back(was_read ? static_cast<std::uint32_t>(mesh_.vertices.size() - 1) : kLeftOut);
   }
 
@@ -104,6 +106,9 @@ class MeshBuilder {
   }
 
  private:
+  /// The number in the file of a vertex that is not finite, and its place.
+  using NotFinite = std::pair<std::size_t, SourceLocation>;
+
   static constexpr std::uint32_t kLeftOut = std::numeric_limits<std::uint32_t>::max();
 
   void note(const BrokenMesh& fault) {
@@ -115,6 +120,10 @@ class MeshBuilder {
     for (std::uint32_t& corner : face) {
       const std::int64_t number = first_number_ + corner;
       if (corner >= number_in_mesh_.size()) out_of_range(place, number);
+      const auto found = std::ranges::lower_bound(not_finite_, std::size_t{corner}, {}, &NotFinite::first);
+      if (found != not_finite_.end() && found->first == corner)
+        source_.broken(place, "the face uses vertex " + std::to_string(number) + ", whose coordinates (" +
+                                  text_of(found->second) + ") are not finite doubles");
       corner = number_in_mesh_[corner];
       if (corner == kLeftOut)
         source_.broken(place, "the face uses vertex " + std::to_string(number) + ", which was left out");
@@ -133,6 +142,7 @@ class MeshBuilder {
   Mesh mesh_;
   std::vector<SourceLocation> places_;         // of the faces
   std::vector<std::uint32_t> number_in_mesh_;  // by number in the file
+  std::vector<NotFinite> not_finite_;          // ascending
   std::vector<std::string> left_out_, warnings_;
   std::size_t parts_left_out_ = 0;
 };

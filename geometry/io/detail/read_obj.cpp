@@ -87,8 +87,8 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
   while (lines.next_line()) {
     const std::string_view keyword = lines.take();
     if (keyword == "v") {
-      builder.add_vertex([&] {
-        Eigen::Vector3d point = lines.take_point("after 'v'");
+      builder.add_vertex(lines.place(), [&] {
+        Eigen::Vector3d point = lines.take_point("after 'v'", &TextReader::take_double);
         const double first = lines.line_is_done() ? 1 : lines.take_number();
         const int more = lines.take_rest_of_numbers();
         if (more != 2 && first != 1) lines.broken("the weight of a vertex must be 1");

@@ -140,12 +140,14 @@ void need_part(TextReader& lines, const char* part, std::int64_t index, std::int
 /// Reads what fits as words, or mixed.
 void read_words(TextReader& words, const Header& header, Reading reading, MeshBuilder& builder) {
   words.read_words();
-  for (std::int64_t i = 0; i < header.vertices; ++i)
-    builder.add_vertex([&] {
+  for (std::int64_t i = 0; i < header.vertices; ++i) {
+    (void)words.next_word();
+    builder.add_vertex(words.place(), [&] {
       std::array<double, 3> point{};
-      for (double& coordinate : point) (void)words.next_word(), coordinate = words.take_number();
+      for (double& coordinate : point) (void)words.next_word(), coordinate = words.take_double();
       return Eigen::Vector3d(point[0], point[1], point[2]);
     });
+  }
   std::vector<std::int64_t> corners;
   for (std::int64_t i = 0; i < header.faces; ++i) {
     (void)words.next_word();
@@ -161,8 +163,8 @@ void read_lines(TextReader& lines, const Header& header, MeshBuilder& builder) {
   std::optional<int> more_of_first;
   for (std::int64_t i = 0; i < header.vertices; ++i) {
     need_part(lines, "vertex", i, header.vertices);
-    builder.add_vertex([&] {
-      Eigen::Vector3d point = lines.take_point("for a vertex");
+    builder.add_vertex(lines.place(), [&] {
+      Eigen::Vector3d point = lines.take_point("for a vertex", &TextReader::take_double);
       const int more = lines.take_rest_of_numbers();
       if (more != more_of_first.value_or(more))
         lines.broken("a vertex has " + std::to_string(3 + more) + " numbers, the first one has " +

@@ -225,7 +225,7 @@ class TextValues {
   [[nodiscard]] SourceLocation place() const { return lines_.place(); }
   double take_number(Scalar) {
     seek();
-    return lines_.take_number();
+    return lines_.take_double();
   }
   std::int64_t take_count(const Property& list) {
     seek();
@@ -322,8 +322,7 @@ class BinaryValues {
 };
 
 template <class Values>
-Eigen::Vector3d take_vertex(const MeshSource& source, const Element& element, Values& values) {
-  const SourceLocation place = values.place();
+Eigen::Vector3d take_vertex(const Element& element, Values& values) {
   Eigen::Vector3d point;
   for (const Property& property : element.properties)
     if (const auto axis = axis_of(property))
@@ -331,7 +330,7 @@ Eigen::Vector3d take_vertex(const MeshSource& source, const Element& element, Va
     else
       values.skip(property.type, property.count_type ? values.take_count(property) : 1);
   values.end_element();
-  return source.finite(place, point);
+  return point;
 }
 
 template <class Values>
@@ -347,7 +346,7 @@ void take_corners(const Element& element, Values& values, std::vector<std::int64
 }
 
 template <class Values>
-void read_elements(const MeshSource& source, const Header& header, Values values, MeshBuilder& builder) {
+void read_elements(const Header& header, Values values, MeshBuilder& builder) {
   std::vector<std::int64_t> corners;
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;  // takes no space in the file, whatever its count
@@ -355,7 +354,7 @@ void read_elements(const MeshSource& source, const Header& header, Values values
       values.begin_element(element, i);
       const SourceLocation place = values.place();
       if (element.name == "vertex")
-        builder.add_vertex([&] { return take_vertex(source, element, values); });
+        builder.add_vertex(place, [&] { return take_vertex(element, values); });
       else if (element.name == "face")
         builder.attempt([&] {
           take_corners(element, values, corners);
@@ -373,12 +372,12 @@ void read_ply(const MeshSource& source, MeshBuilder& builder) {
   TextReader lines(source, {});
   const Header header = take_header(lines);
   if (header.encoding == Encoding::Text) {
-    read_elements(source, header, TextValues(lines, is_words(source, header, lines)), builder);
+    read_elements(header, TextValues(lines, is_words(source, header, lines)), builder);
     if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");
   } else {
     ByteReader bytes(source, lines.position(),
                      header.encoding == Encoding::LittleEndian ? std::endian::little : std::endian::big);
-    read_elements(source, header, BinaryValues(source, bytes), builder);
+    read_elements(header, BinaryValues(source, bytes), builder);
     builder.end(bytes);
   }
 }

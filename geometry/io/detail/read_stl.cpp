@@ -21,7 +21,7 @@ using Triangle = std::array<Eigen::Vector3d, 3>;
 
 void add_triangle(MeshBuilder& builder, SourceLocation place, const Triangle& triangle) {
   const auto first = static_cast<std::int64_t>(builder.vertices_so_far());
-  for (const Eigen::Vector3d& point : triangle) builder.add_vertex([&] { return point; });
+  for (const Eigen::Vector3d& point : triangle) builder.add_vertex(place, [&] { return point; });
   builder.add_face(place, std::array{first, first + 1, first + 2});
 }
 

@@ -130,22 +130,28 @@ class TextReader {
       if (take().empty()) broken("too few values on the line");
   }
 
-  /// Takes the next field as a finite double.
-  double take_number() {
+  /// Takes the next field as a double, which may be infinite or NaN.
+  double take_double() {
     const std::string_view field = take();
     if (field.empty()) broken("expected a number, found the end of the line");
     const std::optional<double> value = nearest_double(field);
     if (!value) broken(quoted(field) + " is not a number");
-    if (!std::isfinite(*value)) broken(quoted(field) + " is not a finite double");
     return *value;
   }
+  /// Takes the next field as a finite double.
+  double take_number() {
+    const std::string_view field = peek();
+    const double value = take_double();
+    if (!std::isfinite(value)) broken(quoted(field) + " is not a finite double");
+    return value;
+  }
 
-  /// Takes the next three fields as a point. `after` says in messages where they stand.
-  Eigen::Vector3d take_point(const char* after) {
+  /// Takes the next three fields as a point, each by `coordinate`. `after` says in messages where they stand.
+  Eigen::Vector3d take_point(const char* after, double (TextReader::*coordinate)() = &TextReader::take_number) {
     Eigen::Vector3d point;
     for (int axis = 0; axis < 3; ++axis) {
       if (rest_.empty()) broken(std::string("expected three numbers ") + after + ", found " + std::to_string(axis));
-      point[axis] = take_number();
+      point[axis] = (this->*coordinate)();
     }
     return point;
   }

@@ -107,9 +107,9 @@ TEST(WrongArguments, MeshesWithoutTheVerticesOfTheirFacesAreNamed) {
             "face 1 of the mesh has vertex 3; there are 3");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message<std::invalid_argument>([&] {
-              (void)mesh::weld({{{0, 0, 0}, {1, nan, 0}}, {}});
+              (void)mesh::weld({{{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}, {{0, 2, 1}}});
             }),
-            "vertex 1 of the mesh is NaN");
+            "face 0 of the mesh has vertex 1, which is NaN");
 }
 
 #if !defined(NDEBUG)

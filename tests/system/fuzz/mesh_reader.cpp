@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh file of the format that the first byte chooses is refused by BrokenMesh, or read; with what is wrong left out,
-// every index is one of a vertex and every number finite.
+// every index is one of a vertex and every number of a face finite.
 #include <cstdint>
 #include <stdexcept>
 
@@ -12,11 +12,11 @@ using namespace touchstone;
 namespace {
 
 void check(const Mesh& mesh) {
-  for (const auto& vertex : mesh.vertices)
-    if (!vertex.allFinite()) throw std::logic_error("a vertex that is not finite");
   for (const auto& face : mesh.faces)
-    for (const std::uint32_t vertex : face)
+    for (const std::uint32_t vertex : face) {
       if (vertex >= mesh.vertices.size()) throw std::logic_error("an index beyond the vertices");
+      if (!mesh.vertices[vertex].allFinite()) throw std::logic_error("a vertex that is not finite");
+    }
 }
 
 }  // namespace

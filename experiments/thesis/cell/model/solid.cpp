@@ -37,7 +37,8 @@ struct Bounds {
     Mesh mesh = read_mesh(file.file).mesh;
     workloads::convert(mesh, file.unit, file.cell_unit);
     Eigen::AlignedBox3d bounds;
-    for (const Eigen::Vector3d& vertex : mesh.vertices) bounds.extend(vertex);
+    for (const auto& face : mesh.faces)
+      for (const std::uint32_t vertex : face) bounds.extend(mesh.vertices[vertex]);
     return bounds;
   }
 
