@@ -11,6 +11,27 @@
 
 namespace touchstone::mesh {
 
+/// How to treat a face that the contract rejects: refuse the whole mesh, or leave that face out and name it.
+enum class OnBadFace { Refuse, LeaveOut };
+
+/// The faces of a mesh, ready to be added to a scene.
+struct MeshFaces {
+  scene::Faces faces;                  ///< to pass to scene::Scene::add
+  std::vector<std::uint32_t> numbers;  ///< for each of these faces, its number in the mesh
+  std::vector<RejectedFace> left_out;  ///< the other faces, ascending
+};
+
+/// Returns the faces of a mesh for a scene: those with three vertices become triangles, the others polygons. Every one
+/// is validated, as exact::validate does. Vertices that no face uses may be anything.
+///
+/// A face is bad if the contract rejects it or if it has the number of a vertex that there is not. Throws Rejected for
+/// the first bad face, which the message names, unless `on_bad_face` leaves them out. Cost: 0.1 us per triangle; that
+/// of exact::validate per other face.
+[[nodiscard]] MeshFaces scene_faces(const Mesh& mesh, OnBadFace on_bad_face = OnBadFace::Refuse);
+
+/// Returns a face of a mesh as a polygon. Throws Rejected if it is bad, as above.
+[[nodiscard]] Polygon face_polygon(const Mesh& mesh, std::size_t face);
+
 /// The faces of a merged mesh, ready to be added to a scene.
 struct SceneFaces {
   scene::Faces faces;                 ///< to pass to scene::Scene::add

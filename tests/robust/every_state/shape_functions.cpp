@@ -124,6 +124,11 @@ std::vector<PublicFunction> shape_functions() {
             }),
       hands_on("BoxTree::nodes", [](const Input& in) { return BoxTree(in.boxes); }),
       hands_on("read_mesh", [](const Input& in) { return read_mesh(written(in), OnFault::Skip); }),
+      hands_on("read_mesh",
+               [](const Input& in) {
+                 return read_mesh(in.mesh_file.bytes, std::string_view(in.mesh_file.extension).substr(1), "memory",
+                                  OnFault::Skip);
+               }),
       gives("exact::validate",
             [](const Input& in) {
               return exact::validate(Polygon({in.ball.center, in.point, in.any_ball.center}));
@@ -135,6 +140,9 @@ std::vector<PublicFunction> shape_functions() {
                  const std::atomic<bool> stop = false;
                  return mesh::merge_faces(in.mesh, in.any_tolerance, stop);
                }),
+      hands_on("mesh::scene_faces",
+               [](const Input& in) { return mesh::scene_faces(in.mesh, mesh::OnBadFace::LeaveOut); }),
+      hands_on("mesh::face_polygon", [](const Input& in) { return mesh::face_polygon(in.mesh, 0); }),
       hands_on("mesh::scene_faces",
                [](const Input& in) { return mesh::scene_faces(in.mesh, mesh::merge_faces(in.mesh)); }),
       gives("scene::is_finite", [](const Input& in) { return scene::is_finite(in.any_pose); }),

@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "robust/exact/exact.h"
 #include "robust/mesh/scene_faces.h"
@@ -341,6 +345,59 @@ TEST(Merge, DoesNotMergeWhatFoldsAlongTheDroppedAxis) {
   const MergedMesh merged = merged_soundly(mesh, 2);
   EXPECT_GT(merged.splits, 0U);
   EXPECT_GT(merged.faces.size(), 1U);
+}
+
+/// A quad, a triangle, one without area, a bow-tie, one of two corners, one of a vertex that there is not, one of a
+/// vertex that is not finite, and a triangle.
+Mesh with_bad_faces() {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  return {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 0, 0}, {kNan, 0, 0}, {4, 3, 0}},
+          {{0, 1, 2, 3}, {0, 1, 2}, {0, 4, 1}, {0, 6, 1, 3}, {0, 1}, {0, 1, 9}, {0, 5, 1}, {0, 2, 3}}};
+}
+
+TEST(SceneFaces, LeaveOutEveryFaceThatIsBadAndNameIt) {
+  const Mesh mesh = with_bad_faces();
+  const auto door = mesh::scene_faces(mesh, mesh::OnBadFace::LeaveOut);
+  EXPECT_EQ(door.numbers, (Numbers{1, 7, 0})) << "triangles come first";
+  ASSERT_EQ(door.faces.triangles.size(), 2U);
+  EXPECT_EQ(door.faces.triangles[1].b, Eigen::Vector3d(4, 4, 0));
+  EXPECT_EQ(door.faces.polygons.size(), 1U);
+  std::vector<std::pair<std::uint32_t, RejectionCode>> left_out;
+  for (const auto& [face, rejection] : door.left_out) left_out.emplace_back(face, rejection.code);
+  EXPECT_EQ(left_out, (std::vector<std::pair<std::uint32_t, RejectionCode>>{{2, RejectionCode::ZeroNormal},
+                                                                            {3, RejectionCode::LoopMeetsItself},
+                                                                            {4, RejectionCode::TooFewVertices},
+                                                                            {5, RejectionCode::MalformedCase},
+                                                                            {6, RejectionCode::NotFinite}}));
+}
+
+TEST(SceneFaces, AreRefusedForTheFirstBadFaceUnlessTheyAreLeftOut) {
+  Mesh mesh = with_bad_faces();
+  std::uint32_t first = 2;
+  for (; mesh.faces.size() > 3; mesh.faces.erase(mesh.faces.begin() + 2), ++first) {
+    try {
+      (void)mesh::scene_faces(mesh);
+      ADD_FAILURE() << first;
+    } catch (const Rejected& rejected) {
+      EXPECT_TRUE(std::string(rejected.what()).starts_with("face 2 of the mesh: ")) << rejected.what();
+      EXPECT_THROW((void)mesh::face_polygon(mesh, 2), Rejected) << first;
+    }
+  }
+  EXPECT_EQ(mesh::scene_faces(mesh).numbers, (Numbers{1, 2, 0})) << "no face uses the vertex that is not finite";
+}
+
+TEST(Weld, DropsVerticesThatAreNotFiniteIfNoFaceUsesThem) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const Mesh welded =
+      mesh::weld({{{kNan, 0, 0}, {0, 0, 0}, {1, 0, 0}, {kInfinity, 0, 0}, {0, 1, 0}, {1, 0, 0}, {7, 7, 7}},
+                  {{1, 2, 4}, {1, 5, 4}}});
+  EXPECT_EQ(welded.vertices.size(), 4U);
+  EXPECT_EQ(welded.faces, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}, {0, 1, 2}}));
+  EXPECT_THROW((void)mesh::weld({{{kNan, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}}), std::invalid_argument);
+  const MergedMesh merged =
+      merge_faces({{{kNan, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 2, 3}, {1, 3, 4}}});
+  ASSERT_EQ(merged.faces.size(), 1U);
+  EXPECT_EQ(merged.faces[0].faces, (Numbers{0, 1}));
 }
 
 TEST(SceneFaces, NumberTheMergedFacesAsTheSceneDoes) {
