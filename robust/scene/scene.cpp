@@ -203,10 +203,9 @@ std::vector<FaceId> Scene::touched(const Motion& motion, const Objects& objects)
   expect(objects);
   return all_touched(motion, objects);
 }
-std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Objects& objects) const {
+template <class Search>
+void Scene::search_on_way(Search& search, const Objects& objects) const {
   expect(objects);
-  const FloatingPointState nearest;
-  FirstContactSearch search(required(motion));
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     if (object.has_triangles()) {
       search.enter(object.first_triangle(number));
@@ -218,6 +217,17 @@ std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Object
     }
     return false;
   });
+}
+std::vector<FirstFace> Scene::touched_in_order(const Motion& motion, const Objects& objects) const {
+  const FloatingPointState nearest;
+  FirstContactSearch search(required(motion), FirstContactSearch::Wanted::All);
+  search_on_way(search, objects);
+  return search.all_in_order();
+}
+std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Objects& objects) const {
+  const FloatingPointState nearest;
+  FirstContactSearch search(required(motion));
+  search_on_way(search, objects);
   return search.first();
 }
 
@@ -258,6 +268,10 @@ void Scene::touches(std::span<const Motion> motions, std::span<bool> answers, co
 }
 std::vector<std::vector<FaceId>> Scene::touched(std::span<const Motion> motions, const Objects& objects) const {
   return answers_to<Motion, std::vector<FaceId>>(motions, objects, &Scene::touched);
+}
+std::vector<std::vector<FirstFace>> Scene::touched_in_order(std::span<const Motion> motions,
+                                                            const Objects& objects) const {
+  return answers_to<Motion, std::vector<FirstFace>>(motions, objects, &Scene::touched_in_order);
 }
 std::vector<std::optional<FirstFace>> Scene::first_contact(std::span<const Motion> motions,
                                                            const Objects& objects) const {

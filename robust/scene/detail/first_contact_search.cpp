@@ -31,7 +31,7 @@ void FirstContactSearch::meet(Met met) {
   constexpr std::size_t kFew = 8;
   if (is_at_start() || met.earliest > end_) return;
   if (met_.empty()) met_.reserve(kFew);
-  end_ = std::min(end_, met.latest);
+  if (wanted_ == Wanted::First) end_ = std::min(end_, met.latest);
   met_.push_back(std::move(met));
 }
 
@@ -74,6 +74,20 @@ std::optional<FirstFace> FirstContactSearch::first() const {
   if (best == nullptr) return std::nullopt;
   find_contact(*best);
   return FirstFace{best->face.id, *best->contact};
+}
+
+std::vector<FirstFace> FirstContactSearch::all_in_order() const {
+  for (Met& met : met_) find_contact(met);
+  const auto at_start = [](const Met& met) { return met.contact->kind == FirstContactKind::Start; };
+  std::ranges::sort(met_, [&](Met& a, Met& b) {
+    if (at_start(a) != at_start(b)) return at_start(a);
+    const int order = at_start(a) ? 0 : compare(a, b);
+    return order < 0 || (order == 0 && a.face.id < b.face.id);
+  });
+  std::vector<FirstFace> faces;
+  faces.reserve(met_.size());
+  for (const Met& met : met_) faces.push_back({met.face.id, *met.contact});
+  return faces;
 }
 
 }  // namespace touchstone::scene::detail

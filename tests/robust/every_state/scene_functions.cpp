@@ -69,6 +69,10 @@ std::vector<PublicFunction> moving_functions() {
             of_scene([](const Scene& scene, const Input& in) { return scene.touched(motions_of(in)); })),
       gives("scene::Scene::first_contact",
             of_scene([](const Scene& scene, const Input& in) { return scene.first_contact(motions_of(in)); })),
+      gives("scene::Scene::touched_in_order",
+            of_motions([](const Scene& s, const Motion& m) { return s.touched_in_order(m); })),
+      gives("scene::Scene::touched_in_order",
+            of_scene([](const Scene& scene, const Input& in) { return scene.touched_in_order(motions_of(in)); })),
   };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/robust/scene/brute_force.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "robust/exact/motion.h"
@@ -56,6 +57,16 @@ const exact::PreparedPolygon& BruteForce::exact_of(std::size_t face) const {
   auto& prepared = faces_[face].prepared;
   if (!prepared) prepared.emplace(polygons_[face]);
   return *prepared;
+}
+
+const exact::PreparedPolygon& BruteForce::exact_of(const FaceId& id) const {
+  return exact_of(static_cast<std::size_t>(std::ranges::find(faces_, id, &Face::id) - faces_.begin()));
+}
+FirstContact BruteForce::first_by_exact(const Motion& motion, const FaceId& face) const {
+  return exact::first_contact(motion, exact_of(face));
+}
+int BruteForce::compare_exactly(const Motion& motion, const FaceId& a, const FaceId& b) const {
+  return exact::compare_times(motion, exact_of(a), exact_of(b));
 }
 
 std::vector<FaceId> BruteForce::touched(const Ball& ball) const {

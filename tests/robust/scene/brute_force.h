@@ -49,7 +49,10 @@ class BruteForce {
   [[nodiscard]] std::vector<scene::FaceId> touched_by_exact(const Ball& ball) const;
   [[nodiscard]] std::vector<scene::FaceId> touched_by_exact(const Motion& motion) const;
   [[nodiscard]] std::optional<scene::FirstFace> first_by_exact(const Motion& motion) const;
+  [[nodiscard]] FirstContact first_by_exact(const Motion& motion, const scene::FaceId& face) const;
   [[nodiscard]] scene::NearestFace nearest_by_exact(const Ball& ball) const;
+  /// Returns which face the ball touches first, as exact::compare_times does.
+  [[nodiscard]] int compare_exactly(const Motion& motion, const scene::FaceId& a, const scene::FaceId& b) const;
   /// @}
 
  private:
@@ -59,6 +62,7 @@ class BruteForce {
     mutable std::optional<exact::PreparedPolygon> prepared;
   };
   [[nodiscard]] const exact::PreparedPolygon& exact_of(std::size_t face) const;
+  [[nodiscard]] const exact::PreparedPolygon& exact_of(const scene::FaceId& face) const;
 
   std::vector<Polygon> polygons_;
   std::vector<Face> faces_;

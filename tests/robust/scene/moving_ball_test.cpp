@@ -51,6 +51,50 @@ TEST(MovingBallInScene, TouchesTheFirstFaceFirstAndTheLowestOfEquals) {
   EXPECT_GT(on_way, 2U * TOUCHSTONE_SAMPLES);
 }
 
+TEST(MovingBallInScene, ListsTheFacesOnItsWayInTheOrderOfTheirExactTimes) {
+  std::uint64_t several = 0;
+  for_each_query(
+      draw_motion, TOUCHSTONE_SAMPLES,
+      [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
+        const auto listed = subject.built.touched_in_order(motion);
+        several += listed.size() > 1 ? 1 : 0;
+        EXPECT_EQ(listed.empty() ? std::nullopt : std::optional(listed.front()), subject.built.first_contact(motion))
+            << what;
+        std::vector<FaceId> faces;
+        for (std::size_t i = 0; i < listed.size(); ++i) {
+          faces.push_back(listed[i].face);
+          if (number % 10 == 3) {
+            EXPECT_EQ(listed[i].contact, subject.faces.first_by_exact(motion, listed[i].face)) << what;
+          }
+          if (i == 0) continue;
+          const int order = subject.faces.compare_exactly(motion, listed[i - 1].face, listed[i].face);
+          EXPECT_TRUE(order < 0 || (order == 0 && listed[i - 1].face < listed[i].face)) << what;
+        }
+        std::ranges::sort(faces);
+        EXPECT_EQ(faces, subject.built.touched(motion)) << what;
+      });
+  EXPECT_GT(several, TOUCHSTONE_SAMPLES);
+}
+
+TEST(MovingBallInScene, ListsEqualTimesByObjectAndFaceAndTellsApartWhatRoundsToOneDouble) {
+  const Motion falls({{0.5, 0.5, 8}, 1}, {0.5, 0.5, 0});
+  const auto floor = [](double height) { return Triangle{{-2, -2, height}, {4, -2, height}, {0, 8, height}}; };
+  Scene scene;
+  scene.add("floors", {{floor(0), floor(8), floor(0x1p-60), floor(7), floor(0)}, {}});
+  scene.add("below", {{floor(-1), floor(0x1p-60)}, {Polygon({{-2, -2, 7.5}, {4, -2, 7.5}, {0, 8, 7.5}})}});
+  std::vector<FaceId> faces;
+  const auto listed = scene.touched_in_order(falls);
+  for (const scene::FirstFace& each : listed) faces.push_back(each.face);
+  // At the start first, also where the ball reaches a face less far; then upwards to later times.
+  EXPECT_EQ(faces, (std::vector<FaceId>{{0, 1}, {0, 3}, {1, 2}, {0, 2}, {1, 1}, {0, 0}, {0, 4}, {1, 0}}));
+  EXPECT_EQ(listed[3].contact.time, listed[5].contact.time);
+  const Motion at_rest(falls.ball, falls.ball.center);
+  const auto at_start = scene.touched_in_order(std::vector<Motion>{at_rest, falls}, std::vector<std::uint32_t>{0});
+  ASSERT_EQ(at_start[0].size(), 2U);
+  EXPECT_EQ(at_start[0][1].face, (FaceId{0, 3}));
+  EXPECT_EQ(at_start[1].size(), 5U);
+}
+
 TEST(MovingBallInScene, TouchesAtRestWhatTheBallTouches) {
   for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 2,
                  [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
