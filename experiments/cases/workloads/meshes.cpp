@@ -12,8 +12,6 @@
 #include <utility>
 
 #include "geometry/io/detail/legible.h"
-#include "geometry/shapes/rejection.h"
-#include "robust/exact/validate.h"
 
 namespace touchstone::workloads {
 namespace {
@@ -24,14 +22,6 @@ std::string short_name(const std::filesystem::path& file) {
 }
 
 }  // namespace
-
-Polygon face_polygon(const Mesh& mesh, std::uint64_t face) {
-  Loop loop;
-  for (const std::uint32_t vertex : mesh.faces[face]) loop.push_back(mesh.vertices[vertex]);
-  Polygon polygon(loop);
-  if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
-  return polygon;
-}
 
 std::string with_hashes(const std::vector<std::string>& files) {
   std::vector<std::string> named;

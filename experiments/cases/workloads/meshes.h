@@ -2,19 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "geometry/io/read_mesh.h"
-#include "geometry/shapes/mesh.h"
-#include "geometry/shapes/polygon.h"
 
 namespace touchstone::workloads {
-
-/// Returns the face as a polygon of the contract. Throws Rejected.
-[[nodiscard]] Polygon face_polygon(const Mesh& mesh, std::uint64_t face);
 
 /// Returns a short name for each file: without the extension, with its folder. If several have the same name, the
 /// second and later ones get the next number that keeps all names distinct: `puma/puma_link1`, `puma/puma_link1#2`.

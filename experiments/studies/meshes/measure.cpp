@@ -9,6 +9,7 @@
 #include "experiments/cases/workloads/meshes.h"
 #include "experiments/cases/workloads/random.h"
 #include "robust/exact/validate.h"
+#include "robust/mesh/scene_faces.h"
 
 namespace touchstone::meshes {
 namespace {
@@ -27,7 +28,7 @@ bool is_worse(const Failure& a, const Failure& b) {
 
 bool has_ball(const Settings& settings, const NamedMesh& mesh, std::uint64_t face, std::size_t ball) {
   try {
-    const Polygon polygon = workloads::face_polygon(mesh.mesh, face);
+    const Polygon polygon = mesh::face_polygon(mesh.mesh, face);
     const exact::PreparedPolygon exact(polygon);
     return ball < draw_mesh_balls(polygon, exact, settings.seed, mesh.name, face).balls.size();
   } catch (const Rejected&) {
@@ -60,7 +61,7 @@ class Study {
     const std::uint64_t face = mesh == 0 ? n : n - ends_[mesh - 1];
     ++result.meshes[mesh].faces;
     try {
-      ask(mesh, face, workloads::face_polygon(meshes_[mesh].mesh, face), result);
+      ask(mesh, face, mesh::face_polygon(meshes_[mesh].mesh, face), result);
     } catch (const Rejected& rejected) {
       ++result.meshes[mesh].rejected;
       result.rejected.push_back({mesh, face, rejected.rejection()});

@@ -17,6 +17,7 @@
 #include "experiments/run/table.h"
 #include "experiments/studies/meshes/measure.h"
 #include "geometry/io/detail/legible.h"
+#include "robust/mesh/scene_faces.h"
 
 namespace touchstone::meshes {
 namespace {
@@ -29,7 +30,7 @@ struct FailedQuery {
 
 std::string case_line(const Settings& settings, const NamedMesh& mesh, std::uint64_t face, std::size_t ball,
                       const FailedQuery& failed) {
-  const Polygon polygon = workloads::face_polygon(mesh.mesh, face);
+  const Polygon polygon = mesh::face_polygon(mesh.mesh, face);
   const exact::PreparedPolygon exact(polygon);
   const MeshBall drawn = draw_mesh_balls(polygon, exact, settings.seed, mesh.name, face).balls[ball];
   const auto whole = cases::PartialAnswer::of(exact::answer(drawn.ball, exact), "");

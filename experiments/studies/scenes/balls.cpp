@@ -40,10 +40,16 @@ const nlohmann::json& member(const nlohmann::json& object, const char* key, cons
   return *found;
 }
 
+Vector3d point(const nlohmann::json& value, const std::string& what) {
+  if (!value.is_array() || value.size() != 3) throw Fault{what + " is not a point of three numbers"};
+  const auto coordinate = [&](std::size_t axis) { return number(value[axis], ("a coordinate of " + what).c_str()); };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
 NamedBall from_json(const std::string& text, std::string id) {
   const run::StrictJson strict = run::read_strict_json(text);
   if (!strict.value.is_object()) throw Fault{"the line is not an object"};
-  for (const char* key : {"id", "ball"})
+  for (const char* key : {"id", "ball", "motion"})
     if (strict.duplicate_key == key || strict.ambiguous.contains(key))
       throw Fault{fmt::format("\"{}\" is, or has, a duplicate key", key)};
   if (const auto given = strict.value.find("id"); given != strict.value.end()) {
@@ -52,27 +58,30 @@ NamedBall from_json(const std::string& text, std::string id) {
   }
   const nlohmann::json& ball = member(strict.value, "ball", "the line");
   if (!ball.is_object()) throw Fault{"ball is not an object"};
-  const nlohmann::json& center = member(ball, "center", "ball");
-  if (!center.is_array() || center.size() != 3) throw Fault{"ball.center is not a point of three numbers"};
-  const auto coordinate = [&](std::size_t axis) { return number(center[axis], "a coordinate of ball.center"); };
-  return {std::move(id),
-          {{coordinate(0), coordinate(1), coordinate(2)}, number(member(ball, "radius", "ball"), "ball.radius")}};
+  const Ball start{point(member(ball, "center", "ball"), "ball.center"),
+                   number(member(ball, "radius", "ball"), "ball.radius")};
+  const auto motion = strict.value.find("motion");
+  if (motion == strict.value.end()) return {std::move(id), start};
+  if (!motion->is_object()) throw Fault{"motion is not an object"};
+  return {std::move(id), Motion{start, point(member(*motion, "to", "motion"), "motion.to")}};
 }
 
 NamedBall from_text(std::string_view text, std::string id) {
-  double numbers[4];
+  double numbers[7];
   std::size_t count = 0;
   for (std::size_t begin = 0; (begin = text.find_first_not_of(kBlanks, begin)) != std::string_view::npos;) {
     const std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
     const std::string_view field = text.substr(begin, end - begin);
     const auto value = io::nearest_double(field);
     if (!value) throw Fault{fmt::format("'{}' is not a number", io::legible(field, 40))};
-    if (count < 4) numbers[count] = *value;
+    if (count < 7) numbers[count] = *value;
     ++count;
     begin = end;
   }
-  if (count != 4) throw Fault{fmt::format("expected four numbers, x y z r, found {}", count)};
-  return {std::move(id), {{numbers[0], numbers[1], numbers[2]}, numbers[3]}};
+  if (count != 4 && count != 7) throw Fault{fmt::format("expected four numbers, x y z r, or seven, found {}", count)};
+  const Ball ball{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+  if (count == 4) return {std::move(id), ball};
+  return {std::move(id), Motion{ball, {numbers[4], numbers[5], numbers[6]}}};
 }
 
 std::vector<NamedBall> read_balls(std::istream& stream, const std::string& name) {
@@ -85,7 +94,8 @@ std::vector<NamedBall> read_balls(std::istream& stream, const std::string& name)
       NamedBall read = line[first] == '{'
                            ? from_json(line, std::to_string(lines))
                            : from_text(std::string_view(line).substr(0, line.find('#')), std::to_string(lines));
-      if (const auto fault = find_fault(read.ball)) throw Fault{fault->message};
+      const auto fault = std::visit([](const auto& asked) { return find_fault(asked); }, read.question);
+      if (fault) throw Fault{fault->message};
       balls.push_back(std::move(read));
     } catch (const Fault& fault) {
       throw std::runtime_error(fmt::format("{}: line {}: {}", name, lines, fault.reason));

@@ -43,7 +43,7 @@ struct SceneOptions : run::FolderOptions {
   std::string balls, scene_unit, method = "filtered";
   std::uint64_t random = 0, seed = 1;
   unsigned threads = run::all_threads();
-  bool any = false, all = false, nearest = false, skip_bad = false;
+  bool any = false, all = false, nearest = false, merge = false, skip_bad = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
   [[nodiscard]] bool filtered() const { return method == "filtered" && engines.empty(); }
@@ -102,7 +102,7 @@ std::optional<Loaded> load(const run::CommandRun& run, const SceneOptions& optio
       }
     }
     const std::string name = io::all_legible(file.file);
-    loaded.objects.push_back(object_of(std::move(file)));
+    loaded.objects.push_back(object_of(std::move(file), options.merge));
     Object& object = loaded.objects.back();
     const char* what = options.skip_bad ? "left out: " : "";
     for (std::size_t k = 0; k < object.rejected.size() && k < kShown; ++k)
@@ -158,6 +158,11 @@ struct Source {
 Source source_of(const SceneOptions& options, const std::vector<Object>& objects) {
   if (!options.balls.empty()) {
     auto balls = std::make_shared<const std::vector<NamedBall>>(read_balls(options.balls));
+    const auto moves = [](const NamedBall& ball) { return std::holds_alternative<Motion>(ball.question); };
+    const auto moving = std::ranges::find_if(*balls, moves);
+    if (options.nearest && moving != balls->end())
+      throw std::invalid_argument("--nearest is about balls at a place, but the ball \"" + io::all_legible(moving->id) +
+                                  "\" moves; --all lists the faces on its way, the first one first");
     return {balls->size(), [balls](std::uint64_t i) { return (*balls)[i]; }};
   }
   std::vector<scene::Faces> faces;
@@ -175,11 +180,22 @@ struct Sums {
 std::string summary(const SceneOptions& options, const Units& units, const Loaded& loaded, const Sums& sums) {
   using run::counted;
   std::uint64_t faces = 0;
-  for (const Object& object : loaded.objects) faces += object.numbers.size();
+  std::uint64_t lifted = 0;
+  double farthest = 0;
+  for (const Object& object : loaded.objects) {
+    faces += object.numbers.size();
+    for (const double off_plane : object.off_plane) {
+      lifted += off_plane > 0 ? 1 : 0;
+      farthest = std::max(farthest, off_plane);
+    }
+  }
   std::string text = fmt::format("{}, {} of {}, {} of files left out{}.\n", counted(sums.balls, "ball"),
                                  counted(loaded.objects.size(), "object"), counted(faces, "face"),
                                  counted(loaded.parts_left_out, "part"),
                                  units.scene ? fmt::format("; lengths in {}", units.scene->name) : "");
+  if (lifted > 0)
+    text += fmt::format("{} not planar: vertices are displaced by up to {} onto the plane.\n",
+                        lifted == 1 ? "1 face is" : fmt::format("{} faces are", lifted), farthest);
   if (!options.filtered()) {
     const Differences& differences = sums.differences;
     text += fmt::format("{} answers otherwise than filtered to {} of {} balls", method_of(options).name(),
@@ -252,7 +268,7 @@ Sums ask(run::CommandRun& run, const SceneOptions& options, const std::vector<Ob
     for (std::size_t i = 0; i < done; ++i) {
       const BallAnswer& answer = method == nullptr ? truths[i] : answers[i];
       if (method != nullptr) sums.differences.add(answers[i], truths[i], order.question);
-      lines.write(answer_line(part[i], answer, order.question, objects));
+      lines.write(answer_line(part[i], answer, order, objects));
     }
     sums.balls += done;
     if (method == nullptr) progress(sums.balls);
@@ -270,7 +286,7 @@ int run(const SceneOptions& options) {
   const std::optional<Loaded> loaded = load(run, options, units);
   if (!loaded) return kBadInput;
   const std::vector<Object>& objects = loaded->objects;
-  const Order order{options.question(), chosen(options, objects), options.threads};
+  const Order order{options.question(), options.merge, chosen(options, objects), options.threads};
   const Source source = source_of(options, objects);
 
   scene::Scene scene;
@@ -305,16 +321,19 @@ run::Command scenes_command() {
   auto options = std::make_shared<SceneOptions>();
   command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
   command
-      .text("--balls", options->balls,
-            "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a case, or "
-            "the numbers x y z r; # begins a comment; - is standard input")
+      .text(
+          "--balls", options->balls,
+          "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a case, or "
+          "the numbers x y z r; of a ball that moves also \"motion\":{\"to\":[x,y,z]}, or the three numbers of the end "
+          "of its way; # begins a comment; - is standard input")
       .takes("FILE");
   command.whole("--samples", options->random, "The number of random balls, half of them near a face", 1,
                 run::kMostSamples);
   command.require_one_of({"--balls", "--samples"});
   command.seed(options->seed, "The seed of --samples; the same seed gives the same bytes");
   command.flag("--any", options->any, "Answer whether the ball touches any face");
-  command.flag("--all", options->all, "Answer which faces it touches (default)");
+  command.flag("--all", options->all,
+               "Answer which faces it touches (default); of a ball that moves, in the order of time");
   command.flag("--nearest", options->nearest, "Answer which face is nearest to its centre, and where");
   command.allow_one_of({"--any", "--all", "--nearest"});
   command
@@ -332,6 +351,9 @@ run::Command scenes_command() {
                 "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
                 "rounded once to the nearest double");
   command.text("--scene-unit", options->scene_unit, "The unit of balls and answers (default: that of the first mesh)");
+  command.flag("--merge", options->merge,
+               "Merge neighbouring faces that lie exactly in one plane, so that a ball on them meets no seam; answers "
+               "then list the merged faces");
   command.flag("--skip-bad", options->skip_bad,
                "Leave out faulty parts of a file and faces that are not valid polygons, and report them");
   command.threads(options->threads);

@@ -12,6 +12,8 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/meshes.h"
+#include "robust/filtered/filtered.h"
+#include "robust/mesh/scene_faces.h"
 
 namespace touchstone::scenes {
 namespace {
@@ -54,22 +56,30 @@ class BlockAnswers {
     const auto prepared = method_.prepare(polygon);
     for (std::size_t i = 0; i < balls.size(); ++i) {
       BallAnswer& answer = answers_[i];
-      if (question_ == Question::Nearest)
-        meet_nearest(prepared->ask(balls[i].ball, cases::QueryKind::Answer), id, answer);
-      else if (question_ == Question::All || answer.touched.empty())
-        meet(prepared->ask(balls[i].ball, cases::QueryKind::Contact), id, answer);
+      const auto* const motion = std::get_if<Motion>(&balls[i].question);
+      const Ball& ball = cases::ball_of(balls[i].question);
+      if (question_ == Question::Nearest) {
+        meet_nearest(prepared->ask(ball, cases::QueryKind::Answer), id, answer);
+      } else if (question_ == Question::All || answer.touched.empty()) {
+        if (motion == nullptr) {
+          meet(prepared->ask(ball, cases::QueryKind::Contact), id, answer);
+        } else {
+          const std::optional<cases::PartialAnswer> found = prepared->ask_moving(*motion);
+          if (!found) refuse(method_, "the contact of moving balls");
+          if (meet(*found, id, answer) && question_ == Question::All) answer.on_way.push_back({id, *found});
+        }
+      }
     }
   }
   [[nodiscard]] const std::vector<BallAnswer>& answers() const { return answers_; }
 
  private:
-  void meet(const cases::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
-    if (!found.contact) {
-      if (!found.unsure) refuse(method_, "contact");
-      ++answer.unsure;
-    } else if (*found.contact) {
-      answer.touched.push_back(id);
-    }
+  /// Returns whether the face is touched.
+  bool meet(const cases::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
+    if (!found.contact && !found.unsure) refuse(method_, "contact");
+    if (!found.contact) ++answer.unsure;
+    if (found.contact.value_or(false)) answer.touched.push_back(id);
+    return found.contact.value_or(false);
   }
   void meet_nearest(const cases::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
     if (!found.distance || !found.nearest || !found.point) {
@@ -89,6 +99,7 @@ class BlockAnswers {
 void add(BallAnswer& answer, const BallAnswer& later, Question question) {
   if (question != Question::Any || answer.touched.empty())
     answer.touched.insert(answer.touched.end(), later.touched.begin(), later.touched.end());
+  answer.on_way.insert(answer.on_way.end(), later.on_way.begin(), later.on_way.end());
   if (later.nearest && (!answer.nearest || later.nearest->distance < answer.nearest->distance))
     answer.nearest = later.nearest;
   answer.unsure += later.unsure;
@@ -97,35 +108,58 @@ void add(BallAnswer& answer, const BallAnswer& later, Question question) {
 using cases::Verdict;
 using scene::FaceId;
 
-Verdict face(FaceId id, const std::vector<Object>& objects) {
+/// Returns the keys that name a face of a mesh, or those that were merged.
+Verdict face(FaceId id, const Order& order, const std::vector<Object>& objects) {
   const Object& object = objects[id.object];
-  return {{"object", object.name}, {"face", object.numbers[id.face]}};
+  const std::vector<std::uint32_t>& numbers = object.numbers[id.face];
+  Verdict keys = {{"object", object.name}};
+  if (order.merged)
+    keys["faces"] = numbers;
+  else
+    keys["face"] = numbers.front();
+  if (object.off_plane[id.face] > 0) keys["off_plane"] = object.off_plane[id.face];
+  return keys;
+}
+
+/// Returns the keys that name the face, and those of its first contact.
+Verdict face(const FaceOnWay& touched, const Order& order, const std::vector<Object>& objects) {
+  Verdict keys = face(touched.face, order, objects);
+  const Verdict first = cases::object_of(touched.first);
+  for (const auto& [key, value] : first.items())
+    if (key != "contact" && key != "off_plane") keys[key] = value;
+  return keys;
+}
+
+void take(Object& object, scene::Faces faces) {
+  object.off_plane.resize(faces.triangles.size());
+  for (const Polygon& polygon : faces.polygons)
+    object.off_plane.push_back(filtered::answer(Ball{polygon.vertex(0), 0}, polygon).off_plane);
+  object.faces = std::move(faces);
 }
 
 }  // namespace
 
-Object object_of(workloads::NamedFile file) {
-  Object object{std::move(file.name), {}, {}, {}, 0};
+Object object_of(workloads::NamedFile file, bool merge) {
+  Object object{std::move(file.name), {}, {}, {}, {}, 0};
   const Mesh& mesh = file.content.mesh;
-  std::vector<std::uint32_t> polygons;
-  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    try {
-      Polygon polygon = workloads::face_polygon(mesh, face);
-      if (polygon.vertex_count() == 3) {
-        object.faces.triangles.push_back({polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)});
-        object.numbers.push_back(face);
-      } else {
-        object.faces.polygons.push_back(std::move(polygon));
-        polygons.push_back(face);
-      }
-    } catch (const Rejected& rejected) {
-      if (object.faces_rejected++ >= kMostSentences) continue;
-      const auto& [code, message] = rejected.rejection();
-      object.rejected.push_back(io::sentence(file.file, file.content.places[face],
-                                             fmt::format("face {}: {}: {}", face, to_string(code), message)));
-    }
+  std::vector<mesh::RejectedFace> rejected;
+  if (merge) {
+    mesh::MergedMesh merged = mesh::merge_faces(mesh);
+    mesh::SceneFaces faces = mesh::scene_faces(mesh, merged);
+    for (const std::uint32_t number : faces.merged) object.numbers.push_back(merged.faces[number].faces);
+    take(object, std::move(faces.faces));
+    rejected = std::move(merged.rejected);
+  } else {
+    mesh::MeshFaces faces = mesh::scene_faces(mesh, mesh::OnBadFace::LeaveOut);
+    for (const std::uint32_t number : faces.numbers) object.numbers.push_back({number});
+    take(object, std::move(faces.faces));
+    rejected = std::move(faces.left_out);
   }
-  object.numbers.insert(object.numbers.end(), polygons.begin(), polygons.end());
+  object.faces_rejected = rejected.size();
+  for (const auto& [face, rejection] : std::span(rejected).first(std::min(rejected.size(), kMostSentences)))
+    object.rejected.push_back(
+        io::sentence(file.file, file.content.places[face],
+                     fmt::format("face {}: {}: {}", face, to_string(rejection.code), rejection.message)));
   return object;
 }
 
@@ -134,10 +168,17 @@ std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order,
   std::vector<BallAnswer> answers(balls.size());
   const auto ask = [&](std::size_t i) {
     BallAnswer& answer = answers[i];
-    const Ball& ball = balls[i].ball;
+    const Ball& ball = cases::ball_of(balls[i].question);
     if (order.question == Question::Nearest) answer.nearest = scene.nearest(ball, order.objects);
-    if (order.question == Question::All) answer.touched = scene.touched(ball, order.objects);
-    if (order.question == Question::Any && scene.touches(ball, order.objects)) answer.touched.push_back({});
+    std::visit(
+        [&](const auto& asked) {
+          if (order.question == Question::All) answer.touched = scene.touched(asked, order.objects);
+          if (order.question == Question::Any && scene.touches(asked, order.objects)) answer.touched.push_back({});
+        },
+        balls[i].question);
+    if (const auto* motion = std::get_if<Motion>(&balls[i].question); motion && order.question == Question::All)
+      for (const auto& [face, first] : scene.touched_in_order(*motion, order.objects))
+        answer.on_way.push_back({face, cases::PartialAnswer::of(first, 0, "")});
   };
   const std::uint64_t blocks = (balls.size() + kBalls - 1) / kBalls;
   const std::uint64_t done = run::run_blocks(
@@ -169,23 +210,31 @@ std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::v
   std::vector<BallAnswer> answers(balls.size());
   for (const auto& part : parts)
     for (std::size_t i = 0; i < balls.size(); ++i) add(answers[i], part->answers()[i], order.question);
+  for (BallAnswer& answer : answers)
+    std::ranges::stable_sort(answer.on_way, {},
+                             [](const FaceOnWay& touched) { return touched.first.time.value_or(0); });
   return answers;
 }
 
-std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Question question,
+std::string answer_line(const NamedBall& ball, const BallAnswer& answer, const Order& order,
                         const std::vector<Object>& objects) {
-  const auto point = [](const Eigen::Vector3d& p) { return Verdict{p.x(), p.y(), p.z()}; };
   Verdict line = Verdict::object();
   line["id"] = ball.id;
-  line["ball"] = {{"center", point(ball.ball.center)}, {"radius", ball.ball.radius}};
+  line["ball"] = cases::object_of(cases::ball_of(ball.question));
+  const auto* const motion = std::get_if<Motion>(&ball.question);
+  if (motion != nullptr) line["motion"] = cases::object_of(*motion);
+  const Question question = order.question;
   if (question == Question::Any) line["touches"] = !answer.touched.empty();
-  if (question == Question::All) {
+  if (question == Question::All && motion != nullptr) {
+    line["touched"] = Verdict::array();
+    for (const FaceOnWay& touched : answer.on_way) line["touched"].push_back(face(touched, order, objects));
+  } else if (question == Question::All) {
     line["touched"] = Verdict::array();
     // The scene numbers triangles first, the mesh does not.
     std::vector<FaceId> touched = answer.touched;
     std::ranges::sort(touched, {},
                       [&](FaceId id) { return std::pair(id.object, objects[id.object].numbers[id.face]); });
-    for (const FaceId id : touched) line["touched"].push_back(face(id, objects));
+    for (const FaceId id : touched) line["touched"].push_back(face(id, order, objects));
   }
   if (question == Question::Nearest) {
     line["nearest"] = nullptr;
@@ -195,7 +244,7 @@ std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Questio
       keys.point = answer.nearest->point;
       keys.distance = answer.nearest->distance;
       const Verdict found = cases::object_of(keys);
-      Verdict nearest = face(answer.nearest->face, objects);
+      Verdict nearest = face(answer.nearest->face, order, objects);
       nearest["feature"] = found["nearest"];
       nearest["point"] = found["point"];
       nearest["distance"] = found["distance"];

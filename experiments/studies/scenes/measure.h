@@ -19,26 +19,36 @@ namespace touchstone::scenes {
 /// The faces of a mesh that are polygons of the contract.
 struct Object {
   std::string name;
-  scene::Faces faces;                  ///< triangles first
-  std::vector<std::uint32_t> numbers;  ///< indices of these faces in the mesh, from 0
-  std::vector<std::string> rejected;   ///< a sentence for each of the first other faces, with its place in the file
-  std::uint64_t faces_rejected = 0;    ///< the number of all other faces
+  scene::Faces faces;                               ///< triangles first
+  std::vector<std::vector<std::uint32_t>> numbers;  ///< the faces of the mesh of which each was made, from 0, ascending
+  std::vector<double> off_plane;      ///< how far the vertices of each are from its plane, as in an answer
+  std::vector<std::string> rejected;  ///< a sentence for each of the first other faces, with its place in the file
+  std::uint64_t faces_rejected = 0;   ///< the number of all other faces
 };
 
-/// Takes every face of the mesh as it is. Cost: that of exact::validate per face.
-[[nodiscard]] Object object_of(workloads::NamedFile file);
+/// Takes every face of the mesh as it is, or merges faces that lie in one plane (mesh::merge_faces). Cost: that of
+/// mesh::scene_faces or mesh::merge_faces.
+[[nodiscard]] Object object_of(workloads::NamedFile file, bool merge);
 
 enum class Question { Any, All, Nearest };
+
+/// A face that a moving ball touches, and its first contact, with the keys that the method computes.
+struct FaceOnWay {
+  scene::FaceId face;
+  cases::PartialAnswer first;
+};
 
 /// The answer to one ball; only the members that the question requires are set.
 struct BallAnswer {
   std::vector<scene::FaceId> touched;         ///< All: ascending. Any: at most one of them
+  std::vector<FaceOnWay> on_way;              ///< All, for a ball that moves: these faces in the order of their times
   std::optional<scene::NearestFace> nearest;  ///< Nearest: set unless there are no faces
   std::uint64_t unsure = 0;  ///< faces about which the method could not decide; they count as not touched
 };
 
 struct Order {
   Question question = Question::All;
+  bool merged = false;
   std::vector<std::uint32_t> objects{};  ///< ascending
   unsigned threads = 1;                  ///< does not change answers
 };
@@ -49,7 +59,7 @@ struct Order {
 
 /// Asks a method about every ball and every face of the objects; returns no answers if stopped.
 ///
-/// Compares distances as the method rounds them: among equal ones the lowest object and face is nearest. Throws
+/// Compares distances and times as the method rounds them: among equal ones the lowest object and face is first. Throws
 /// std::invalid_argument if the method does not compute the requested answer. Prepares the faces itself, block by
 /// block.
 [[nodiscard]] std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::vector<Object>& objects,
@@ -59,10 +69,11 @@ struct Order {
 /// Returns the number of blocks of faces that ask_every_face processes for some balls, as its progress counts them.
 [[nodiscard]] std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order);
 
-/// Returns a line of JSON: `id` and `ball` as in a case of the contract, then the requested answer: `touches`,
-/// `touched` (object and face) or `nearest` (object, face, feature, point and distance; null if there are no faces).
-/// Faces have the numbers of their mesh.
-[[nodiscard]] std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Question question,
+/// Returns a line of JSON: `id`, `ball` and `motion` as in a case of the contract, then the requested answer:
+/// `touches`, `touched` (object and face; of a ball that moves also the first contact) or `nearest` (object, face,
+/// feature, point and distance; null if there are no faces). Faces have the numbers of their mesh: `face` or, if they
+/// are merged, `faces`. A face that is not planar has `off_plane`.
+[[nodiscard]] std::string answer_line(const NamedBall& ball, const BallAnswer& answer, const Order& order,
                                       const std::vector<Object>& objects);
 
 /// The differences between a method's answers and the scene's. They are compared here, not by cases::differing_keys,

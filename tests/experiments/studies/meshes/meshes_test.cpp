@@ -18,6 +18,7 @@
 #include "experiments/studies/meshes/measure.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
+#include "robust/mesh/scene_faces.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
@@ -124,7 +125,7 @@ TEST_F(MeshContact, ExactIsNeverWrongAndTheThesisIs) {
 TEST_F(MeshContact, BallsAreNearTheirFeature) {
   const Mesh mesh = read_mesh(cube).mesh;
   for (std::uint64_t face = 0; face < kAccepted; ++face) {
-    const Polygon polygon = workloads::face_polygon(mesh, face);
+    const Polygon polygon = mesh::face_polygon(mesh, face);
     const exact::PreparedPolygon exact(polygon);
     const MeshBalls drawn = draw_mesh_balls(polygon, exact, 7, "model/cube", face);
     EXPECT_TRUE(drawn.missing.empty());

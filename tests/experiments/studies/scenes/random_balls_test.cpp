@@ -20,7 +20,7 @@ TEST(RandomBalls, TouchAndMiss) {
   const RandomBalls random(objects);
   int touching[2] = {0, 0};
   for (std::uint64_t i = 0; i < 400; ++i) {
-    const Ball ball = random.draw(1, i).ball;
+    const Ball ball = cases::ball_of(random.draw(1, i).question);
     EXPECT_FALSE(find_fault(ball));
     touching[i % 2] += scene.touches(ball) ? 1 : 0;
   }
@@ -35,7 +35,7 @@ TEST(RandomBalls, AreFiniteWhereTheScenesExtentIsNot) {
   const double far = 1.7e308, most = std::numeric_limits<double>::max();
   for (const double x : {far, most}) {
     const RandomBalls random({{{{{-x, -x, 0}, {x, -x, 0}, {x, x, 1}}}, {}}});
-    for (std::uint64_t i = 0; i < 2000; ++i) EXPECT_FALSE(find_fault(random.draw(1, i).ball)) << i;
+    for (std::uint64_t i = 0; i < 2000; ++i) EXPECT_FALSE(find_fault(cases::ball_of(random.draw(1, i).question))) << i;
   }
 }
 

@@ -227,8 +227,17 @@ TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
     EXPECT_TRUE(run.err.starts_with(prefix)) << run.err;
     return run.err.substr(std::min(prefix.size(), run.err.size()));
   };
-  EXPECT_EQ(fault("1 2 3"), "expected four numbers, x y z r, found 3");
-  EXPECT_EQ(fault("1 2 3 4 5"), "expected four numbers, x y z r, found 5");
+  EXPECT_EQ(fault("1 2 3"), "expected four numbers, x y z r, or seven, found 3");
+  EXPECT_EQ(fault("1 2 3 4 5"), "expected four numbers, x y z r, or seven, found 5");
+  EXPECT_EQ(fault("1 2 3 4 5 6 7 8"), "expected four numbers, x y z r, or seven, found 8");
+  EXPECT_NE(fault("1 2 3 4 5 6 nan"), "");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2,3],"radius":1},"motion":7})"), "motion is not an object");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2,3],"radius":1},"motion":{}})"), "motion has no key \"to\"");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2,3],"radius":1},"motion":{"to":[1]}})"),
+            "motion.to is not a point of three numbers");
+  EXPECT_NE(
+      fault(R"({"ball":{"center":[1,2,3],"radius":1},"motion":{"to":[1,2,3],"to":[1,2,3]}})").find("duplicate key"),
+      std::string::npos);
   EXPECT_EQ(fault("1 2 x 4"), "'x' is not a number");
   EXPECT_EQ(fault("1,2,3,4"), "'1,2,3,4' is not a number");
   EXPECT_NE(fault("1 2 nan 4"), "");
@@ -244,6 +253,89 @@ TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
   const Ran absent = touchstone_scene({path("cube.obj"), "--balls", path("absent")});
   EXPECT_EQ(absent.status, 2);
   EXPECT_EQ(absent.err, path("absent") + ": cannot be read: No such file or directory");
+}
+
+TEST_F(SceneCommand, ListsTheFacesOnTheWayOfABallInTheOrderOfTime) {
+  // Down past the roof at height 3, into the cube.
+  const std::string balls = write("balls", "0.5 0.5 6 0.5 0.5 0.5 0.75\n9 9 9 1 9 9 8\n0.5 0.5 6 0.5\n");
+  const Ran run = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto lines = lines_of(run);
+  EXPECT_EQ(lines[0]["motion"], nlohmann::json::parse(R"({"to":[0.5,0.5,0.75]})"));
+  const nlohmann::json& touched = lines[0]["touched"];
+  std::vector<std::pair<std::string, int>> faces;
+  for (const auto& face : touched) faces.emplace_back(face["object"], face["face"]);
+  // Both faces of the roof at once, then the top and the four sides together with it, as it is a quarter away from
+  // them.
+  EXPECT_EQ(faces, (std::vector<std::pair<std::string, int>>{{object("roof"), 0},
+                                                             {object("roof"), 1},
+                                                             {object("cube"), 1},
+                                                             {object("cube"), 2},
+                                                             {object("cube"), 3},
+                                                             {object("cube"), 4},
+                                                             {object("cube"), 5}}));
+  EXPECT_EQ(touched[0]["time"], touched[1]["time"]);
+  EXPECT_NEAR(touched[0]["time"].get<double>(), 2.5 / 5.25, 1e-15);
+  EXPECT_EQ(touched[0]["first"], "way");
+  EXPECT_EQ(touched[2]["feature"], nlohmann::json({{"kind", "face"}}));
+  EXPECT_EQ(touched[2]["point"], nlohmann::json({0.5, 0.5, 1.0}));
+  EXPECT_EQ(lines[1]["touched"], nlohmann::json::array());
+  EXPECT_FALSE(lines[2].contains("motion"));
+
+  // A case may hold the motion; answers serve as balls again.
+  const std::string again = write("again.jsonl", run.out);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", again}).out, run.out);
+  const auto any = lines_of(touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", again, "--any"}));
+  EXPECT_EQ(any[0]["touches"], true);
+  EXPECT_EQ(any[1]["touches"], false);
+  EXPECT_EQ(any[2]["touches"], false) << "it does not move";
+  const Ran nearest = touchstone_scene({path("cube.obj"), "--balls", again, "--nearest"});
+  EXPECT_EQ(nearest.status, 2);
+  EXPECT_NE(nearest.err.find("the ball \"1\" moves"), std::string::npos) << nearest.err;
+}
+
+TEST_F(SceneCommand, HoldsAnotherMethodAgainstFilteredForBallsThatMove) {
+  const std::string balls = write("balls", "0.5 0.5 6 0.5 0.5 0.5 0.75\n9 9 9 1 9 9 8\n");
+  const auto ask = [&](const std::string& method) {
+    return touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, "--method", method});
+  };
+  const Ran exact = ask("exact");
+  EXPECT_EQ(exact.out, ask("filtered").out);
+  EXPECT_NE(exact.err.find("exact answers otherwise than filtered to 0 of 2 balls"), std::string::npos) << exact.err;
+  const Ran thesis = ask("thesis");
+  EXPECT_EQ(thesis.status, 2);
+  EXPECT_NE(thesis.err.find("does not compute the contact of moving balls"), std::string::npos) << thesis.err;
+}
+
+TEST_F(SceneCommand, MergesFacesSoThatABallMeetsNoSeam) {
+  const std::string floor = write(
+      "floor.obj",
+      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 5 5 5\nv 6 6 6\nv 7 7 7\nf 1 2 5 4\nf 7 8 9\nf 2 3 6 5\n");
+  const std::string balls = write("balls", "1 0.5 1 1\n");
+  const auto nearest = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{floor, "--balls", balls, "--nearest", "--skip-bad"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ran run = touchstone_scene(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("line 11: face 1: zero-normal"), std::string::npos) << run.err;
+    return lines_of(run).at(0)["nearest"];
+  };
+  EXPECT_EQ(nearest({})["feature"]["kind"], "edge");
+  EXPECT_EQ(nearest({})["face"], 0);
+  EXPECT_EQ(nearest({"--merge"})["feature"]["kind"], "face");
+  EXPECT_EQ(nearest({"--merge"})["faces"], nlohmann::json({0, 2}));
+  EXPECT_FALSE(nearest({"--merge"}).contains("face"));
+}
+
+TEST_F(SceneCommand, SaysHowFarFacesThatAreNotPlanarAreDisplaced) {
+  const std::string warped = write("warped.obj", "v 0 0 0\nv 4 0 1\nv 4 4 0\nv 0 4 1\nf 1 2 3 4\nf 1 2 3\n");
+  const Ran run = touchstone_scene({warped, "--balls", write("balls", "2 2 0.5 2\n")});
+  const auto touched = lines_of(run).at(0)["touched"];
+  EXPECT_EQ(touched[0]["off_plane"], 0.5);
+  EXPECT_FALSE(touched[1].contains("off_plane"));
+  EXPECT_NE(run.err.find("1 face is not planar: vertices are displaced by up to 0.5 onto the plane."),
+            std::string::npos)
+      << run.err;
 }
 
 TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
