@@ -91,6 +91,12 @@ class Reader {
   [[nodiscard]] std::vector<Loop> loops() const {
     const json& polygon = member(text_.value, "polygon", "the case");
     if (!polygon.is_object()) malformed("polygon is not an object");
+    const auto closed = polygon.find("closed");
+    if (closed != polygon.end() && !closed->is_boolean()) malformed("polygon.closed is neither true nor false");
+    const bool opens = closed != polygon.end() && closed->get<bool>();
+    const auto loop = [&](const json& value, const std::string& where) {
+      return opens ? opened(points_of(value, where), where) : points_of(value, where);
+    };
     std::vector<Loop> loops{loop(member(polygon, "outer", "polygon"), "polygon.outer")};
     if (const auto holes = polygon.find("holes"); holes != polygon.end()) {
       if (!holes->is_array()) malformed("polygon.holes is not an array");
@@ -126,7 +132,15 @@ class Reader {
     return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
   }
 
-  static Loop loop(const json& value, const std::string& where) {
+  /// Returns the loop without its last point, which repeats the first.
+  static Loop opened(Loop loop, const std::string& where) {
+    if (loop.size() < 2 || loop.front() != loop.back())
+      malformed(where + " is not closed: its last point is not its first");
+    loop.pop_back();
+    return loop;
+  }
+
+  static Loop points_of(const json& value, const std::string& where) {
     if (!value.is_array()) malformed(where + " is not an array of points");
     Loop points;
     points.reserve(value.size());
@@ -211,6 +225,7 @@ Case read_case(std::string_view line) {
   Expected expected = read_expected(text);
   try {
     result.content = read_shapes(Reader(text, expected));
+    result.closed = text.value["polygon"].value("closed", false);
     if (text.value.contains("tags")) result.tags = text.value["tags"].get<std::vector<std::string>>();
   } catch (const Rejected& rejected) {
     result.content = rejected.rejection();

@@ -37,14 +37,17 @@ struct Case {
   std::optional<StatedAnswer> expected;     ///< keys of an answer, or `error`; absent if malformed
   std::variant<Shapes, Rejection> content;  ///< the message of the rejection names the loop, vertex or edge
   std::vector<std::string> tags{};          ///< empty if malformed
+  bool closed = false;                      ///< whether its loops repeat their first point at the end
 };
 
 /// Reads one case and reports the first rejection of the contract that applies, in the order of the contract.
 ///
 /// Numbers are read as the nearest doubles; a number beyond the finite doubles is `not-finite`. Besides `id`, `ball`,
-/// `motion`, `polygon`, `expected` and `tags`, unknown keys are allowed and ignored. Within `expected`, an unknown key
-/// makes the case malformed. A duplicate key anywhere, or arrays and objects nested deeper than kMostLevels, also make
-/// it malformed. Throws NotJson. Cost: that of exact::validate, plus time linear in the length of the line.
+/// `motion`, `polygon`, `expected` and `tags`, unknown keys are allowed and ignored. If `polygon.closed` is true, each
+/// loop ends with its first point again, as in GeoJSON; a loop that does not is malformed. Within `expected`, an
+/// unknown key makes the case malformed. A duplicate key anywhere, or arrays and objects nested deeper than
+/// kMostLevels, also make it malformed. Throws NotJson. Cost: that of exact::validate, plus time linear in the length
+/// of the line.
 [[nodiscard]] Case read_case(std::string_view line);
 
 /// A line of input: a case, or the reason why it could not be read.

@@ -168,6 +168,15 @@ void VerdictReporter::compare(const cases::Line& line, std::string_view method, 
   if (order_.judged) order_.judged(judged);
 }
 
+/// Returns the line of a case as engines are to read it: without the points that close its loops.
+std::string text_for_engines(const cases::Line& line) {
+  const cases::Case& read = *line.read;
+  if (!read.closed) return line.text;
+  std::string text = cases::case_line(*read.id, std::get<cases::Shapes>(read.content), read.tags);
+  text.pop_back();  // the end of the line
+  return text;
+}
+
 /// One engine, and what the reporter is told about it.
 class JudgedEngine {
  public:
@@ -176,7 +185,7 @@ class JudgedEngine {
 
   void ask(const cases::Line& line) {
     const std::string& id = *line.read->id;
-    const auto [answer, reason, ended_before] = process_.ask(id, line.text);
+    const auto [answer, reason, ended_before] = process_.ask(id, text_for_engines(line));
     if (!ended_before.empty()) {
       reporter_.complain(fmt::format("engine {}: {} before case {}", engine_.name, ended_before, io::legible(id)));
       reporter_.worsen(ExpectationNotMet);

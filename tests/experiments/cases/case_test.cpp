@@ -59,6 +59,30 @@ TEST(ReadCase, ReadsTheEndOfAMotion) {
   EXPECT_EQ(code(with_motion(R"({"to":[1,2,2]})", negative)), "negative-radius");
 }
 
+TEST(ReadCase, OpensLoopsThatAreClosed) {
+  const std::string open = R"("outer":[[0,0,0],[9,0,0],[0,9,0]],"holes":[[[1,1,0],[2,1,0],[1,2,0]]])";
+  const std::string closed =
+      R"("outer":[[0,0,0],[9,0,0],[0,9,0],[-0.0,0,0]],"holes":[[[1,1,0],[2,1,0],[1,2,0],[1,1,0]]])";
+  const auto polygon = [](const std::string& text) {
+    return std::get<Shapes>(read_case(with_polygon(text)).content).polygon;
+  };
+  EXPECT_EQ(polygon("{\"closed\":true," + closed + "}"), polygon("{" + open + "}"));
+  EXPECT_EQ(polygon("{\"closed\":false," + open + "}"), polygon("{" + open + "}"));
+  EXPECT_TRUE(read_case(with_polygon("{\"closed\":true," + closed + "}")).closed);
+  EXPECT_FALSE(read_case(with_polygon("{\"closed\":false," + open + "}")).closed);
+  EXPECT_EQ(code(with_polygon("{" + closed + "}")), "repeated-vertex");
+  EXPECT_EQ(message(with_polygon("{\"closed\":true," + open + "}")),
+            "polygon.outer is not closed: its last point is not its first");
+  EXPECT_EQ(
+      message(with_polygon(R"({"closed":true,"outer":[[0,0,0],[9,0,0],[0,9,0],[0,0,0]],"holes":[[[1,1,0],[2,1,0]]]})")),
+      "polygon.holes[0] is not closed: its last point is not its first");
+  EXPECT_EQ(code(with_polygon(R"({"closed":true,"outer":[[0,0,0]]})")), "malformed-case");
+  EXPECT_EQ(code(with_polygon(R"({"closed":true,"outer":[[0,0,0],[1,0,0],[0,0,0]]})")), "too-few-vertices");
+  for (const char* value : {"1", "null", "\"yes\"", "[]"})
+    EXPECT_EQ(message(with_polygon("{\"closed\":" + std::string(value) + "," + open + "}")),
+              "polygon.closed is neither true nor false");
+}
+
 TEST(ReadCase, ReadsNumbersAsTheNearestDoubles) {
   const Case read = read_case(with_ball(R"({"center":[0.1,9007199254740993,1e-400],"radius":-0})"));
   const auto& ball = std::get<Shapes>(read.content).ball();

@@ -27,6 +27,16 @@ TEST(JudgeEngine, IsComparedWithWhatTheCasesExpect) {
   EXPECT_NE(wrong.complaints.find("relation: expected \"touching\", found \"separate\""), std::string::npos);
 }
 
+// It need not know of loops that are closed.
+TEST(JudgeEngine, GetsCasesWithoutThePointsThatCloseTheirLoops) {
+  const std::string ring =
+      R"({"id":"a","ball":{"center":[0,0,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0])";
+  const std::string closed = ring + R"(,[0,0,0]],"closed":true}})", open = ring + R"(],"holes":[]},"tags":[]})";
+  const std::string seen = write_file("seen.jsonl", "");
+  (void)run(closed, engine("tee '" + seen + "' | sed -u 's/.*/{\"id\":\"a\",\"contact\":true}/'"));
+  EXPECT_EQ(run_tests::text_of(seen), open + "\n");
+}
+
 TEST(JudgeEngine, IsReportedWithEveryCaseWhereItSaysNothingOrNonsense) {
   for (const auto& [command, reason] : {std::pair{"sed -u s/.*/what/", "not a verdict on this case: what"},
                                         {"yes '{\"id\":\"other\"}'", "not a verdict on this case: {\"id\":\"other\"}"},
