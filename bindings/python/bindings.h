@@ -6,9 +6,10 @@
 namespace touchstone::python {
 
 /// @{
-/// Add a class to the module, with the functions that unpickling it needs.
+/// Add a class or function to the module, with the functions that unpickling it needs.
 void add_answer(pybind11::module_& module);
 void add_first_contact(pybind11::module_& module);
+void add_merge_faces(pybind11::module_& module);
 void add_mesh(pybind11::module_& module);
 void add_polygon(pybind11::module_& module);
 void add_scene(pybind11::module_& module);

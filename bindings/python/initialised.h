@@ -5,11 +5,11 @@
 
 #include <string>
 
+#include "bindings/python/mesh.h"
 #include "bindings/python/shared_scene.h"
 #include "bindings/python/valid_polygon.h"
 #include "geometry/contact/answer.h"
 #include "geometry/contact/first_contact.h"
-#include "geometry/shapes/mesh.h"
 #include "robust/filtered/triangle_set.h"
 
 namespace touchstone::python {
@@ -39,7 +39,8 @@ class type_caster<touchstone::Answer> : public touchstone::python::InitialisedCa
 template <>
 class type_caster<touchstone::FirstContact> : public touchstone::python::InitialisedCaster<touchstone::FirstContact> {};
 template <>
-class type_caster<touchstone::Mesh> : public touchstone::python::InitialisedCaster<touchstone::Mesh> {};
+class type_caster<touchstone::python::HeldMesh>
+    : public touchstone::python::InitialisedCaster<touchstone::python::HeldMesh> {};
 template <>
 class type_caster<touchstone::filtered::TriangleSet>
     : public touchstone::python::InitialisedCaster<touchstone::filtered::TriangleSet> {};

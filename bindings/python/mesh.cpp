@@ -7,13 +7,15 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "bindings/python/bindings.h"
 #include "bindings/python/doubles.h"
 #include "bindings/python/initialised.h"
 #include "bindings/python/pickling.h"
-#include "geometry/io/read_mesh.h"
+#include "bindings/python/words.h"
 #include "geometry/same_number.h"
 #include "geometry/shapes/rejection.h"
 
@@ -41,7 +43,9 @@ Indices indices_of(py::handle numbers, const std::string& name) {
 }
 
 /// Returns a face with these vertex numbers.
-Face face_of(const std::int64_t* numbers, py::ssize_t count, std::size_t vertices, std::size_t face) {
+Face face_of(const std::int64_t* numbers, py::ssize_t count, const std::vector<Eigen::Vector3d>& points,
+             std::size_t face) {
+  const std::size_t vertices = points.size();
   const std::string name = "face " + std::to_string(face);
   if (count < 3) reject(name + " has " + std::to_string(count) + " vertices; a face has at least 3");
   Face loop(static_cast<std::size_t>(count));
@@ -50,12 +54,15 @@ Face face_of(const std::int64_t* numbers, py::ssize_t count, std::size_t vertice
       reject(name + " has vertex " + std::to_string(numbers[i]) + ", but there are " + std::to_string(vertices) +
              " vertices, numbered from 0");
     loop[i] = static_cast<std::uint32_t>(numbers[i]);
+    if (!points[loop[i]].allFinite())
+      throw Rejected({RejectionCode::NotFinite,
+                      name + " has vertex " + std::to_string(loop[i]) + ", which has a coordinate that is not finite"});
   }
   return loop;
 }
 
 /// Returns the faces, n x 3 if all are triangles, else a list of lists.
-py::object numbers_of_faces(const Mesh& mesh) {
+py::object numbers_of_faces(const HeldMesh& mesh) {
   const auto is_triangle = [](const Face& face) { return face.size() == 3; };
   if (!std::ranges::all_of(mesh.faces, is_triangle)) return py::cast(mesh.faces);
   py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(mesh.faces.size()), py::ssize_t{3}});
@@ -64,25 +71,98 @@ py::object numbers_of_faces(const Mesh& mesh) {
   return rows;
 }
 
-Doubles vertices_of(const Mesh& mesh) {
+Doubles vertices_of(const HeldMesh& mesh) {
   Doubles rows({static_cast<py::ssize_t>(mesh.vertices.size()), py::ssize_t{3}});
   double* number = rows.mutable_data();
   for (const Eigen::Vector3d& vertex : mesh.vertices) number = std::copy_n(vertex.data(), 3, number);
   return rows;
 }
 
-Mesh read(const std::filesystem::path& file) {
+/// What a call of Mesh.read names: a path, bytes, or an object with `read`, such as an open file.
+struct MeshInput {
+  std::optional<std::filesystem::path> path{};  ///< either this
+  std::string content{}, format{}, name{};      ///< or these
+};
+
+MeshInput input_of(const py::object& file, const std::optional<std::string>& format) {
+  if (!py::isinstance<py::bytes>(file) && !py::hasattr(file, "read")) {
+    auto path = py::module_::import("os").attr("fspath")(file).cast<std::filesystem::path>();
+    if (!format) return {.path = std::move(path)};
+    const py::object opened = py::module_::import("pathlib").attr("Path")(file);
+    return {.content = opened.attr("read_bytes")().cast<std::string>(), .format = *format, .name = path.string()};
+  }
+  MeshInput input{.name = "the bytes"};
+  py::object content = file;
+  if (!py::isinstance<py::bytes>(file)) {
+    content = file.attr("read")();
+    input.name = "the file";
+    if (py::hasattr(file, "name") && py::isinstance<py::str>(file.attr("name")))
+      input.name = file.attr("name").cast<std::string>();
+  }
+  if (!py::isinstance<py::bytes>(content) && !py::isinstance<py::str>(content))
+    throw py::type_error(input.name + ": read() must return bytes or str");
+  input.content = content.cast<std::string>();
+  input.format = format.value_or(std::filesystem::path(input.name).extension().string());
+  if (input.format.starts_with('.')) input.format.erase(0, 1);
+  if (input.format.empty()) throw py::value_error(input.name + ": give the format: 'obj', 'off', 'stl' or 'ply'");
+  return input;
+}
+
+HeldMesh read(const py::object& file, const std::optional<std::string>& format, const std::string& bad_faces) {
+  const bool refuses = bad_faces_policy(bad_faces) == mesh::OnBadFace::Refuse;
+  const OnFault on_fault = refuses ? OnFault::Refuse : OnFault::Skip;
+  MeshInput input = input_of(file, format);
   ReadMesh read;
   {
     const py::gil_scoped_release release;
-    read = read_mesh(file);
+    read = input.path ? read_mesh(*input.path, on_fault)
+                      : read_mesh(std::move(input.content), input.format, input.name, on_fault);
   }
   for (const std::string& warning : read.warnings)
     if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
-  return std::move(read.mesh);
+  return {std::move(read.mesh), std::move(read.places), std::move(read.left_out)};
 }
 
-bool equal(const Mesh& a, const Mesh& b) {
+std::vector<std::string> places_of(const HeldMesh& mesh) {
+  std::vector<std::string> places;
+  for (const io::SourceLocation& place : mesh.places) places.push_back(io::text_of(place));
+  return places;
+}
+
+/// Returns the faces of an array that states the number of vertices before each face.
+py::list faces_of_counts(py::handle numbers) {
+  const Indices flat = indices_of(numbers, "faces");
+  const std::int64_t* const all = flat.data();
+  py::list faces;
+  for (py::ssize_t i = 0; i < flat.size();) {
+    const std::int64_t count = all[i++];
+    if (count < 0 || count > flat.size() - i)
+      reject("faces: face " + std::to_string(faces.size()) + " is to have " + std::to_string(count) +
+             " vertices, but " + std::to_string(flat.size() - i) + " numbers follow");
+    faces.append(Indices(static_cast<py::ssize_t>(count), all + i));
+    i += count;
+  }
+  return faces;
+}
+
+/// Returns the faces of blocks with `type` and `data`. Throws pybind11::type_error for a block of other cells than
+/// faces, vertices and lines.
+py::list faces_of_blocks(py::handle blocks) {
+  py::list faces;
+  for (const py::handle block : blocks) {
+    if (!py::hasattr(block, "type") || !py::hasattr(block, "data"))
+      throw py::type_error("cells: expected blocks with `type` and `data`, got " +
+                           py::str(py::type::of(block)).cast<std::string>());
+    const auto type = py::str(block.attr("type")).cast<std::string>();
+    if (type == "vertex" || type == "line") continue;
+    if (type != "triangle" && type != "quad" && !type.starts_with("polygon"))
+      throw py::type_error("cells: those of type '" + type + "' are not polygons");
+    for (const py::handle face : block.attr("data")) faces.append(face);
+  }
+  return faces;
+}
+
+bool equal(const HeldMesh& a, const HeldMesh& b) {
   return a.faces == b.faces && std::ranges::equal(a.vertices, b.vertices, same_point);
 }
 
@@ -91,21 +171,37 @@ void add_broken_mesh(py::module_& module) {
   py::register_exception<BrokenMesh>(module, "BrokenMesh", PyExc_ValueError);
 }
 
+bool has(py::handle object, const char* points, const char* faces) {
+  return py::hasattr(object, points) && py::hasattr(object, faces);
+}
+
 }  // namespace
 
-Mesh mesh_of(py::handle vertices, py::handle faces) {
+mesh::OnBadFace bad_faces_policy(const std::string& name) {
+  if (name == "refuse") return mesh::OnBadFace::Refuse;
+  if (name == "leave out") return mesh::OnBadFace::LeaveOut;
+  throw py::value_error("bad_faces must be 'refuse' or 'leave out', not " +
+                        py::repr(py::str(name)).cast<std::string>());
+}
+
+py::object named_faces(const std::vector<mesh::RejectedFace>& faces) {
+  py::list named;
+  for (const auto& [face, rejection] : faces)
+    named.append(py::dict(py::arg("face") = face, py::arg("code") = text(to_string(rejection.code)),
+                          py::arg("message") = rejection.message));
+  return named;
+}
+
+HeldMesh mesh_of(py::handle vertices, py::handle faces) {
   const Doubles rows = doubles_of(vertices);
   if (rows.size() > 0 && (rows.ndim() != 2 || rows.shape(1) != 3)) reject("vertices must be an array of n x 3 numbers");
-  Mesh mesh;
+  HeldMesh mesh;
   mesh.vertices.reserve(static_cast<std::size_t>(rows.size() / 3));
   for (const double* v = rows.data(); v != rows.data() + rows.size(); v += 3) {
     mesh.vertices.emplace_back(v[0], v[1], v[2]);
-    if (!mesh.vertices.back().allFinite())
-      throw Rejected({RejectionCode::NotFinite,
-                      "vertex " + std::to_string(mesh.vertices.size() - 1) + " has a coordinate that is not finite"});
   }
   const auto add = [&](const std::int64_t* numbers, py::ssize_t count) {
-    mesh.faces.push_back(face_of(numbers, count, mesh.vertices.size(), mesh.faces.size()));
+    mesh.faces.push_back(face_of(numbers, count, mesh.vertices, mesh.faces.size()));
   };
   if (py::isinstance<py::list>(faces) || py::isinstance<py::tuple>(faces)) {
     for (const py::handle face : faces) {
@@ -122,39 +218,60 @@ Mesh mesh_of(py::handle vertices, py::handle faces) {
   return mesh;
 }
 
-Mesh mesh_of(py::handle object) {
-  if (py::isinstance<Mesh>(object)) return object.cast<const Mesh&>();
-  if (!py::hasattr(object, "vertices") || !py::hasattr(object, "faces"))
-    throw py::type_error("expected a mesh with `vertices` and `faces`, got " +
-                         py::str(py::type::of(object)).cast<std::string>());
-  return mesh_of(object.attr("vertices"), object.attr("faces"));
+bool is_mesh(py::handle object) {
+  return py::isinstance<HeldMesh>(object) || py::hasattr(object, "faces") || has(object, "vertices", "triangles") ||
+         has(object, "points", "cells");
+}
+
+HeldMesh mesh_of(py::handle object) {
+  if (py::isinstance<HeldMesh>(object)) return object.cast<const HeldMesh&>();
+  if (has(object, "vertices", "faces")) return mesh_of(object.attr("vertices"), object.attr("faces"));
+  if (has(object, "vertices", "triangles")) return mesh_of(object.attr("vertices"), object.attr("triangles"));
+  if (has(object, "points", "faces")) {
+    if (py::hasattr(object, "strips") && py::len(object.attr("strips")) > 0)
+      throw py::type_error("a mesh with strips is not supported: triangulate it");
+    return mesh_of(object.attr("points"), faces_of_counts(object.attr("faces")));
+  }
+  if (has(object, "points", "cells")) return mesh_of(object.attr("points"), faces_of_blocks(object.attr("cells")));
+  throw py::type_error(
+      "expected a mesh: an object with `vertices` and `faces` or `triangles`, or with `points` and "
+      "`faces` or `cells`, got " +
+      py::str(py::type::of(object)).cast<std::string>());
 }
 
 void add_mesh(py::module_& module) {
   add_broken_mesh(module);
-  py::class_<Mesh> type(module, "Mesh",
-                        "Vertices, an array of m x 3, and faces, an array of n x k or a list of lists of vertex "
-                        "numbers from 0. Nothing is\n"
-                        "welded, triangulated or repaired. Raises Rejected, which names the vertex or face, for a "
-                        "coordinate that is not\n"
-                        "finite, a number out of range and a face of fewer than three vertices. Two meshes are equal "
-                        "if vertices and faces\n"
-                        "are, one by one.");
-  make_picklable(type, [](const Mesh& mesh) { return py::make_tuple(vertices_of(mesh), numbers_of_faces(mesh)); });
+  py::class_<HeldMesh> type(
+      module, "Mesh",
+      "Vertices, an array of m x 3, and faces, an array of n x k or a list of lists of vertex "
+      "numbers from 0. Nothing is\n"
+      "welded, triangulated or repaired. Raises Rejected, which names the face, for a vertex that is "
+      "not finite, a\n"
+      "number out of range and a face of fewer than three vertices. Vertices that no face uses may "
+      "be anything. Two\n"
+      "meshes are equal if vertices and faces are, one by one; pickles keep these alone.");
+  make_picklable(type, [](const HeldMesh& mesh) { return py::make_tuple(vertices_of(mesh), numbers_of_faces(mesh)); });
   type.def(py::init([](const py::object& vertices, const py::object& faces) { return mesh_of(vertices, faces); }),
            py::arg("vertices"), py::arg("faces"))
-      .def_static("read", read, py::arg("path"),
-                  "Reads Wavefront OBJ, Geomview OFF, STL or PLY; each number becomes the nearest double. Raises\n"
-                  "BrokenMesh, a ValueError that names the file and the line or byte.")
+      .def_static("read", read, py::arg("file"), py::arg("format") = py::none(), py::arg("bad_faces") = "refuse",
+                  "Reads Wavefront OBJ, Geomview OFF, STL or PLY; each number becomes the nearest double. `file` is a\n"
+                  "path, bytes or an open file; `format` is needed where no name ends in it. Raises BrokenMesh, a\n"
+                  "ValueError that names the file and the line or byte. With bad_faces='leave out' faulty lines,\n"
+                  "vertices and faces are left out, and `left_out` names them.")
       .def_static(
           "of", [](const py::object& object) { return mesh_of(object); }, py::arg("object"),
-          "Returns the mesh of any object with `vertices` and `faces`, such as one of trimesh.")
+          "Returns the mesh of any object with `vertices` and `faces`, such as one of trimesh, or with `triangles`\n"
+          "(Open3D), with `points` and flat `faces` (PyVista) or blocks of `cells` (meshio).")
+      .def_property_readonly("places", places_of,
+                             "The place in the file of each face, such as 'line 12'; empty without a file.")
+      .def_readonly("left_out", &HeldMesh::left_out,
+                    "A sentence for each of the first 1000 parts of the file that were left out.")
       .def_property_readonly("vertices", vertices_of, "A copy of the vertices, m x 3.")
       .def_property_readonly("faces", numbers_of_faces,
                              "A copy of the faces: n x 3 if all are triangles, else a list of lists.")
-      .def("__len__", [](const Mesh& mesh) { return mesh.faces.size(); })
+      .def("__len__", [](const HeldMesh& mesh) { return mesh.faces.size(); })
       .def("__eq__", equal, py::is_operator())
-      .def("__repr__", [](const Mesh& mesh) {
+      .def("__repr__", [](const HeldMesh& mesh) {
         return "Mesh(" + std::to_string(mesh.vertices.size()) + " vertices, " + std::to_string(mesh.faces.size()) +
                (mesh.faces.size() == 1 ? " face)" : " faces)");
       });

@@ -46,6 +46,7 @@ PYBIND11_MODULE(_touchstone, module) {
   add_polygon(module);
   add_triangle_set(module);
   add_mesh(module);
+  add_merge_faces(module);
   add_scene(module);
   QueryFunctions<filtered::PreparedPolygon>::add_to(module, "filtered",
                                                     "The answers of `exact`, at about the price of `fast`.");

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings/python/rows.h"
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 
 #include "geometry/shapes/rejection.h"
 
 namespace touchstone::python {
+
+namespace py = pybind11;
 
 static_assert(std::is_standard_layout_v<Ball> && sizeof(Ball) == 4 * sizeof(double) && alignof(Ball) == alignof(double),
               "a row x, y, z, r has the layout of a ball");
@@ -17,11 +20,33 @@ static_assert(std::is_standard_layout_v<Motion> && sizeof(Motion) == 7 * sizeof(
 namespace {
 
 constexpr const char* kForm[] = {
-    "balls must be an array of 4 or of n x 4 numbers (x, y, z, r)",
+    "balls must be an array of 4 or of n x 4 numbers (x, y, z, r), or a tuple of centres and radii",
     "motions must be an array of 7 or of n x 7 numbers (x, y, z, r and the end x', y', z')"};
 constexpr const char* kName[] = {"ball ", "motion "};
 
 }  // namespace
+
+Doubles rows_of(py::handle object) {
+  const bool is_pair = py::isinstance<py::tuple>(object) && py::len(object) == 2;
+  if (!is_pair) return doubles_of(object);
+  const auto pair = py::reinterpret_borrow<py::tuple>(object);
+  const Doubles centers = doubles_of(pair[0]);
+  // Otherwise it is a pair of rows.
+  if (centers.ndim() == 0 || centers.ndim() > 2 || centers.shape(centers.ndim() - 1) != 3) return doubles_of(object);
+  const Doubles radii = doubles_of(pair[1]);
+  const py::ssize_t count = centers.size() / 3;
+  const bool one = radii.ndim() == 0;
+  if (!one && (centers.ndim() != 2 || radii.ndim() != 1 || radii.size() != count))
+    throw Rejected({RejectionCode::MalformedCase,
+                    "for " + std::to_string(count) + " centres there must be one radius or as many radii"});
+  Doubles rows = centers.ndim() == 1 ? Doubles(4) : Doubles({count, py::ssize_t{4}});
+  double* row = rows.mutable_data();
+  for (py::ssize_t i = 0; i < count; ++i) {
+    row = std::copy_n(centers.data() + 3 * i, 3, row);
+    *row++ = radii.data()[one ? 0 : i];
+  }
+  return rows;
+}
 
 template <class Shape>
 Rows<Shape>::Rows(const Doubles& rows) : rows_(rows) {

@@ -9,6 +9,10 @@
 
 namespace touchstone::python {
 
+/// Returns the rows of an array, or of a tuple of centres, (3,) or (n, 3), and radii, one or n. Throws what doubles_of
+/// throws, and Rejected for another number of radii.
+[[nodiscard]] Doubles rows_of(pybind11::handle object);
+
 /// Rows of numbers, used as balls (x, y, z, r) or as motions (x, y, z, r and the end of the centre's way) without a
 /// copy.
 template <class Shape>
@@ -18,8 +22,8 @@ class Rows {
 
   /// Takes one row or many (n x kColumns). Throws Rejected for another shape, and for an invalid one, naming the row.
   explicit Rows(const Doubles& rows);
-  /// The same for a Python object. Throws what doubles_of throws.
-  explicit Rows(pybind11::handle rows) : Rows(doubles_of(rows)) {}
+  /// The same for a Python object. Throws what rows_of throws.
+  explicit Rows(pybind11::handle rows) : Rows(rows_of(rows)) {}
 
   [[nodiscard]] bool single() const { return rows_.ndim() == 1; }
   [[nodiscard]] std::span<const Shape> all() const { return all_; }
@@ -38,7 +42,7 @@ extern template class Rows<Motion>;
 /// Returns ask(motions) for rows of seven numbers, else ask(balls).
 template <class Ask>
 auto with_balls_or_motions(pybind11::handle object, const Ask& ask) {
-  const Doubles rows = doubles_of(object);
+  const Doubles rows = rows_of(object);
   if (rows.ndim() > 0 && rows.shape(rows.ndim() - 1) == Motions::kColumns) return ask(Motions(rows));
   return ask(Balls(rows));
 }

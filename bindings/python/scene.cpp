@@ -10,6 +10,7 @@
 
 #include "bindings/python/bindings.h"
 #include "bindings/python/initialised.h"
+#include "bindings/python/mesh.h"
 #include "bindings/python/pickling.h"
 #include "bindings/python/rows.h"
 #include "bindings/python/scene_faces.h"
@@ -42,10 +43,29 @@ scene::Scene::Objects objects_of(const scene::Scene& scene, const ObjectKeys& ke
   return numbers;
 }
 
-std::uint32_t add(SharedScene& scene, const Name& name, const py::object& faces, const py::object& pose) {
-  scene::Faces converted = scene_faces_of(faces);
+std::uint32_t add(SharedScene& scene, const Name& name, const py::object& faces, const py::object& pose,
+                  const std::string& bad_faces) {
+  mesh::MeshFaces converted = scene_faces_of(faces, bad_faces_policy(bad_faces));
   const Pose at = pose_of(pose);
-  return scene.change([&](scene::Scene& held) { return held.add(name.utf8, std::move(converted), at); });
+  return scene.change([&](HeldScene& held) {
+    const std::uint32_t number = held.add(name.utf8, std::move(converted.faces), at);
+    held.sources.push_back({std::move(converted.numbers), std::move(converted.left_out)});
+    return number;
+  });
+}
+
+/// Returns what an object was made of. Throws std::out_of_range if there is no object with this number.
+HeldScene::Source source_of(const SharedScene& scene, const ObjectKey& object) {
+  return scene.ask([&](const HeldScene& held) {
+    const std::uint32_t number = number_of(held, object);
+    (void)held.name(number);
+    return held.sources[number];
+  });
+}
+
+py::array_t<std::uint32_t> face_numbers(const SharedScene& scene, const ObjectKey& object) {
+  const std::vector<std::uint32_t> numbers = source_of(scene, object).numbers;
+  return py::array_t<std::uint32_t>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
 void set_pose(SharedScene& scene, const ObjectKey& object, const py::object& matrix) {
@@ -80,6 +100,13 @@ py::object touched(const SharedScene& scene, const py::object& rows, const Objec
     for (const auto& faces : all) arrays.append(array_of(faces));
     return arrays;
   });
+}
+
+py::object touched_in_order(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
+  const Motions motions(rows);
+  const auto all = scene.ask(
+      [&](const scene::Scene& held) { return held.touched_in_order(motions.all(), objects_of(held, objects)); });
+  return motions.single() ? py::cast(all[0]) : py::cast(all);
 }
 
 py::object first_contact(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
@@ -162,7 +189,8 @@ void add_nearest_face(py::module_& module) {
 }
 
 void add_first_face(py::module_& module) {
-  py::class_<FirstFace> type(module, "FirstFace", "The face of a scene that a moving ball touches first.");
+  py::class_<FirstFace> type(module, "FirstFace",
+                             "A face of a scene that a moving ball touches, and its first contact with it.");
   make_picklable(type, [](const FirstFace& f) { return py::make_tuple(f.face.object, f.face.face, f.contact); });
   type.def(py::init([](std::uint32_t object, std::uint32_t face, const FirstContact& contact) {
              require_member(contact.contact(), "contact", "a face that is touched first has one");
@@ -198,11 +226,22 @@ void add_scene(py::module_& module) {
   const py::arg balls("balls");
   const auto objects = py::arg("objects") = py::none();
   type.def(py::init())
-      .def("add", add, py::arg("name"), py::arg("faces"), py::arg("pose") = py::none(),
-           "Adds an object and returns its number. `faces` is a Mesh or any object with `vertices` and `faces`, a\n"
-           "TriangleSet, an array of n x 3 x 3, a Polygon or a list of them. Faces are numbered from 0: first those\n"
-           "of three vertices, then the others. `pose` is [R t], an array of 3 x 4 or 4 x 4. Raises ValueError if\n"
-           "the name is taken, and Rejected, which names the face, for what the contract rejects.")
+      .def("add", add, py::arg("name"), py::arg("faces"), py::arg("pose") = py::none(), py::arg("bad_faces") = "refuse",
+           "Adds an object and returns its number. `faces` is a Mesh or what Mesh.of takes, a TriangleSet, an array\n"
+           "of n x 3 x 3, a Polygon or a list of them. Faces are numbered from 0: of a mesh first those of three\n"
+           "vertices, then the others. `pose` is [R t], an array of 3 x 4 or 4 x 4. Raises ValueError if the name is\n"
+           "taken, and Rejected, which names the face, for what the contract rejects; with bad_faces='leave out'\n"
+           "such faces are left out, and `left_out` names them.")
+      .def("face_numbers", face_numbers, py::arg("object"),
+           "Returns for each face of an object its number in the mesh, array or list that was added: (k,).")
+      .def(
+          "left_out",
+          [](const SharedScene& scene, const ObjectKey& object) {
+            return named_faces(source_of(scene, object).left_out);
+          },
+          py::arg("object"),
+          "Returns the faces that were left out of an object, ascending: a list of dicts with `face`, the number in\n"
+          "what was added, `code` and `message`.")
       .def("set_pose", set_pose, py::arg("object"), py::arg("pose"),
            "Sets the pose [R t] of an object, by number or name. Each coordinate of a posed vertex is rounded once.\n"
            "A scene that is moved and moved back answers as before. Raises Rejected, and keeps the pose, if rounding\n"
@@ -227,6 +266,9 @@ void add_scene(py::module_& module) {
       .def("touched", touched, balls, objects,
            "Returns the faces that the ball touches, ascending: an array of k x 2, object and face, or a list of "
            "arrays.")
+      .def("touched_in_order", touched_in_order, py::arg("motions"), objects,
+           "Returns the faces that a moving ball (7,) touches, in the order of their exact first times, then by\n"
+           "object and face: a list of FirstFace, or a list of lists.")
       .def("first_contact", first_contact, py::arg("motions"), objects,
            "Returns the face that a moving ball (7,) touches first, the lowest of several: a FirstFace, None if it\n"
            "touches none, or a list of them.")

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings/python/scene_faces.h"
 
-#include <string>
+#include <numeric>
+#include <utility>
 
 #include "bindings/python/initialised.h"
 #include "bindings/python/mesh.h"
@@ -14,32 +15,32 @@ namespace {
 
 namespace py = pybind11;
 
-scene::Faces faces_of(const Mesh& mesh) {
-  scene::Faces faces;
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    const std::vector<std::uint32_t>& numbers = mesh.faces[i];
-    if (numbers.size() == 3) {
-      faces.triangles.push_back({mesh.vertices[numbers[0]], mesh.vertices[numbers[1]], mesh.vertices[numbers[2]]});
-      continue;
-    }
-    Loop loop;
-    for (const std::uint32_t number : numbers) loop.push_back(mesh.vertices[number]);
-    try {
-      faces.polygons.push_back(validated(Polygon(loop)));
-    } catch (const Rejected& rejected) {
-      throw Rejected({rejected.rejection().code, "face " + std::to_string(i) + " of the mesh: " + rejected.what()});
-    }
+/// Returns the triangles as a mesh, each with vertices of its own.
+Mesh mesh_of_triangles(std::span<const Triangle> triangles) {
+  Mesh mesh;
+  for (const Triangle& t : triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {t.a, t.b, t.c});
+    mesh.faces.push_back({first, first + 1, first + 2});
   }
-  return faces;
+  return mesh;
 }
 
-scene::Faces faces_of(std::span<const Triangle> triangles) { return {{triangles.begin(), triangles.end()}, {}}; }
+mesh::MeshFaces numbered(scene::Faces faces) {
+  std::vector<std::uint32_t> numbers(faces.triangles.size() + faces.polygons.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return {std::move(faces), std::move(numbers), {}};
+}
+
+mesh::MeshFaces faces_of(std::span<const Triangle> triangles) {
+  return numbered({{triangles.begin(), triangles.end()}, {}});
+}
 
 /// Returns the polygons of a list. Throws std::invalid_argument if the list holds something else.
-scene::Faces faces_of(const py::sequence& polygons) {
+mesh::MeshFaces faces_of(const py::sequence& polygons) {
   scene::Faces faces;
   for (const py::handle polygon : polygons) faces.polygons.push_back(polygon.cast<const ValidPolygon&>().polygon());
-  return faces;
+  return numbered(std::move(faces));
 }
 
 bool holds_polygons(py::handle object) {
@@ -51,13 +52,21 @@ bool holds_polygons(py::handle object) {
 
 }  // namespace
 
-scene::Faces scene_faces_of(py::handle object) {
+mesh::MeshFaces scene_faces_of(py::handle object, mesh::OnBadFace on_bad_face) {
   if (py::isinstance<filtered::TriangleSet>(object))
     return faces_of(object.cast<const filtered::TriangleSet&>().triangles());
-  if (py::isinstance<ValidPolygon>(object)) return {{}, {object.cast<const ValidPolygon&>().polygon()}};
+  if (py::isinstance<ValidPolygon>(object)) return numbered({{}, {object.cast<const ValidPolygon&>().polygon()}});
   if (holds_polygons(object)) return faces_of(py::reinterpret_borrow<py::sequence>(object));
-  if (py::isinstance<Mesh>(object) || py::hasattr(object, "faces")) return faces_of(mesh_of(object));
-  return faces_of(Triangles(object).all());
+  if (py::isinstance(object, py::module_::import("touchstone").attr("MergedMesh")))
+    return scene_faces_of(object.attr("polygons"), on_bad_face);
+  if (is_mesh(object)) {
+    const HeldMesh mesh = mesh_of(object);
+    const py::gil_scoped_release release;
+    return mesh::scene_faces(mesh, on_bad_face);
+  }
+  const Triangles triangles(object);
+  if (on_bad_face == mesh::OnBadFace::Refuse) return faces_of(triangles.all());  // the scene validates them
+  return mesh::scene_faces(mesh_of_triangles(triangles.all()), on_bad_face);
 }
 
 Pose pose_of(py::handle matrix) {

@@ -5,15 +5,16 @@
 
 #include "bindings/python/doubles.h"
 #include "geometry/shapes/pose.h"
-#include "robust/scene/scene.h"
+#include "robust/mesh/scene_faces.h"
 
 namespace touchstone::python {
 
-/// Returns the faces of whatever may be added to a scene: a mesh (mesh.h), a TriangleSet, an array of n x 3 x 3, a
-/// Polygon, or a list of polygons. Faces of a mesh with three vertices become triangles, the others polygons.
+/// Returns the faces of whatever may be added to a scene: a mesh (mesh.h), a MergedMesh, a TriangleSet, an array of n x
+/// 3 x 3, a Polygon, or a list of polygons. Those of a mesh, and bad triangles to be left out, come as
+/// mesh::scene_faces returns them; the others as they are, each with its number.
 ///
 /// Throws pybind11::type_error for other objects, and what the conversions of those throw.
-[[nodiscard]] scene::Faces scene_faces_of(pybind11::handle object);
+[[nodiscard]] mesh::MeshFaces scene_faces_of(pybind11::handle object, mesh::OnBadFace on_bad_face);
 
 /// Returns the pose of an array of 3 x 4 or 4 x 4, [R t]; the fourth row must be 0, 0, 0, 1. None is the identity.
 /// Throws what doubles_of throws, and Rejected for another shape or row.

@@ -3,13 +3,25 @@
 
 #include <pybind11/gil.h>
 
+#include <cstdint>
 #include <mutex>
 #include <shared_mutex>
+#include <vector>
 
 #include "bindings/python/fair_shared_mutex.h"
+#include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::python {
+
+/// A scene, and what each of its objects was made of.
+struct HeldScene : scene::Scene {
+  struct Source {
+    std::vector<std::uint32_t> numbers;        ///< for each face of the object, its number in what was added
+    std::vector<mesh::RejectedFace> left_out;  ///< the faces of what was added that are not in the object
+  };
+  std::vector<Source> sources;
+};
 
 /// A scene that Python threads may ask and change at once: questions share it, a change has it alone. Each waits for
 /// what was asked before it, and for nothing later. Both release the interpreter, also while they wait.
@@ -32,7 +44,7 @@ class SharedScene {
 
  private:
   mutable FairSharedMutex mutex_;
-  scene::Scene scene_;
+  HeldScene scene_;
 };
 
 }  // namespace touchstone::python

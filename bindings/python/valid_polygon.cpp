@@ -20,11 +20,24 @@ Loop loop_of(const Doubles& rows, std::size_t number) {
   return loop;
 }
 
-Polygon polygon_of(pybind11::handle outer, const std::vector<pybind11::object>& holes) {
-  std::vector<Loop> loops;
-  for (const auto& hole : holes) loops.push_back(loop_of(doubles_of(hole), loops.size() + 1));
-  return Polygon(loop_of(doubles_of(outer), 0), loops);
+std::vector<Loop> loops_of(pybind11::handle outer, const std::vector<pybind11::object>& holes) {
+  std::vector<Loop> loops{loop_of(doubles_of(outer), 0)};
+  for (const auto& hole : holes) loops.push_back(loop_of(doubles_of(hole), loops.size()));
+  return loops;
 }
+
+/// Returns the loops without the last points, which repeat the first ones.
+std::vector<Loop> opened(std::vector<Loop> loops) {
+  for (std::size_t number = 0; number < loops.size(); ++number) {
+    if (loops[number].size() < 2 || loops[number].front() != loops[number].back())
+      throw Rejected(
+          {RejectionCode::MalformedCase, loop_name(number) + " is not closed: its last point is not its first"});
+    loops[number].pop_back();
+  }
+  return loops;
+}
+
+Polygon polygon_of(const std::vector<Loop>& loops) { return Polygon(loops.front(), {loops.begin() + 1, loops.end()}); }
 
 }  // namespace
 
@@ -33,8 +46,11 @@ Polygon validated(Polygon polygon) {
   return polygon;
 }
 
-ValidPolygon::ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes)
-    : polygon_(validated(polygon_of(outer, holes))) {}
+ValidPolygon::ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes, bool closed)
+    : polygon_(validated(polygon_of(closed ? opened(loops_of(outer, holes)) : loops_of(outer, holes)))) {}
+
+ValidPolygon::ValidPolygon(const std::vector<Loop>& closed_loops)
+    : polygon_(validated(polygon_of(opened(closed_loops)))) {}
 
 Doubles ValidPolygon::loop(std::size_t number) const {
   const std::size_t begin = polygon_.loop_begin(number), count = polygon_.loop_end(number) - begin;

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "bindings/python/doubles.h"
@@ -22,9 +23,13 @@ namespace touchstone::python {
 /// A valid polygon. It is prepared for each path when that path first queries it, from any thread.
 class ValidPolygon {
  public:
-  /// Takes loops as arrays of n x 3. Throws what doubles_of throws, and Rejected, which names the loop and the vertex
-  /// or edge.
-  ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes);
+  /// Takes loops as arrays of n x 3; if they are closed, each ends with its first point again. Throws what doubles_of
+  /// throws, and Rejected, which names the loop and the vertex or edge.
+  ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes, bool closed);
+  /// Takes the outer loop and holes, which are closed. Throws Rejected likewise.
+  explicit ValidPolygon(const std::vector<Loop>& closed_loops);
+  /// Requires that `exact::validate` accepts the polygon.
+  explicit ValidPolygon(Polygon valid) : polygon_(std::move(valid)) {}
 
   [[nodiscard]] const Polygon& polygon() const { return polygon_; }
   /// Returns the vertices of one loop, n x 3.

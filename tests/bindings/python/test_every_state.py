@@ -94,17 +94,20 @@ class EveryState(unittest.TestCase):
 
     def test_changes_no_polygon(self):
         attributes = {name for name in dir(touchstone.Polygon) if name[0] != "_"}
-        self.assertEqual(attributes, {"outer", "holes"})
+        self.assertEqual(attributes, {"outer", "holes", "of"})
         for unit in UNITS:
             rows = SQUARE * unit
             self.assert_same_in_every_state(lambda: touchstone.Polygon(rows).outer, (unit,))
             self.assert_same_in_every_state(lambda: touchstone.Polygon(rows[:2]).outer, (unit, "too few"))
+            text = ", ".join(" ".join(map(repr, row)) for row in [*rows.tolist(), rows[0].tolist()])
+            self.assert_same_in_every_state(lambda: touchstone.Polygon.of(f"POLYGON(({text}))").outer, (unit, "WKT"))
 
     def test_changes_no_answer_about_many_faces(self):
         attributes = {kind: {name for name in dir(kind) if name[0] != "_"} for kind in (touchstone.TriangleSet, touchstone.Scene)}
         self.assertEqual(attributes, {touchstone.TriangleSet: {"contact", "any_contact", "triangles_hit", "triangles"},
-                                      touchstone.Scene: {"add", "set_pose", "pose", "names", "face_count", "touches", "touched",
-                                                         "first_contact", "nearest", "closest"}})
+                                      touchstone.Scene: {"add", "set_pose", "pose", "names", "face_count", "face_numbers", "left_out",
+                                                         "touches", "touched", "touched_in_order", "first_contact", "nearest",
+                                                         "closest"}})
         turn = np.array([[0.6, -0.8, 0, 1], [0.8, 0.6, 0, 0], [0, 0, 1, 0]])
         for unit in UNITS:
             triangles, balls = SQUARE[[[0, 1, 2], [0, 2, 3]]] * unit, BALLS * unit
@@ -126,12 +129,16 @@ class EveryState(unittest.TestCase):
             motions = MOTIONS * unit
             self.assert_same_in_every_state(lambda: [f and (f.object, f.face, as_bytes(f.contact))
                                                      for f in scene().first_contact(motions)], ("first_contact", unit))
+            self.assert_same_in_every_state(lambda: [[(f.object, f.face, as_bytes(f.contact)) for f in faces]
+                                                     for faces in scene().touched_in_order(motions)], ("in order", unit))
             self.assert_same_in_every_state(lambda: scene().pose("polygon"), ("pose", unit))
 
     def test_changes_no_mesh(self):
         for unit in UNITS:
             rows = SQUARE * unit
             self.assert_same_in_every_state(lambda: touchstone.Mesh(rows, [[0, 1, 2, 3]]).vertices, (unit,))
+            self.assert_same_in_every_state(lambda: touchstone.merge_faces(touchstone.Mesh(rows, [[0, 1, 2], [0, 2, 3]])).off_plane,
+                                            (unit, "merged"))
 
     def test_changes_no_number_that_is_converted(self):
         for numbers in NUMBERS:

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sets of triangles, meshes and scenes in Python give the answers about their faces one by one, and name what they refuse."""
 
+import io
 import pathlib
+import pickle
 import tempfile
 import threading
 import types
@@ -92,6 +94,81 @@ class Meshes(unittest.TestCase):
         faces = [[0, 1, 3, 2], [4, 6, 7]]
         self.assertEqual(touchstone.Mesh(CUBE_VERTICES, faces).faces, faces)
 
+    def test_are_taken_from_what_other_libraries_have(self):
+        quads = [[0, 1, 3, 2], [4, 5, 7, 6]]
+        triangles, mixed = CUBE_FACES[:2].tolist(), touchstone.Mesh(CUBE_VERTICES, CUBE_FACES[:2].tolist() + quads)
+        block = types.SimpleNamespace
+        cells = [block(type="vertex", data=[[0]]), block(type="triangle", data=np.array(triangles)),
+                 block(type="line", data=[[0, 1]]), block(type="quad", data=np.array(quads))]
+        flat = np.array([number for face in triangles + quads for number in [len(face), *face]])
+        points = CUBE_VERTICES.astype(np.float32)
+        open3d = types.SimpleNamespace(vertices=points, triangles=CUBE_FACES.astype(np.int32))
+        self.assertEqual(touchstone.Mesh.of(open3d), touchstone.Mesh(CUBE_VERTICES, CUBE_FACES))
+        pyvista, meshio = block(points=points, faces=flat, strips=np.array([], int)), block(points=points, cells=cells)
+        for other in (pyvista, meshio):
+            self.assertEqual(touchstone.Mesh.of(other), mixed)
+            scene = touchstone.Scene()
+            scene.add("other", other)
+            self.assertEqual(scene.face_count("other"), 4)
+        polygons = block(points=points, cells=[block(type="polygon", data=quads), block(type="polygon4", data=quads)])
+        self.assertEqual(touchstone.Mesh.of(polygons), touchstone.Mesh(CUBE_VERTICES, quads + quads))
+        for words, kind, wrong in (("type 'tetra' are not polygons", TypeError, block(points=points, cells=[block(type="tetra", data=quads)])),
+                                   ("blocks with `type`", TypeError, block(points=points, cells={"triangle": triangles})),
+                                   ("face 4 is to have 9 vertices, but 1 numbers", touchstone.Rejected, block(points=points, faces=[*flat, 9, 1])),
+                                   ("strips", TypeError, block(points=points, faces=flat, strips=[4, 0, 1, 2, 3])),
+                                   ("expected a mesh", TypeError, block(points=points))):
+            with self.assertRaisesRegex(kind, words):
+                touchstone.Mesh.of(wrong)
+
+    def test_may_have_any_vertices_that_no_face_uses(self):
+        vertices = np.vstack([[np.nan, np.inf, 0], CUBE_VERTICES])
+        mesh = touchstone.Mesh(vertices, CUBE_FACES + 1)
+        self.assertTrue(np.array_equal(mesh.vertices, vertices, equal_nan=True))
+        scene = touchstone.Scene()
+        scene.add("cube", mesh)
+        self.assertEqual(scene.face_count(0), 12)
+        self.assertEqual(len(touchstone.merge_faces(mesh).polygons), 6)
+        with self.assertRaisesRegex(touchstone.Rejected, "face 0 has vertex 0, which has") as caught:
+            touchstone.Mesh(vertices, [[0, 1, 2]])
+        self.assertEqual(caught.exception.code, "not-finite")
+
+    def test_are_read_from_bytes_and_open_files(self):
+        text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+        mesh = touchstone.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "a.obj"
+            file.write_text(text)
+            other = pathlib.Path(folder) / "a.txt"
+            other.write_text(text)
+            with open(file, "rb") as stream, open(file, encoding="utf-8") as lines:
+                read = [touchstone.Mesh.read(stream), touchstone.Mesh.read(lines), touchstone.Mesh.read(other, "obj")]
+        for same in (*read, touchstone.Mesh.read(text.encode(), "obj"), touchstone.Mesh.read(io.BytesIO(text.encode()), format=".OBJ"),
+                     touchstone.Mesh.read(io.StringIO(text), "obj")):
+            self.assertEqual(same, mesh)
+            self.assertEqual(same.places, ["line 4"])
+        for words, kind, refused in (("the bytes: give the format", ValueError, lambda: touchstone.Mesh.read(b"")),
+                                     ("the file: give the format", ValueError, lambda: touchstone.Mesh.read(io.BytesIO())),
+                                     ("unknown format 'step'", touchstone.BrokenMesh, lambda: touchstone.Mesh.read(b"", "step")),
+                                     ("the bytes: the file has no face", touchstone.BrokenMesh, lambda: touchstone.Mesh.read(b"", "obj")),
+                                     ("the bytes: line 1: 'x' is not", touchstone.BrokenMesh, lambda: touchstone.Mesh.read(b"v x", "obj")),
+                                     ("must return bytes or str", TypeError, lambda: touchstone.Mesh.read(
+                                         types.SimpleNamespace(read=lambda: 3), "obj")),
+                                     ("", TypeError, lambda: touchstone.Mesh.read(3))):
+            with self.assertRaisesRegex(kind, words):
+                refused()
+
+    def test_leave_out_what_is_faulty_in_a_file_and_name_it(self):
+        text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv x 0 0\nf 1 2 3\nf 1 2 4\nf 3 2 1\n"
+        with self.assertRaisesRegex(touchstone.BrokenMesh, "line 4"):
+            touchstone.Mesh.read(text, "obj")
+        mesh = touchstone.Mesh.read(text, "obj", bad_faces="leave out")
+        self.assertEqual((len(mesh), mesh.places), (2, ["line 5", "line 7"]))
+        self.assertEqual(mesh.left_out, ["the bytes: line 4: 'x' is not a number",
+                                         "the bytes: line 6: the face uses vertex 4, which was left out"])
+        self.assertEqual((touchstone.Mesh(CUBE_VERTICES, CUBE_FACES).places, pickle.loads(pickle.dumps(mesh))), ([], mesh))
+        with self.assertRaisesRegex(ValueError, "bad_faces must be 'refuse' or 'leave out', not 'skip'"):
+            touchstone.Mesh.read(text, "obj", bad_faces="skip")
+
     def test_name_what_they_refuse(self):
         for words, code, faces in (("face 1 has vertex 8, but there are 8", "malformed-case", [[0, 1, 2], [0, 1, 8]]),
                                    ("face 0 has vertex -1", "malformed-case", np.array([[0, 1, -1]])),
@@ -121,6 +198,48 @@ class Meshes(unittest.TestCase):
                 warnings.simplefilter("error")
                 with self.assertRaises(UserWarning):
                     touchstone.Mesh.read(file)
+
+
+class MergedMeshes(unittest.TestCase):
+    def test_hold_polygons_and_the_faces_of_each(self):
+        merged = touchstone.merge_faces(touchstone.Mesh(CUBE_VERTICES, CUBE_FACES))
+        self.assertEqual([faces.tolist() for faces in merged.faces], [[2 * i, 2 * i + 1] for i in range(6)])
+        self.assertEqual((merged.off_plane.tolist(), merged.left_out), ([0] * 6, []))
+        balls = random_balls(100)
+        cube, scene = touchstone.Scene(), touchstone.Scene()
+        cube.add("cube", CUBE_TRIANGLES)
+        scene.add("cube", merged)
+        self.assertEqual(scene.touches(balls).tolist(), cube.touches(balls).tolist())
+        self.assertEqual(scene.closest(balls)[1].tolist(), cube.closest(balls)[1].tolist())
+        for ball, polygon in zip(balls, scene.touched(balls)):
+            faces = {face for row in polygon for face in merged.faces[row[1]].tolist()}
+            self.assertTrue({face for _, face in cube.touched(ball).tolist()} <= faces)
+        self.assertEqual(pickle.loads(pickle.dumps(merged)).polygons, merged.polygons)
+
+    def test_have_no_seam_on_which_a_ball_could_catch(self):
+        across, along = np.meshgrid(np.arange(9.0), np.arange(3.0))
+        vertices = np.column_stack([across.ravel(), along.ravel(), np.zeros(27)])
+        faces = [[i, i + 1, i + 10, i + 9] for row in range(2) for i in range(9 * row, 9 * row + 8)]
+        tiles, floor = touchstone.Scene(), touchstone.Scene()
+        tiles.add("tiles", touchstone.Mesh(vertices, faces))
+        floor.add("floor", touchstone.merge_faces(touchstone.Mesh(vertices, faces)))
+        ways = [[x, 1, 0.5, 0.5] for x in np.linspace(0.25, 7.75, 31)]
+        self.assertEqual({nearest.feature["kind"] for nearest in tiles.nearest(ways)}, {"edge", "vertex"})
+        self.assertEqual({nearest.feature["kind"] for nearest in floor.nearest(ways)}, {"face"})
+
+    def test_refuse_bad_faces_or_leave_them_out(self):
+        mesh = touchstone.Mesh([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0], [2, 0, 0]], [[0, 1, 2], [0, 4, 1], [0, 2, 3]])
+        with self.assertRaisesRegex(touchstone.Rejected, "^face 1 of the mesh: ") as caught:
+            touchstone.merge_faces(mesh)
+        self.assertEqual(caught.exception.code, "zero-normal")
+        merged = touchstone.merge_faces(mesh, bad_faces="leave out")
+        self.assertEqual(([faces.tolist() for faces in merged.faces], [bad["face"] for bad in merged.left_out]), ([[0, 2]], [1]))
+        for tolerance in (-1, float("nan")):
+            with self.assertRaises(ValueError):
+                touchstone.merge_faces(mesh, tolerance)
+        bent = touchstone.Mesh([[0, 0, 0], [4, 0, 0], [4, 4, 0.25], [0, 4, 0]], [[0, 1, 2], [0, 2, 3]])
+        self.assertEqual([len(touchstone.merge_faces(bent, tolerance).polygons) for tolerance in (0, 1)], [2, 1])
+        self.assertTrue(0 < touchstone.merge_faces(bent, 1).off_plane[0] <= 1)
 
 
 class Scenes(unittest.TestCase):
@@ -178,6 +297,60 @@ class Scenes(unittest.TestCase):
             self.assertEqual(found.contact.time, min(first.time for first in hit.values()))
             if i < 3:
                 self.assertEqual(self.scene.first_contact(motion), found)
+
+    def test_list_the_faces_on_a_way_in_the_order_of_time(self):
+        motions = np.column_stack([self.balls, np.random.default_rng(4).uniform(-6, 6, (len(self.balls), 3))])
+        listed, touched, firsts = self.scene.touched_in_order(motions), self.scene.touched(motions), self.scene.first_contact(motions)
+        self.assertTrue(any(len(faces) > 2 for faces in listed))
+        for i, (faces, all_touched, first) in enumerate(zip(listed, touched, firsts)):
+            self.assertEqual(sorted([face.object, face.face] for face in faces), all_touched.tolist())
+            self.assertEqual(faces[0] if faces else None, first)
+            times = [(face.contact.time, face.object, face.face) for face in faces]
+            self.assertEqual([time[0] for time in times], sorted(time[0] for time in times))
+            if i < 5:
+                self.assertEqual(self.scene.touched_in_order(motions[i]), faces)
+
+    def test_take_centres_and_radii_apart(self):
+        centres, radii = self.balls[:, :3], self.balls[:, 3]
+        square = touchstone.Polygon([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
+        triangle_set = touchstone.TriangleSet(CUBE_TRIANGLES)
+        for ask in (self.scene.touches, triangle_set.contact, lambda balls: touchstone.filtered.contact(balls, square),
+                    lambda balls: touchstone.filtered.relation(balls, square)):
+            self.assertEqual(ask((centres, radii)).tolist(), ask(self.balls).tolist())
+            self.assertEqual(ask((centres.tolist(), 0.75)).tolist(), ask(np.column_stack([centres, np.full(len(radii), 0.75)])).tolist())
+        self.assertIs(self.scene.touches(([0, 0, 0], 1)), True)
+        self.assertEqual(self.scene.nearest((centres[0], radii[0])), self.scene.nearest(self.balls[0]))
+        self.assertEqual(self.scene.touches(([9, 9, 9, 1], [0, 0, 0, 1])).tolist(), [False, True])  # two balls, as before
+        for words, wrong in (("for 2 centres there must be one radius or as many", (centres[:2], [1, 2, 3])),
+                             ("for 1 centres", ([0, 0, 0], [1])), ("ball 1", (centres[:2], [1, -1])), ("negative", ([0, 0, 0], -1))):
+            with self.assertRaisesRegex(touchstone.Rejected, words):
+                self.scene.touches(wrong)
+
+    def test_leave_out_bad_faces_and_name_them(self):
+        vertices = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0], [2, 0, 0], [4, 3, 0]]
+        faces = [[0, 1, 2, 3], [0, 4, 1], [0, 1, 2], [0, 5, 1, 3], [0, 1, 1], [0, 2, 3]]
+        mesh = touchstone.Mesh(vertices, faces)
+        with self.assertRaisesRegex(touchstone.Rejected, "^face 1 of the mesh: the outer loop: its Newell normal is zero") as caught:
+            self.scene.add("mesh", mesh)
+        self.assertEqual(caught.exception.code, "zero-normal")
+        self.scene.add("mesh", mesh, bad_faces="leave out")
+        self.assertEqual(self.scene.face_numbers("mesh").tolist(), [2, 5, 0])
+        left_out = self.scene.left_out("mesh")
+        self.assertEqual([(bad["face"], bad["code"]) for bad in left_out], [(1, "zero-normal"), (3, "loop-meets-itself"), (4, "repeated-vertex")])
+        self.assertIn("edge 0", left_out[1]["message"])
+        self.assertEqual((self.scene.face_numbers(0).tolist(), self.scene.left_out(0)), (list(range(12)), []))
+        triangles = CUBE_TRIANGLES.copy()
+        triangles[3] = 1
+        self.scene.add("triangles", triangles, bad_faces="leave out")
+        self.assertEqual(self.scene.face_numbers("triangles").tolist(), [i for i in range(12) if i != 3])
+        self.assertEqual([bad["face"] for bad in self.scene.left_out("triangles")], [3])
+        for use in (self.scene.face_numbers, self.scene.left_out):
+            with self.assertRaises(IndexError):
+                use(9)
+            with self.assertRaises(ValueError):
+                use("nobody")
+        with self.assertRaisesRegex(ValueError, "bad_faces must be"):
+            self.scene.add("other", mesh, bad_faces="as they are")
 
     def test_ask_some_objects_by_number_or_name(self):
         only = touchstone.Scene()
@@ -259,7 +432,7 @@ class Scenes(unittest.TestCase):
         flat = np.array([[[0.0, 0, 0], [1, 1, 1], [2, 2, 2]]])
         for words, kind, refused in (("cube", ValueError, lambda: self.scene.add("cube", CUBE_TRIANGLES)),
                                      ("flat.*face 0", touchstone.Rejected, lambda: self.scene.add("flat", flat)),
-                                     ("face 1 of the mesh", touchstone.Rejected, lambda: self.scene.add(
+                                     ("face 1 of the mesh: ", touchstone.Rejected, lambda: self.scene.add(
                                          "m", touchstone.Mesh(CUBE_VERTICES, [[0, 1, 3, 2], [0, 1, 1, 2]]))),
                                      ("3 x 4", touchstone.Rejected, lambda: self.scene.set_pose(0, np.eye(3))),
                                      ("fourth row", touchstone.Rejected, lambda: self.scene.set_pose(0, np.ones((4, 4)))),

@@ -14,6 +14,7 @@ import pickle
 import re
 import sys
 import threading
+import types
 import unittest
 
 import numpy as np
@@ -237,6 +238,51 @@ class Refusals(unittest.TestCase):
         self.refused("loop-meets-itself", "edge", lambda: touchstone.Polygon([[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0], [-1, 1, 0]]))
         self.refused("malformed-case", "hole 1", lambda: touchstone.Polygon(SQUARE, [[[1, 1, 0], [2, 1, 0], [1, 2, 0]], [[1, 2]]]))
 
+    def test_name_what_is_not_a_closed_ring(self):
+        ring, hole = SQUARE + SQUARE[:1], [[1, 1, 0], [2, 1, 0], [1, 2, 0], [1, 1, -0.0]]
+        self.assertEqual(touchstone.Polygon(ring, [hole], closed=True), touchstone.Polygon(SQUARE, [hole[:-1]]))
+        self.refused("repeated-vertex", "vertex 4", lambda: touchstone.Polygon(ring))
+        self.refused("malformed-case", "the outer loop is not closed: its last", lambda: touchstone.Polygon(SQUARE, closed=True))
+        self.refused("malformed-case", "hole 0 is not closed", lambda: touchstone.Polygon(ring, [hole[:-1]], closed=True))
+        self.refused("malformed-case", "the outer loop is not closed", lambda: touchstone.Polygon([], closed=True))
+        self.refused("too-few-vertices", "outer loop", lambda: touchstone.Polygon([[0, 0, 0], [1, 0, 0], [0, 0, 0]], closed=True))
+
+    def test_name_the_place_in_geojson_and_wkt(self):
+        def geojson(*rings, kind="Polygon"):
+            return {"type": kind, "coordinates": rings}
+
+        ring, hole = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]], [[1, 1], [1, 2], [2, 1], [1, 1]]
+        expected = touchstone.Polygon(SQUARE, [[[1, 1, 0], [1, 2, 0], [2, 1, 0]]])
+        shape = types.SimpleNamespace(__geo_interface__=geojson(tuple(map(tuple, ring)), hole))
+        for same in (geojson(ring, hole), shape, expected, " polygon((0 0,4 0,4 4,0 4,0 0), ( 1 1 , 1 2 , 2 1 , 1 1 ) )\n",
+                     "POLYGON Z ((0 0 0, 4 0 0, 4 4 0, 0 4 -0, 0 0 0), (1e0 1 0, 1 2 0, 2 1 0, 1 1 0))"):
+            self.assertEqual(touchstone.Polygon.of(same), expected)
+        lifted = touchstone.Polygon([[0, 0, 1], [1, 0, 1], [0, 0.1, 1]])
+        for same in (geojson([[0, 0, 1], [1, 0, 1], [0, 0.1, 1], [0, 0, 1]]), "POLYGON Z((0 0 1,1 0 1,0 0.1 1,0 0 1))",
+                     "POLYGON((0 0 1,1 0 1,0 .1 1,0 0 1))"):
+            self.assertEqual(touchstone.Polygon.of(same), lifted)
+        for words, wrong in (("expected a Polygon, got 'MultiPolygon'", geojson(ring, kind="MultiPolygon")),
+                             ("expected a Polygon, got 'MULTIPOLYGON'", "MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)))"),
+                             ("no key \"type\"", {}), ("no key \"coordinates\"", {"type": "Polygon"}), ("is empty", geojson()),
+                             ("hole 0 must be a list of points", geojson(ring, [1, 2])), ("hole 0 is not closed", geojson(ring, hole[:-1])),
+                             ("outer loop must be a list of points, each of two", geojson([[0, 0, 0, 1]] * 4)),
+                             ("the polygon is empty", "POLYGON EMPTY"), ("character 8: expected '(' or 'Z', found '", "POLYGON M((0 0 1))"),
+                             ("character 9: expected '(', found the end", "POLYGON Z"), ("character 10: expected a number, found 'x", "POLYGON ((x 0))"),
+                             ("expected 2 numbers a point", "POLYGON ((0 0, 1 0 0, 0 1, 0 0))"),
+                             ("character 14: expected 3 numbers a point", "POLYGON Z((0 0, 1 0, 0 1, 0 0))"),
+                             ("character 16: expected ',' or ')', found '1", "POLYGON ((0 0 0 1, 1 0))"),
+                             ("expected ',' or ')', found the end", "POLYGON ((0 0, 1 0, 0 1, 0 0)"),
+                             ("expected the end, found ', ((0 0))'", "POLYGON ((0 0, 1 0, 0 1, 0 0)), ((0 0))"),
+                             ("not closed", "POLYGON ((0 0, 1 0, 0 1))"), ("got 'SRID'", "SRID=4326;POLYGON ((0 0, 1 0, 0 1, 0 0))")):
+            with self.assertRaisesRegex(touchstone.Rejected, re.escape(words)) as caught:
+                touchstone.Polygon.of(wrong)
+            self.assertEqual(caught.exception.code, "malformed-case")
+        self.refused("not-finite", "vertex 1", lambda: touchstone.Polygon.of("POLYGON ((0 0, nan 0, 0 1, 0 0))"))
+        self.refused("loop-meets-itself", "edge", lambda: touchstone.Polygon.of("POLYGON ((0 0, 4 3, 4 0, 0 4, 0 0))"))
+        for wrong in (3, [ring], None, b"POLYGON"):
+            with self.assertRaisesRegex(TypeError, "a GeoJSON dict or WKT"):
+                touchstone.Polygon.of(wrong)
+
     def test_name_the_ball(self):
         square, balls = touchstone.Polygon(SQUARE), random_balls(9)
         balls[7, 3] = -1
@@ -303,11 +349,12 @@ def one_of_each_class():
 class Uninitialised(unittest.TestCase):
     def test_objects_raise_whatever_is_done_with_them(self):
         wholes = one_of_each_class()
-        classes = {kind for kind in vars(touchstone).values() if isinstance(kind, type) and not issubclass(kind, Exception)}
+        classes = {kind for kind in vars(touchstone).values() if isinstance(kind, type) and not issubclass(kind, (Exception, tuple))}
         self.assertEqual(classes, {type(whole) for whole in wholes})
         arguments = {"contact": [[0, 0, 1, 1]], "any_contact": [[0, 0, 1, 1]], "triangles_hit": [[0, 0, 1, 1]], "pose": [0],
-                     "touches": [[0, 0, 1, 1]], "touched": [[0, 0, 1, 1]], "first_contact": [[0, 0, 1, 1, 0, 0, 0]], "nearest": [[0, 0, 1, 1]], "closest": [[0, 0, 1, 1]],
-                     "add": ["square", touchstone.Polygon(SQUARE)], "set_pose": [0, None], "face_count": [0], "verdict": []}
+                     "touches": [[0, 0, 1, 1]], "touched": [[0, 0, 1, 1]], "first_contact": [[0, 0, 1, 1, 0, 0, 0]], "touched_in_order": [[0, 0, 1, 1, 0, 0, 0]], "nearest": [[0, 0, 1, 1]], "closest": [[0, 0, 1, 1]],
+                     "add": ["square", touchstone.Polygon(SQUARE)], "set_pose": [0, None], "face_count": [0],
+                     "face_numbers": [0], "left_out": [0], "verdict": []}
         for whole in wholes:
             kind = type(whole)
             empty = kind.__new__(kind)

@@ -10,16 +10,27 @@ from numpy.typing import NDArray
 
 
 def about_one_face() -> touchstone.Answer | list[touchstone.Answer]:
-    square = touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], holes=[])
+    square = touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0]], holes=[], closed=True)
+    assert touchstone.Polygon.of("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))") == square
+    assert touchstone.Polygon.of({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}) == square
     touches: bool | NDArray[np.bool_] = touchstone.filtered.contact([0.5, 0.25, 1, 1], square)
     assert touches is True
     return touchstone.exact.answer(np.zeros((3, 4)), square)
 
 
 def about_many_faces(file: pathlib.Path) -> float | None:
-    mesh = touchstone.Mesh.read(file)
+    with open(file, "rb") as stream:
+        mesh = touchstone.Mesh.read(stream, format="obj", bad_faces="leave out")
+    merged: touchstone.MergedMesh = touchstone.merge_faces(mesh, tolerance=0.5)
     scene = touchstone.Scene()
-    number: int = scene.add("mesh", mesh, pose=np.eye(4))
+    number: int = scene.add("mesh", mesh, pose=np.eye(4), bad_faces="leave out")
+    bad: list[int] = [left_out["face"] for left_out in scene.left_out(number)]
+    assert len(scene.face_numbers(number)) + len(bad) == len(mesh.places)
+    scene.add("merged", merged)
+    scene.add("open3d", types.SimpleNamespace(vertices=mesh.vertices, triangles=mesh.faces))
+    for face in scene.touched_in_order([0, 0, 0, 1, 1, 0, 0]):
+        assert isinstance(face, list) or face.contact.time <= 1
+    scene.touches((np.zeros((3, 3)), 0.5))
     scene.add("triangles", np.zeros((0, 3, 3)))
     scene.add("others", types.SimpleNamespace(vertices=mesh.vertices, faces=mesh.faces))
     scene.set_pose("mesh", None)
