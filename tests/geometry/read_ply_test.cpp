@@ -179,6 +179,10 @@ TEST(ReadPly, ReadsWordsWhereLinesDoNotHoldTheElementsOneByOne) {
             (Faces{{0, 1, 2}, {2, 1, 0}}));
   const ReadMesh result = skip(".ply", header + "0 0 0 1 0 0 0 1 0 0 1 0 1 3 0 1 2 9 3 2 1 x 9\n");
   EXPECT_EQ(result.mesh.faces, Faces{});
+  // What follows a faulty word might be anything.
+  const ReadMesh rest = skip(".ply", header + "0 0 0 1 0 0 0 1 0 0 1 0 1 5 .5 3 0 1 2 9 3 2 1 0 9\n");
+  EXPECT_EQ(rest.mesh.faces, Faces{});
+  EXPECT_EQ(rest.left_out, (Sentences{"line 16: '.5' is not a vertex number"}));
 }
 
 TEST(ReadPly, RefusesElementsItPassesOverThatAreNotAsDeclared) {
