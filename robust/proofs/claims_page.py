@@ -22,7 +22,8 @@ BOUNDS = "robust/filtered/detail/signs/bounds.h"
 # Headers with constants that are proved over the calculus or by counting roundings, and where these may be used.
 OTHER_HEADERS = ["robust/filtered/detail/motion/polygon_events.h",
                  *(f"robust/scene/detail/{name}.h" for name in ("rounded_sum", "culling_ball", "culling_motion", "own_frame",
-                                                                "distance_bound", "held_vertex", "lifted_box"))]
+                                                                "distance_bound", "held_vertex", "lifted_box",
+                                                                "crossed_triangles"))]
 
 # What is left to trust of the constants of bounds.h that no claim is about.
 AFTER_STEPS = "Coq checks the steps of the calculus; roots, powers and the comparison are C++ over GMP"
@@ -46,6 +47,7 @@ LEFT_OF_OTHERS = {
     "own_frame": "inequalities of norms, by hand; " + COUNTED, "distance_bound": AFTER_STEPS + ". `kWide`: " + COUNTED,
     "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP. `kTiny`: " + COUNTED,
     "held_vertex": RATIOS, "lifted_box": AFTER_STEPS + ". Above 64 vertices, sums are bounded as a whole, by hand",
+    "crossed_triangles": AFTER_STEPS,
 }
 
 

@@ -104,6 +104,8 @@ void Scene::expect(const Objects& objects) const {
   if (objects.some_ && !objects.some_->empty()) (void)at(objects.some_->back());  // the largest
 }
 
+const TriangleSet& Scene::triangles(std::uint32_t object) const { return at(object).triangles; }
+
 const Pose& Scene::pose(std::uint32_t object) const { return at(object).pose; }
 
 const std::string& Scene::name(std::uint32_t object) const { return at(object).name; }

@@ -34,6 +34,10 @@
 ///  (5) the caller's rounding mode, flush-to-zero setting and INVALID, OVERFLOW and DIVBYZERO flags are left as found.
 namespace touchstone::scene {
 
+namespace detail {
+struct TriangleSet;
+}
+
 /// The faces of an object, numbered together from 0: first the triangles, then the polygons.
 struct Faces {
   std::vector<Triangle> triangles;  ///< faces 0, 1, ...
@@ -166,10 +170,13 @@ class Scene {
   /// @}
 
  private:
+  friend class Solid;
   struct Object;
 
   /// Throws std::out_of_range, as above.
   [[nodiscard]] const Object& at(std::uint32_t number) const;
+  /// Returns the triangles of an object. Throws std::out_of_range, as above.
+  [[nodiscard]] const detail::TriangleSet& triangles(std::uint32_t object) const;
   /// Throws std::out_of_range if one of these numbers belongs to no object.
   void expect(const Objects& objects) const;
   /// Returns the object under another pose.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
+#include "robust/filtered/detail/triangle/triangle_crossing.h"
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/first_contact_search.h"
 #include "robust/scene/detail/nearest_search.h"
@@ -36,6 +38,9 @@ struct Walks {
   /// Passes to the search every face that the motion does not touch later than the first one found so far.
   void (*first_triangle)(const TriangleSet&, FirstContactSearch&);
   void (*first_polygon)(const PolygonSet&, FirstContactSearch&);
+  /// Returns how often the ray leaves through the triangles, less how often it enters; nothing if its point is on one.
+  /// Requires triangles without a pose.
+  std::optional<int> (*crossings)(const TriangleSet&, const filtered::detail::AxisRay&);
 };
 
 // Compiled once for each instruction set; all give the same answers.

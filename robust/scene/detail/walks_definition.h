@@ -5,12 +5,15 @@
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "robust/filtered/motion.h"
 #include "robust/scene/detail/asked_triangles.h"
+#include "robust/scene/detail/crossed_triangles.h"
 #include "robust/scene/detail/culling_ball.h"
 #include "robust/scene/detail/culling_motion.h"
+#include "robust/scene/detail/culling_ray.h"
 #include "robust/scene/detail/tree_walk.h"
 #include "robust/scene/detail/triangles_on_way.h"
 #include "robust/scene/detail/walks.h"
@@ -222,11 +225,20 @@ inline void first_polygon(const PolygonSet& set, FirstContactSearch& search) {
                 kFetchNothing);
 }
 
+inline std::optional<int> crossings_of(const TriangleSet& set, const filtered::detail::AxisRay& ray) {
+  const BoxTree& tree = set.placed->tree;
+  CrossedTriangles triangles(*set.placed, ray);
+  const bool on_triangle = walk<kLeavesAtOnce>(
+      tree, CullingRay(ray, tree), [&](std::span<const Leaf> leaves) { return triangles.add(leaves); },
+      [&](const Leaf& leaf) { triangles.prefetch_leaf(leaf); });
+  return on_triangle ? std::nullopt : std::optional(triangles.sum());
+}
+
 /// The walks of the target that this is compiled for.
 template <class Query>
 inline constexpr ContactWalks<Query> kContactWalks{touches_triangle<Query>, touches_polygon<Query>,
                                                    touched_triangles<Query>, touched_polygons<Query>};
-inline constexpr Walks kWalks{kContactWalks<Ball>, kContactWalks<Motion>, nearest_triangle,
-                              nearest_polygon,     first_triangle,        first_polygon};
+inline constexpr Walks kWalks{kContactWalks<Ball>, kContactWalks<Motion>, nearest_triangle, nearest_polygon,
+                              first_triangle,      first_polygon,         crossings_of};
 
 }  // namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
+#include "robust/scene/solid.h"
 #include "tests/robust/every_state/public_function.h"
 
 namespace touchstone::every_state_tests {
@@ -125,10 +126,89 @@ std::vector<PublicFunction> static_functions() {
   };
 }
 
+/// The tetrahedron over the input's triangle, unless it is flat.
+std::vector<Triangle> tetrahedron_of(const Input& in) {
+  const Triangle& t = in.triangle;
+  return {{t.a, t.c, t.b}, {t.a, t.b, in.point}, {t.b, t.c, in.point}, {t.c, t.a, in.point}};
+}
+
+/// Points on the tetrahedron and level with its vertices; no state changes what is only copied.
+std::vector<Eigen::Vector3d> points_of(const Input& in) {
+  const Triangle& t = in.triangle;
+  return {in.ball.center, in.point, t.b, {t.a.x(), t.b.y(), in.point.z()}, {in.point.x(), t.c.y(), t.a.z()}};
+}
+
+/// What `ask` says of a solid that was made in the default state.
+template <class Ask>
+auto of_solid(const Ask& ask) {
+  return [ask](const Input& in) {
+    std::unique_ptr<const scene::Solid> solid;
+    {
+      const Environment usual(FE_TONEAREST, Environment::kKeep);
+      solid = std::make_unique<const scene::Solid>(tetrahedron_of(in));
+    }
+    return ask(*solid, points_of(in), in);
+  };
+}
+
+/// As `ask` says it of each item.
+template <class Item, class Ask>
+auto each(const std::vector<Item>& items, const Ask& ask) {
+  std::vector<decltype(ask(items.front()))> answers;
+  for (const Item& item : items) answers.push_back(ask(item));
+  return answers;
+}
+
+std::vector<PublicFunction> solid_functions() {
+  using scene::Solid;
+  using Points = std::vector<Eigen::Vector3d>;
+  const auto described = [](std::shared_ptr<const Solid> solid, const Input& in) {
+    return [solid = std::move(solid), in] {
+      return each(points_of(in), [&](const Eigen::Vector3d& p) { return solid->signed_distance(p); });
+    };
+  };
+  return {
+      gives("scene::Solid::Solid",
+            [described](const Input& in) { return described(std::make_shared<const Solid>(tetrahedron_of(in)), in); }),
+      gives("scene::Solid::Solid",
+            [described](const Input& in) {
+              const Mesh mesh{{in.triangle.a, in.triangle.b, in.triangle.c, in.point},
+                              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+              return described(std::make_shared<const Solid>(mesh), in);
+            }),
+      gives("scene::Solid::locate", of_solid([](const Solid& solid, const Points& points, const Input&) {
+              return each(points, [&](const Eigen::Vector3d& p) { return solid.locate(p); });
+            })),
+      gives("scene::Solid::touches", of_solid([](const Solid& solid, const Points&, const Input& in) {
+              return each(balls_of(in), [&](const Ball& ball) { return static_cast<int>(solid.touches(ball)); });
+            })),
+      gives("scene::Solid::signed_distance", of_solid([](const Solid& solid, const Points& points, const Input&) {
+              return each(points, [&](const Eigen::Vector3d& p) { return solid.signed_distance(p); });
+            })),
+      gives("scene::Solid::locate", of_solid([](const Solid& solid, const Points& points, const Input&) {
+              std::vector<PointLocation> answers(points.size());
+              solid.locate(points, answers);
+              return answers;
+            })),
+      gives("scene::Solid::touches", of_solid([](const Solid& solid, const Points&, const Input& in) {
+              const std::vector<Ball> balls = balls_of(in);
+              std::array<bool, 5> touches{};
+              solid.touches(balls, touches);
+              return touches;
+            })),
+      gives("scene::Solid::signed_distance", of_solid([](const Solid& solid, const Points& points, const Input&) {
+              std::vector<double> answers(points.size());
+              solid.signed_distance(points, answers);
+              return answers;
+            })),
+  };
+}
+
 }  // namespace
 
 std::vector<PublicFunction> scene_functions() {
   std::vector<PublicFunction> all = static_functions();
+  for (PublicFunction& about_solid : solid_functions()) all.push_back(std::move(about_solid));
   for (PublicFunction& moving : moving_functions()) all.push_back(std::move(moving));
   return all;
 }

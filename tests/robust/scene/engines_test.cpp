@@ -21,6 +21,7 @@ struct Found {
   std::vector<FaceId> all, all_on_way;
   std::optional<scene::NearestFace> nearest;
   std::optional<scene::FirstFace> first;
+  std::vector<std::optional<int>> crossings;  ///< of the rays along every axis, either way
 };
 
 /// Asks about contact; tells whether there is any, and adds the faces.
@@ -54,6 +55,9 @@ Found ask(const scene::detail::Walks& walks, const Motion& motion, const scene::
   search.enter({1, 0});
   walks.nearest_polygon(polygons, search);
   found.nearest = search.nearest();
+  for (const int axis : {0, 1, 2})
+    for (const bool up : {false, true})
+      found.crossings.push_back(walks.crossings(triangles, {{ball.center, 0}, axis, up}));
   return found;
 }
 
@@ -64,6 +68,7 @@ void expect_equal(const Found& found, const Found& expected, const std::string& 
   EXPECT_EQ(found.all_on_way, expected.all_on_way) << what;
   EXPECT_EQ(found.first, expected.first) << what;
   EXPECT_EQ(found.nearest, expected.nearest) << what;
+  EXPECT_EQ(found.crossings, expected.crossings) << what;
 }
 
 /// Asks every engine.

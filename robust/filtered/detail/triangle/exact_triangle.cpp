@@ -62,6 +62,10 @@ int bigint_sign(SignKind kind, const BallTriangleView& view, int edge) {
   return expression_sign(kind, View{view, edge});
 }
 
+int bigint_turn(const double* a, const double* b, const double* p, int axis) {
+  return sign(cross(difference(b, a), difference(p, a))[axis]);
+}
+
 Feature bigint_nearest(const BallTriangleView& view) {
   const auto sign = [&view](SignKind kind, std::size_t i) { return bigint_sign(kind, view, static_cast<int>(i)); };
   bool inside = true;

@@ -14,6 +14,8 @@ namespace touchstone::filtered::detail {
 
 /// Returns the exact sign for an edge. Requires a kind other than Above. Cost: 1 to 10 us.
 [[nodiscard]] int bigint_sign(SignKind kind, const BallTriangleView& view, int edge);
+/// Returns the sign of the turn from a over b to p, seen against an axis. Cost: about 1 us.
+[[nodiscard]] int bigint_turn(const double* a, const double* b, const double* p, int axis);
 
 /// @{
 /// Returns the feature that contains the point closest to the centre; a coordinate of the feature's point closest to

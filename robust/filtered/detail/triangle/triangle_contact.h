@@ -31,7 +31,7 @@ namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 /// edges. Requires round to nearest, without flush-to-zero.
 template <SignKind kind, Stage first = Stage::Permanent, class Counts>
 [[nodiscard]] int exact_sign(const BallTriangleView& view, Maxima maxima, int i, Counts& counts) {
-  constexpr bool needs_normal = kind == SignKind::Plane || kind == SignKind::Side;
+  constexpr bool needs_normal = kind == SignKind::Plane || kind == SignKind::Side || kind == SignKind::Front;
   const Vector3<DoubleDouble> to_center = exact_difference(view.center, view.vertex[i]), along = exact_edge(view, i);
   maxima.normal = 2 * maxima.edge * maxima.edge;
   const Vector3<DoubleDouble> normal_edges[] = {needs_normal ? exact_edge(view, 0) : along,
