@@ -13,6 +13,7 @@ void add_merge_faces(pybind11::module_& module);
 void add_mesh(pybind11::module_& module);
 void add_polygon(pybind11::module_& module);
 void add_scene(pybind11::module_& module);
+void add_solid(pybind11::module_& module);
 void add_triangle_set(pybind11::module_& module);
 /// @}
 

@@ -11,6 +11,7 @@
 #include "geometry/contact/answer.h"
 #include "geometry/contact/first_contact.h"
 #include "robust/filtered/triangle_set.h"
+#include "robust/scene/solid.h"
 
 namespace touchstone::python {
 
@@ -56,5 +57,7 @@ class type_caster<touchstone::scene::FirstFace>
 template <>
 class type_caster<touchstone::scene::NearestFace>
     : public touchstone::python::InitialisedCaster<touchstone::scene::NearestFace> {};
+template <>
+class type_caster<touchstone::scene::Solid> : public touchstone::python::InitialisedCaster<touchstone::scene::Solid> {};
 
 }  // namespace pybind11::detail

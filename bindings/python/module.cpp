@@ -48,6 +48,7 @@ PYBIND11_MODULE(_touchstone, module) {
   add_mesh(module);
   add_merge_faces(module);
   add_scene(module);
+  add_solid(module);
   QueryFunctions<filtered::PreparedPolygon>::add_to(module, "filtered",
                                                     "The answers of `exact`, at about the price of `fast`.");
   QueryFunctions<exact::PreparedPolygon>::add_to(module, "exact", "Exact answers, over an exact kernel of CGAL.");

@@ -15,7 +15,8 @@ let other threads go on. What the contract does not accept raises Rejected: a Va
 
 Many faces: TriangleSet asks about one ball and all triangles of an array; Mesh reads files and takes what trimesh, Open3D,
 PyVista and meshio have; merge_faces merges its coplanar faces; Scene holds meshes under poses, and finds the faces that a
-ball touches and the nearest one.
+ball touches and the nearest one. These are surfaces: a ball inside a mesh touches nothing. Solid is what a closed mesh
+bounds.
 """
 
 from typing import NamedTuple as _NamedTuple
@@ -25,10 +26,10 @@ try:
 except ImportError as _error:
     raise ImportError("touchstone needs NumPy: install python3-numpy, or numpy by pip") from _error
 
-from ._touchstone import (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, NearestFace, Polygon, Rejected, Scene, TriangleSet, __version__, exact,
-                          fast, filtered, merge_faces)
+from ._touchstone import (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, NearestFace, Polygon, Rejected, Scene, Solid, TriangleSet, __version__,
+                          exact, fast, filtered, merge_faces)
 
-for _kind in (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, NearestFace, Polygon, Rejected, Scene, TriangleSet):
+for _kind in (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, NearestFace, Polygon, Rejected, Scene, Solid, TriangleSet):
     _kind.__module__ = __name__  # where users find them
 
 
@@ -48,5 +49,5 @@ def _remade(kind, base, arguments):
     return made
 
 
-__all__ = ["Answer", "BrokenMesh", "FirstContact", "FirstFace", "MergedMesh", "Mesh", "NearestFace", "Polygon", "Rejected", "Scene", "TriangleSet",
-           "__version__", "exact", "fast", "filtered", "merge_faces"]
+__all__ = ["Answer", "BrokenMesh", "FirstContact", "FirstFace", "MergedMesh", "Mesh", "NearestFace", "Polygon", "Rejected", "Scene", "Solid",
+           "TriangleSet", "__version__", "exact", "fast", "filtered", "merge_faces"]

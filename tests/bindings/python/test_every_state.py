@@ -103,11 +103,12 @@ class EveryState(unittest.TestCase):
             self.assert_same_in_every_state(lambda: touchstone.Polygon.of(f"POLYGON(({text}))").outer, (unit, "WKT"))
 
     def test_changes_no_answer_about_many_faces(self):
-        attributes = {kind: {name for name in dir(kind) if name[0] != "_"} for kind in (touchstone.TriangleSet, touchstone.Scene)}
+        attributes = {kind: {name for name in dir(kind) if name[0] != "_"} for kind in (touchstone.TriangleSet, touchstone.Scene, touchstone.Solid)}
         self.assertEqual(attributes, {touchstone.TriangleSet: {"contact", "any_contact", "triangles_hit", "triangles"},
                                       touchstone.Scene: {"add", "set_pose", "pose", "names", "face_count", "face_numbers", "left_out",
                                                          "touches", "touched", "touched_in_order", "first_contact", "nearest",
-                                                         "closest"}})
+                                                         "closest"},
+                                      touchstone.Solid: {"locate", "touches", "signed_distance"}})
         turn = np.array([[0.6, -0.8, 0, 1], [0.8, 0.6, 0, 0], [0, 0, 1, 0]])
         for unit in UNITS:
             triangles, balls = SQUARE[[[0, 1, 2], [0, 2, 3]]] * unit, BALLS * unit
@@ -132,6 +133,9 @@ class EveryState(unittest.TestCase):
             self.assert_same_in_every_state(lambda: [[(f.object, f.face, as_bytes(f.contact)) for f in faces]
                                                      for faces in scene().touched_in_order(motions)], ("in order", unit))
             self.assert_same_in_every_state(lambda: scene().pose("polygon"), ("pose", unit))
+            corners, faces = np.vstack([SQUARE[:3], [0, 0, 1]]) * unit, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+            for name, rows in (("locate", balls[:, :3]), ("touches", balls), ("signed_distance", balls[:, :3])):
+                self.assert_same_in_every_state(lambda: getattr(touchstone.Solid(corners, faces), name)(rows), (name, unit))
 
     def test_changes_no_mesh(self):
         for unit in UNITS:

@@ -343,7 +343,8 @@ def one_of_each_class():
     scene.add("square", mesh)
     first = touchstone.exact.first_contact([2.5, 3, 2, 1, 2.5, 3, 0], square)
     return [square, touchstone.exact.answer([2.5, 3, 1, 1], square), mesh, touchstone.TriangleSet([SQUARE[:3]]), scene,
-            scene.nearest([5, 5, 1, 0]), first, scene.first_contact([2.5, 3, 2, 1, 2.5, 3, 0])]
+            scene.nearest([5, 5, 1, 0]), first, scene.first_contact([2.5, 3, 2, 1, 2.5, 3, 0]),
+            touchstone.Solid([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])]
 
 
 class Uninitialised(unittest.TestCase):
@@ -354,7 +355,7 @@ class Uninitialised(unittest.TestCase):
         arguments = {"contact": [[0, 0, 1, 1]], "any_contact": [[0, 0, 1, 1]], "triangles_hit": [[0, 0, 1, 1]], "pose": [0],
                      "touches": [[0, 0, 1, 1]], "touched": [[0, 0, 1, 1]], "first_contact": [[0, 0, 1, 1, 0, 0, 0]], "touched_in_order": [[0, 0, 1, 1, 0, 0, 0]], "nearest": [[0, 0, 1, 1]], "closest": [[0, 0, 1, 1]],
                      "add": ["square", touchstone.Polygon(SQUARE)], "set_pose": [0, None], "face_count": [0],
-                     "face_numbers": [0], "left_out": [0], "verdict": []}
+                     "face_numbers": [0], "left_out": [0], "verdict": [], "locate": [[0, 0, 1]], "signed_distance": [[0, 0, 1]]}
         for whole in wholes:
             kind = type(whole)
             empty = kind.__new__(kind)
@@ -369,7 +370,7 @@ class Uninitialised(unittest.TestCase):
             if kind is touchstone.Polygon:
                 uses += [lambda ask=ask, row=row: ask(row, empty) for path in PATHS for name, ask in vars(path).items()
                          if name[0] != "_" for row in [[0, 0, 1, 1, 0, 0, 0] if name == "first_contact" else [0, 0, 1, 1]]]
-            if kind is not touchstone.Scene:
+            if kind not in (touchstone.Scene, touchstone.Solid):
                 uses += [lambda: empty == whole, lambda: whole == empty, lambda: pickle.dumps(empty), lambda: copy.copy(empty)]
                 uses.append(lambda: touchstone.Scene().add("empty", empty))
             self.assertGreater(len(uses), 2)
@@ -403,7 +404,7 @@ class Pickling(unittest.TestCase):
 
     def test_keeps_the_subclass_of_every_class(self):
         for thing in one_of_each_class():
-            if isinstance(thing, touchstone.Scene):
+            if isinstance(thing, (touchstone.Scene, touchstone.Solid)):
                 continue
             derived = type("Derived", (type(thing),), {"__slots__": ("mark",)})
             globals()["Derived"] = derived  # where `pickle` looks for it
@@ -474,7 +475,7 @@ class Pickling(unittest.TestCase):
 
     def test_makes_equal_objects_in_every_protocol(self):
         for thing in one_of_each_class():
-            if isinstance(thing, touchstone.Scene):
+            if isinstance(thing, (touchstone.Scene, touchstone.Solid)):
                 continue
             copies = [pickle.loads(pickle.dumps(thing, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
             for same in (*copies, copy.copy(thing), copy.deepcopy(thing)):

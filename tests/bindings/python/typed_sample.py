@@ -40,3 +40,10 @@ def about_many_faces(file: pathlib.Path) -> float | None:
         return nearest.distance if kind == "face" else None
     hit = touchstone.TriangleSet(np.zeros((0, 3, 3))).any_contact([0, 0, 0, 1])
     return float(np.count_nonzero(hit))
+
+
+def about_a_solid(mesh: touchstone.Mesh) -> float | NDArray[np.float64]:
+    solid = touchstone.Solid(mesh)
+    if solid.locate([0, 0, 0]) == "inside" and solid.touches(np.zeros((2, 4))) is not False:
+        return solid.signed_distance([0, 0, 0])
+    return touchstone.Solid(mesh.vertices, mesh.faces).signed_distance(mesh.vertices)
