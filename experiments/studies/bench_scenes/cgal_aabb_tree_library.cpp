@@ -32,6 +32,8 @@ class Primitive {
   const Triangle* triangle_ = nullptr;
 };
 
+using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
 /// CGAL means the surface of a ball, whose squared radius it rounds: balls that triangles lie wholly inside of are
 /// missed.
 class AabbTreeScene : public BuiltScene {
@@ -61,10 +63,22 @@ class AabbTreeScene : public BuiltScene {
   }
 
   const Triangle* first_;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+  AabbTree tree_;
 };
 
 }  // namespace
+
+std::vector<bool> inside_by_cgal(std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> points) {
+  AabbTree tree;
+  tree.insert(triangles.data(), triangles.data() + triangles.size());
+  tree.build();
+  std::vector<bool> inside;
+  for (const Eigen::Vector3d& p : points) {
+    const Kernel::Ray_3 ray(point(p), Kernel::Vector_3(0.3125, 0.59, 0.75));
+    inside.push_back(tree.number_of_intersected_primitives(ray) % 2 == 1);
+  }
+  return inside;
+}
 
 Library cgal_aabb_tree_library() {
   return {"CGAL AABB_tree", [](const Mesh& mesh) { return std::make_unique<AabbTreeScene>(mesh.triangles); }};

@@ -77,6 +77,7 @@ int measure_scenes(const SceneOptions& options) {
         make(), libraries, options.settings, stop, [&](const SceneResult& result) { print(builds_table(result)); },
         [&](const SceneBenchmark& benchmark) { print(table(benchmark.result)); }));
     for (const MotionBenchmark& benchmark : results.back().motions) print(table(benchmark.result));
+    for (const PointBenchmark& benchmark : results.back().points) print(table(benchmark.result));
     print(poses_table(results.back()));
     ::malloc_trim(0);  // the next, larger scene needs it
   }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "experiments/methods/engines/engines.h"
+#include "geometry/bvh/box.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
@@ -34,6 +36,15 @@ using methods::Mesh;
 [[nodiscard]] std::vector<Library> all_libraries();
 /// Returns the libraries that it was built without, and the Debian package that each needs.
 [[nodiscard]] std::vector<std::string> absent_libraries();
+
+/// Returns which points are inside closed triangles: a ray from a point, along no axis, meets an odd number of them, by
+/// CGAL's exact predicates.
+[[nodiscard]] std::vector<bool> inside_by_cgal(std::span<const Triangle> triangles,
+                                               std::span<const Eigen::Vector3d> points);
+/// Returns the function that asks Embree for the hits along a ray to the nearest side of the triangles' box, and says
+/// whether their number is odd. Only where the program is built with Embree.
+[[nodiscard]] std::function<bool(const Eigen::Vector3d&)> inside_by_embree(const std::vector<Triangle>& triangles,
+                                                                           const Box& box);
 
 // What checks the exact scene: `exact`, triangle by triangle, and no hierarchy.
 

@@ -256,6 +256,9 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
         draw_motions(length, scene.triangles, *exact->scene, settings.samples, settings.seed), result.disputes);
     result.motions.push_back({length, measured(benchmark)});
   }
+  if (!stop)
+    if (const auto benchmark = point_benchmark(scene.triangles, settings))
+      result.points.push_back({measured(*benchmark)});
   if (!stop) {
     const Balls balls = draw(BallPlace::Near, scene, settings, *exact->scene);
     result.poses = measure_poses(scene.triangles, *balls, settings.repetitions);

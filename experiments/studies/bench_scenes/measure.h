@@ -109,6 +109,14 @@ inline constexpr const char* kAtStart = "Scene, at the start";
                                                  const std::vector<Built>& built, MotionLength length,
                                                  std::vector<Motion> motions, std::vector<std::string>& disputes);
 
+/// The goal for the time of Solid for a million triangles, relative to that of Embree.
+inline constexpr timing::Goal kInsideGoal{1.5};
+
+/// The benchmark of points in a solid.
+struct PointBenchmark {
+  timing::Result result;
+};
+
 struct SceneResult {
   std::string kind;
   std::size_t triangles;
@@ -117,6 +125,7 @@ struct SceneResult {
   std::vector<std::string> disputes;  ///< where the exact scene and brute force differ: must be empty
   PoseCosts poses = {};
   std::vector<MotionBenchmark> motions = {};
+  std::vector<PointBenchmark> points = {};  ///< one, if the triangles are closed
 };
 
 struct SceneSettings {
@@ -125,6 +134,11 @@ struct SceneSettings {
   unsigned repetitions = 11;
   double seconds_of_repetition = timing::kSecondsOfRepetition;
 };
+
+/// Asks whether random points in the box of closed triangles are inside; answers are compared with CGAL's. Nothing if
+/// the triangles are not closed.
+[[nodiscard]] std::optional<timing::Benchmark> point_benchmark(const std::vector<Triangle>& triangles,
+                                                               const SceneSettings& settings);
 
 /// The goals for a million triangles: build seconds, and bytes per triangle.
 inline constexpr timing::Goal kBuildGoal{0.5}, kMemoryGoal{64};

@@ -137,6 +137,14 @@ const run::Table<MotionRow>& motions_table() {
   return table;
 }
 
+using PointRow = TimedRow<PointBenchmark>;
+
+const run::Table<PointRow>& points_table() {
+  static const run::Table<PointRow> table("points.csv", "a scene of closed triangles and library",
+                                          timed_columns<PointRow>({}, "the library", "a point, median"));
+  return table;
+}
+
 struct BuildRow {
   const SceneResult* scene;
   const Build* build;
@@ -202,6 +210,7 @@ std::string scene_goals(const std::vector<SceneResult>& results, const std::stri
     }
     for (const SceneBenchmark& benchmark : result.benchmarks) goals.add(benchmark.result);
     for (const MotionBenchmark& benchmark : result.motions) goals.add(benchmark.result);
+    for (const PointBenchmark& benchmark : result.points) goals.add(benchmark.result);
   }
   for (const SceneResult& result : results)
     for (const PoseRow& row : pose_rows(result.poses))
@@ -230,6 +239,8 @@ mesh, of triangles and of shared vertices and their numbers, is not counted.
 Motions: of balls near the surface that do not touch at their start, in random directions; short ones are as long as a
 radius, long ones as thirty. FCL asks at 100 places of the way, Bullet casts a convex shape. Wrong: contact found or
 missed, or a time that differs by more than a millionth of the way.
+Points: uniform in the box of closed triangles; is a point inside? Embree counts the triangles along the ray that Solid
+takes, to the nearest side of the box. Wrong: from an odd number of triangles along another ray, by CGAL (EPICK).
 Poses: the time of set_pose for an object of all triangles, and that of queries near it afterwards, relative to a scene
 that was built of the posed triangles.
 )";
@@ -241,11 +252,13 @@ void write_scene_tables(const std::filesystem::path& folder, const std::vector<S
     for (const Build& build : result.builds) builds.push_back({&result, &build});
   queries_table().write(folder, timed_rows(results, &SceneResult::benchmarks));
   motions_table().write(folder, timed_rows(results, &SceneResult::motions));
+  points_table().write(folder, timed_rows(results, &SceneResult::points));
   builds_csv().write(folder, builds);
 }
 
 std::vector<run::TableDescription> tables() {
-  return {queries_table().description(), motions_table().description(), builds_csv().description()};
+  return {queries_table().description(), motions_table().description(), points_table().description(),
+          builds_csv().description()};
 }
 
 }  // namespace touchstone::bench_scenes

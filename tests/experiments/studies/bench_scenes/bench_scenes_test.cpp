@@ -149,6 +149,19 @@ TEST(SceneBench, LibrariesAreRightWhereNothingIsClose) {
   EXPECT_TRUE(result.disputes.empty());
 }
 
+TEST(SceneBench, PointsAreAskedOfClosedTriangles) {
+  std::vector<Triangle> triangles = torus(400);
+  const auto benchmark = point_benchmark(triangles, small_settings());
+  ASSERT_TRUE(benchmark);
+  for (const timing::Candidate& candidate : benchmark->candidates) {
+    EXPECT_EQ(candidate.count_wrong(benchmark->checked), 0U) << candidate.name;
+    const std::uint64_t inside = candidate.ask(candidate.queries);
+    EXPECT_TRUE(inside > 0 && inside < candidate.queries) << candidate.name;
+  }
+  triangles.pop_back();
+  EXPECT_FALSE(point_benchmark(triangles, small_settings()));
+}
+
 /// As brute force: the structures leave out nothing that touches, wherever the ball and however large.
 TEST(SceneBench, BroadPhasesFindWhatBruteForceFinds) {
   workloads::Random random(8, 0);
@@ -373,7 +386,7 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_NE(text_of(folder / "run.json").find("\"samples_asked\": 20,"), std::string::npos);
   const std::string queries = text_of(folder / "queries.csv"), motions = text_of(folder / "motions.csv"),
-                    builds = text_of(folder / "builds.csv");
+                    points = text_of(folder / "points.csv"), builds = text_of(folder / "builds.csv");
   const auto lines = [](const std::string& csv, const std::string& holding) {
     std::istringstream stream(csv);
     int count = 0;
@@ -385,6 +398,8 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
   EXPECT_EQ(lines(queries, ",Scene,"), 8 * scenes);
   EXPECT_EQ(lines(motions, ",Scene,"), 2 * scenes);
   EXPECT_EQ(lines(motions, ",short,Scene,"), scenes);
+  EXPECT_EQ(lines(points, "torus,"), lines(points, ",Solid,") + lines(points, ",Embree 3,"));
+  EXPECT_GE(lines(points, ",Solid,"), 1);
   EXPECT_EQ(lines(text, "== "), scenes);
   EXPECT_EQ(lines(text, " triangles, poses"), scenes);
   for (const Library& library : all_libraries()) {
