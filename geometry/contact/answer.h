@@ -49,13 +49,17 @@ struct Answer {
   Eigen::Vector3d point;               ///< the closest point of the polygon
   double distance;                     ///< from the centre to the polygon
   double off_plane;                    ///< the largest displacement of a vertex onto the supporting plane
+  /// The direction from `point` to the centre, of length 1; if they coincide, that of the front.
+  Eigen::Vector3d contact_normal = Eigen::Vector3d::Zero();
+  double depth = 0;  ///< the radius less the distance: negative if they are separate
 
   /// Returns whether ball and polygon touch or overlap.
   [[nodiscard]] bool contact() const { return relation != Relation::Separate; }
   friend bool operator==(const Answer& a, const Answer& b) {
     return a.plane == b.plane && a.plane_tangent == b.plane_tangent && a.foot == b.foot && a.edges_hit == b.edges_hit &&
            a.relation == b.relation && a.nearest == b.nearest && same_point(a.point, b.point) &&
-           same_number(a.distance, b.distance) && same_number(a.off_plane, b.off_plane);
+           same_number(a.distance, b.distance) && same_point(a.contact_normal, b.contact_normal) &&
+           same_number(a.depth, b.depth) && same_number(a.off_plane, b.off_plane);
   }
 };
 

@@ -41,11 +41,12 @@ template <class Scalar>
 /// leave the normal doubles; sizes from about 1e-50 to 1e50 are safe.
 ///
 /// Guarantees, for every input except as stated (rounded operations commute with these):
-///  (1) scaling ball and polygon by a power of two scales point, distance and off_plane and changes nothing else,
-///      provided that no intermediate result leaves the normal numbers;
+///  (1) scaling ball and polygon by a power of two scales point, distance, depth and off_plane and changes nothing
+///      else, provided that no intermediate result leaves the normal numbers;
 ///  (2) growing r never loses a contact, an edge of edges_hit, or `Intersects`;
-///  (3) mirroring in a coordinate plane mirrors `point`, swaps front and back, and changes nothing else, provided that
-///      the foot is not within rounding error of the boundary (there its location, and with it the rest, may change).
+///  (3) mirroring in a coordinate plane mirrors `point` and `contact_normal` (but reverses that of a centre on the
+///      polygon), swaps front and back, and changes nothing else, provided that the foot is not within rounding error
+///      of the boundary (there its location, and with it the rest, may change).
 /// The identities of `exact` hold unless the input lies within rounding error of a decision boundary.
 /// Source: [arshad2008, ch. 4], [ericson2005, 5.1]; crossing number after [haines1994].
 namespace touchstone::fast {

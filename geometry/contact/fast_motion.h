@@ -15,11 +15,11 @@
 ///
 /// Guarantees
 ///  (1) contact(M, P) = first_contact(M, P).contact();
-///  (2) a first contact is Start if and only if the static `contact` touches; `feature` and `point` are then those of
-///      the static answer;
+///  (2) a first contact is Start if and only if the static `contact` touches; `feature`, `point`, `contact_normal` and
+///      `depth` are then those of the static answer;
 ///  (3) `time` is 0 for Start, infinite for None, and from 0 to 1 for Way: it is never NaN, for any finite input;
-///  (4) scaling motion and polygon by a power of two scales `point` and changes nothing else, provided that no
-///      intermediate result leaves the normal numbers.
+///  (4) scaling motion and polygon by a power of two scales `point` and `depth` and changes nothing else, provided that
+///      no intermediate result leaves the normal numbers.
 /// Source: [ericson2005, 5.5].
 namespace touchstone::fast {
 

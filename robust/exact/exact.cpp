@@ -10,6 +10,7 @@
 #include "robust/detail/sound_arithmetic.h"
 #include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
+#include "robust/exact/detail/rounded_roots.h"
 
 namespace touchstone::exact {
 
@@ -162,6 +163,31 @@ Eigen::Vector3d closest_point(const Query& query, const Feature& feature) {
   return nearest_doubles(polygon.vertices[feature.index], polygon.scale);
 }
 
+/// Returns a vector from the feature's closest point towards the centre; zero if they coincide, except on the face.
+Vector from_closest_point(const Query& query, const Feature& feature) {
+  switch (feature.kind) {
+    case Feature::Kind::Face:
+      return kernel::is_negative(query.height) ? Vector(-query.polygon.normal) : query.polygon.normal;
+    case Feature::Kind::Edge: {
+      const EdgeView edge(query, feature.index);
+      return edge.length_squared * edge.from_start - edge.along * edge.direction;
+    }
+    case Feature::Kind::Vertex: break;
+  }
+  return query.center - query.polygon.vertices[feature.index];
+}
+
+Eigen::Vector3d contact_normal(const Query& query, const Feature& feature) {
+  const Vector away = from_closest_point(query, feature);
+  const Vector& normal = away == kernel::NULL_VECTOR ? query.polygon.normal : away;
+  return rounded_unit_vector<Number>(normal.x(), normal.y(), normal.z());
+}
+
+double depth(const Query& query, const Ball& ball, const Squared& distance) {
+  const Number& scale = query.polygon.scale;
+  return rounded_depth<Number>(scale * Number(ball.radius), distance.numerator, distance.denominator, scale);
+}
+
 }  // namespace
 
 PreparedPolygon::PreparedPolygon(const Polygon& polygon) {
@@ -187,7 +213,7 @@ std::optional<Touched> detail::touched(const Ball& ball, const PreparedPolygon& 
   if (plane_side(query) != PlaneSide::Intersects) return std::nullopt;
   const auto [feature, distance] = nearest_feature(query, foot(query));
   if (relation(query, distance) == Relation::Separate) return std::nullopt;
-  return Touched{feature, closest_point(query, feature)};
+  return Touched{feature, closest_point(query, feature), contact_normal(query, feature), depth(query, ball, distance)};
 }
 
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon) {
@@ -219,7 +245,9 @@ Answer answer(const Ball& ball, const PreparedPolygon& polygon) {
       .nearest = feature,
       .point = closest_point(query, feature),
       .distance = rounded(distance.numerator, distance.denominator * kernel::square(query.polygon.scale), nearest_root),
-      .off_plane = query.polygon.off_plane};
+      .off_plane = query.polygon.off_plane,
+      .contact_normal = contact_normal(query, feature),
+      .depth = depth(query, ball, distance)};
 }
 
 bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon)); }

@@ -11,23 +11,24 @@
 
 /// Exact answers, which define what is correct: the functions of `fast` over an exact kernel of CGAL.
 ///
-/// Every answer is that of exact real arithmetic on the given doubles. `point`, `distance` and `off_plane` are the
-/// doubles nearest to the exact values (ties to even; infinite beyond the finite doubles). All finite doubles are valid
-/// input, subnormal ones included. The answers do not depend on the caller's rounding mode or flush-to-zero setting.
-/// These are left as found, as are the INVALID, OVERFLOW and DIVBYZERO flags.
+/// Every answer is that of exact real arithmetic on the given doubles. `point`, `distance`, `contact_normal`, `depth`
+/// and `off_plane` are the doubles nearest to the exact values (ties to even; infinite beyond the finite doubles). All
+/// finite doubles are valid input, subnormal ones included. The answers do not depend on the caller's rounding mode or
+/// flush-to-zero setting. These are left as found, as are the INVALID, OVERFLOW and DIVBYZERO flags.
 ///
 /// Guarantees, for every ball and every polygon that `validate` accepts:
 ///  (1) rotating the start of a loop, or reordering holes, renumbers edges and vertices and changes nothing else,
 ///      except which of several nearest features has the lowest index, and `point` with it;
-///  (2) reversing the outer loop swaps InFront and Behind, reversing a hole does not; apart from the renumbering, as in
-///      (1), nothing else changes;
-///  (3) mirroring in a coordinate plane or exchanging two axes mirrors `point`, swaps InFront and Behind, and changes
-///      nothing else, unless a tie decides the dropped axis;
-///  (4) scaling by a power of two scales `point`, `distance` and `off_plane` and changes nothing else, provided that no
-///      number leaves the normal doubles;
+///  (2) reversing the outer loop swaps InFront and Behind, and reverses `contact_normal` if the centre is on the
+///      polygon; reversing a hole does not; apart from the renumbering, as in (1), nothing else changes;
+///  (3) mirroring in a coordinate plane or exchanging two axes mirrors `point` and `contact_normal`, swaps InFront and
+///      Behind, reverses `contact_normal` if the centre is on the polygon, and changes nothing else, unless a tie
+///      decides the dropped axis;
+///  (4) scaling by a power of two scales `point`, `distance`, `depth` and `off_plane` and changes nothing else,
+///      provided that no number leaves the normal doubles;
 ///  (5) a translation that is exact in every coordinate moves `point` (which is rounded again) and changes nothing
 ///      else;
-///  (6) growing r never loses a contact, an edge of edges_hit, or Intersects;
+///  (6) growing r never loses a contact, an edge of edges_hit, or Intersects, and never lessens `depth`;
 ///  (7) ball and polygon are closed: if the distance d is a double, r = d is Touching, the double below d is Separate
 ///      and the double above d is Overlapping;
 ///  (8) the parts agree: contact if and only if the plane is Intersects and the foot is not Outside, or an edge is hit;
@@ -35,7 +36,9 @@
 ///  (9) the answers equal those of `fast` unless the input lies within rounding error of a decision boundary;
 /// (10) a hole is a difference of regions: for a hole H in the region P, in the plane of P, the foot is in (P without
 ///      H) if and only if it is in P and not inside H, and on the boundary if it is on either boundary; the edges hit
-///      are those of P, then those of H.
+///      are those of P, then those of H;
+/// (11) `depth` is 0 for Touching, at most 0 for Separate, at least 0 for Overlapping; `contact_normal` has a length of
+///      1 to within 2^-53, and a centre that moves along it from the face keeps `point` and `contact_normal`.
 /// Source: [arshad2008, ch. 4]; kernel [cgal2022].
 namespace touchstone::exact {
 

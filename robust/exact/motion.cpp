@@ -9,6 +9,7 @@
 #include "geometry/detail/required.h"
 #include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
+#include "robust/exact/detail/rounded_roots.h"
 #include "robust/exact/detail/smaller_root.h"
 
 namespace touchstone::exact {
@@ -239,6 +240,32 @@ Eigen::Vector3d touched_point(const Moving& moving, const Event& event) {
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
+/// Returns the normal, which is (c(t) - p(t)) / r at the time t of the event, p(t) being the closest point.
+Eigen::Vector3d touched_normal(const Moving& moving, const Event& event, const Ball& ball) {
+  const Lifted& polygon = moving.polygon;
+  if (event.feature.kind == Feature::Kind::Face || ball.radius == 0) {
+    const Vector normal = kernel::is_negative(moving.height.p) ? Vector(-polygon.normal) : polygon.normal;
+    return rounded_unit_vector<Number>(normal.x(), normal.y(), normal.z());
+  }
+  const std::size_t i = event.feature.index;
+  const Number radius = polygon.scale * Number(ball.radius);
+  if (event.feature.kind == Feature::Kind::Vertex) {
+    const auto component = [&](int axis) {
+      return event.time.rounded({moving.from(i)[axis], moving.velocity[axis]}, radius);
+    };
+    return {component(0), component(1), component(2)};
+  }
+  const Vector edge = moving.edge(i);
+  const auto [along, change] = moving.along(edge, i);
+  const Number length_squared = edge.squared_length();
+  const Vector away = length_squared * moving.from(i) - along * edge,
+               away_change = length_squared * moving.velocity - change * edge;
+  const auto component = [&](int axis) {
+    return event.time.rounded({away[axis], away_change[axis]}, length_squared * radius);
+  };
+  return {component(0), component(1), component(2)};
+}
+
 /// Returns the first event of a motion that does not touch at its start.
 std::optional<Event> first_event(const Motion& motion, const PreparedPolygon& polygon) {
   return first_event(Moving(motion, lifted(polygon)));
@@ -254,12 +281,17 @@ bool contact(const Motion& motion, const PreparedPolygon& polygon) {
 FirstContact first_contact(const Motion& motion, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
   if (const auto start = touched(required(motion).ball, polygon))
-    return {FirstContactKind::Start, 0, false, start->nearest, start->point};
+    return {FirstContactKind::Start, 0, false, start->nearest, start->point, start->contact_normal, start->depth};
   const Moving moving(motion, lifted(polygon));
   const auto event = first_event(moving);
   if (!event) return {};
-  return {FirstContactKind::Way, event->time.rounded({Number(0), Number(1)}, Number(1)), is_momentary(moving, *event),
-          event->feature, touched_point(moving, *event)};
+  return {FirstContactKind::Way,
+          event->time.rounded({Number(0), Number(1)}, Number(1)),
+          is_momentary(moving, *event),
+          event->feature,
+          touched_point(moving, *event),
+          touched_normal(moving, *event, motion.ball),
+          0};
 }
 
 int compare_times(const Motion& motion, const PreparedPolygon& first, const PreparedPolygon& second) {

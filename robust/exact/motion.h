@@ -17,7 +17,8 @@
 ///  (4) a ball that touches at any time makes contact; at the first time it touches, and before that it does not;
 ///  (5) growing r never loses a contact and never makes the first time later;
 ///  (6) scaling by a power of two, mirroring in a coordinate plane and translations that are exact change nothing but
-///      `point`, as in the static answers.
+///      `point`, `contact_normal` and `depth`, as in the static answers; a point that comes along the plane has the
+///      normal of the front.
 /// Rounding and the floating-point state are those of exact.h. Source: [karavelas2003], [ericson2005, 5.5].
 namespace touchstone::exact {
 
@@ -28,7 +29,8 @@ namespace touchstone::exact {
 /// @}
 
 /// @{
-/// Returns the first contact. `time` and each coordinate of `point` are the doubles nearest to the exact numbers.
+/// Returns the first contact. `time`, `depth` and each coordinate of `point` and of `contact_normal` are the doubles
+/// nearest to the exact numbers.
 [[nodiscard]] FirstContact first_contact(const Motion& motion, const PreparedPolygon& polygon);
 [[nodiscard]] FirstContact first_contact(const Motion& motion, const Polygon& polygon);
 /// @}

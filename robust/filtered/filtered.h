@@ -16,7 +16,8 @@
 ///
 /// Every query is first evaluated in plain doubles with proved error bounds. Decisions that these bounds leave open are
 /// passed on, if they can still change the answer, to slower and more precise stages; the last stage decides every
-/// finite input. `point` and `distance` are correctly rounded: their bits depend on neither processor nor compiler.
+/// finite input. `point`, `distance`, `contact_normal` and `depth` are correctly rounded: their bits depend on neither
+/// processor nor compiler.
 ///
 /// The answers do not depend on the caller's rounding mode or flush-to-zero setting. These are left as found, as are
 /// the INVALID, OVERFLOW and DIVBYZERO flags, whose traps may be unmasked. The first stage runs in the caller's state
@@ -108,18 +109,20 @@ class PreparedPolygon {
 
 /// The point of a triangle that is closest to a centre.
 struct ClosestPoint {
-  Feature feature;        ///< the feature that contains it
-  Eigen::Vector3d point;  ///< as in Answer
-  double distance;        ///< as in Answer
+  Feature feature;                                           ///< the feature that contains it
+  Eigen::Vector3d point;                                     ///< as in Answer
+  double distance;                                           ///< as in Answer
+  Eigen::Vector3d contact_normal = Eigen::Vector3d::Zero();  ///< as in Answer
 
   friend bool operator==(const ClosestPoint& a, const ClosestPoint& b) {
-    return a.feature == b.feature && same_point(a.point, b.point) && same_number(a.distance, b.distance);
+    return a.feature == b.feature && same_point(a.point, b.point) && same_number(a.distance, b.distance) &&
+           same_point(a.contact_normal, b.contact_normal);
   }
 };
 
 /// @{
-/// Returns the closest point, its feature and its distance, as in `answer`. Needs no preparation. Cost: constant, about
-/// 0.5 us.
+/// Returns the closest point, its feature, its distance and its contact normal, as in `answer`. Needs no preparation.
+/// Cost: constant, about 0.5 us.
 [[nodiscard]] ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle);
 [[nodiscard]] ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle, StageCounts& counts);
 /// @}

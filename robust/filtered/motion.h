@@ -11,8 +11,8 @@
 /// Moving balls: the answers of exact/motion.h at about the price of `fast`.
 ///
 /// Floating-point state, flags, threads and allocations are as in filtered.h. Events are found in doubles that carry
-/// their own error, then in double-doubles; `time` and `point` are rounded from double-doubles if that is certain. What
-/// remains open goes to `exact`.
+/// their own error, then in double-doubles; `time`, `point` and `contact_normal` are rounded from these if that is
+/// certain. What remains open goes to `exact`.
 ///
 /// Guarantees, for every motion and every polygon or triangle that `find_fault` and `exact::validate` accept:
 ///  (1) each answer equals that of the function of the same name in `exact`;
@@ -32,7 +32,8 @@ namespace touchstone::filtered {
 /// @}
 
 /// @{
-/// Returns the first contact. `time` and each coordinate of `point` are the doubles nearest to the exact numbers.
+/// Returns the first contact. `time`, `depth` and each coordinate of `point` and of `contact_normal` are the doubles
+/// nearest to the exact numbers.
 [[nodiscard]] FirstContact first_contact(const Motion& motion, const PreparedPolygon& polygon);
 [[nodiscard]] FirstContact first_contact(const Motion& motion, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] FirstContact first_contact(const Motion& motion, const Polygon& polygon);

@@ -171,7 +171,7 @@ std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) con
 std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
   expect(objects);
   const FloatingPointState nearest;
-  NearestSearch search(required(ball).center);
+  NearestSearch search(required(ball));
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
     fastest_walks().nearest_triangle(object.triangles, search);

@@ -55,10 +55,12 @@ struct FaceId {
 
 /// The face of a scene nearest to a centre.
 struct NearestFace {
-  FaceId face;            ///< the lowest of several at the same distance
-  Feature feature;        ///< the feature of that face that contains the closest point
-  Eigen::Vector3d point;  ///< the closest point, rounded as in Answer
-  double distance;        ///< rounded as in Answer
+  FaceId face;                     ///< the lowest of several at the same distance
+  Feature feature;                 ///< the feature of that face that contains the closest point
+  Eigen::Vector3d point;           ///< the closest point, rounded as in Answer
+  double distance;                 ///< rounded as in Answer
+  Eigen::Vector3d contact_normal;  ///< as in Answer
+  double depth;                    ///< as in Answer
 };
 
 /// A face of a scene that a moving ball touches.

@@ -86,7 +86,13 @@ class BlockAnswers {
       if (!found.unsure) refuse(method_, "the nearest point");
       ++answer.unsure;
     } else if (!answer.nearest || *found.distance < answer.nearest->distance) {
-      answer.nearest = {id, *found.nearest, *found.point, *found.distance};
+      const Eigen::Vector3d unknown = Eigen::Vector3d::Zero();
+      answer.nearest = {id,
+                        *found.nearest,
+                        *found.point,
+                        *found.distance,
+                        found.contact_normal.value_or(unknown),
+                        found.depth.value_or(0)};
     }
   }
 
@@ -243,11 +249,15 @@ std::string answer_line(const NamedBall& ball, const BallAnswer& answer, const O
       keys.nearest = answer.nearest->feature;
       keys.point = answer.nearest->point;
       keys.distance = answer.nearest->distance;
+      if (!answer.nearest->contact_normal.isZero(0)) {  // the method knows it
+        keys.contact_normal = answer.nearest->contact_normal;
+        keys.depth = answer.nearest->depth;
+      }
       const Verdict found = cases::object_of(keys);
       Verdict nearest = face(answer.nearest->face, order, objects);
       nearest["feature"] = found["nearest"];
-      nearest["point"] = found["point"];
-      nearest["distance"] = found["distance"];
+      for (const char* key : {"point", "distance", "contact_normal", "depth"})
+        if (found.contains(key)) nearest[key] = found[key];
       line["nearest"] = nearest;
     }
   }

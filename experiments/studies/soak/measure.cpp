@@ -119,7 +119,7 @@ class Comparison {
     expect(tested_.answer(ball, prepared, counts) == answer, "answer, counted");
     expect(tested_.plain_answer(ball, prepared) == answer, "answer, without vectors");
     if (const auto triangle = case_.triangle()) {
-      const filtered::ClosestPoint closest{answer.nearest, answer.point, answer.distance};
+      const filtered::ClosestPoint closest{answer.nearest, answer.point, answer.distance, answer.contact_normal};
       expect(tested_.closest(ball.center, *triangle) == closest, "closest");
       expect(tested_.plain_closest(ball.center, *triangle) == closest, "closest, without vectors");
     }

@@ -169,6 +169,19 @@ Vector<Scalar> closest_point(Scalar height, const Feature& feature, const Sphere
   return edge.start + (EdgeView<Scalar>(sphere, edge).along / edge.length_squared) * edge.direction;
 }
 
+/// Returns the direction from a feature's closest point to the centre, of length 1; that of the front if they coincide.
+template <class Scalar, class Face>
+Vector<Scalar> contact_normal(Scalar height, const Feature& feature, const Sphere<Scalar>& sphere,
+                              const Face& polygon) {
+  using std::sqrt;
+  const Vector<Scalar>& normal = polygon.plane().normal;
+  const Vector<Scalar> away = sphere.center - closest_point(height, feature, sphere, polygon);
+  const Scalar squared = away.squaredNorm();
+  if (feature.kind != Feature::Kind::Face && squared > 0) return away / Scalar(sqrt(squared));
+  const Scalar length = sqrt(polygon.normal_squared());
+  return normal / (height < 0 ? Scalar(-length) : length);
+}
+
 }  // namespace detail
 
 template <class Scalar>
@@ -274,15 +287,18 @@ Answer answer(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   const auto plane = detail::plane_distance(height, polygon);
   const PlaneSide side = detail::plane_side(height, sphere, polygon);
   const bool meets_plane = side == PlaneSide::Intersects;
-  return {.plane = side,
-          .plane_tangent = detail::relation(plane, sphere.radius_squared) == Relation::Touching,
-          .foot = place,
-          .edges_hit = edges_hit(ball, polygon),
-          .relation = meets_plane ? detail::relation(nearest.distance, sphere.radius_squared) : Relation::Separate,
-          .nearest = nearest.feature,
-          .point = detail::to_doubles(detail::closest_point(height, nearest.feature, sphere, polygon)),
-          .distance = detail::root(nearest.distance),
-          .off_plane = to_double(polygon.off_plane())};
+  return {
+      .plane = side,
+      .plane_tangent = detail::relation(plane, sphere.radius_squared) == Relation::Touching,
+      .foot = place,
+      .edges_hit = edges_hit(ball, polygon),
+      .relation = meets_plane ? detail::relation(nearest.distance, sphere.radius_squared) : Relation::Separate,
+      .nearest = nearest.feature,
+      .point = detail::to_doubles(detail::closest_point(height, nearest.feature, sphere, polygon)),
+      .distance = detail::root(nearest.distance),
+      .off_plane = to_double(polygon.off_plane()),
+      .contact_normal = detail::to_doubles<Scalar>(detail::contact_normal(height, nearest.feature, sphere, polygon)),
+      .depth = ball.radius - detail::root(nearest.distance)};
 }
 
 }  // namespace touchstone::fast

@@ -110,8 +110,14 @@ class Passage {
   /// Returns the contact at t = 0, given that there is one.
   [[nodiscard]] FirstContact start() const {
     const PointLocation place = foot(height_, moving_.start, polygon_);
-    const Feature feature = nearest_feature(height_, place, moving_.start, polygon_).feature;
-    return {FirstContactKind::Start, 0, false, feature, point(Scalar(0), feature)};
+    const auto [feature, distance] = nearest_feature(height_, place, moving_.start, polygon_);
+    return {FirstContactKind::Start,
+            0,
+            false,
+            feature,
+            point(Scalar(0), feature),
+            normal(Scalar(0), feature),
+            to_double(moving_.radius) - root(distance)};
   }
 
   /// Returns the first contact, given that the ball does not touch at t = 0.
@@ -149,10 +155,22 @@ class Passage {
     return to_doubles<Scalar>(closest_point(height_at(time), feature, moving_.at(time), polygon_));
   }
 
+  /// On the face, that of the side from which the ball comes.
+  [[nodiscard]] Eigen::Vector3d normal(const Scalar& time, const Feature& feature) const {
+    const Scalar height = feature.kind == Feature::Kind::Face ? height_ : height_at(time);
+    return to_doubles<Scalar>(contact_normal(height, feature, moving_.at(time), polygon_));
+  }
+
   [[nodiscard]] FirstContact first_contact(const Feature& feature, const Event<Scalar>& event) const {
     // A foot that came from outside is inside if it passed an odd number of boundaries.
     const bool momentary = event.momentary && !(event.passes && slides_along_plane());
-    return {FirstContactKind::Way, to_double(event.time), momentary, feature, point(event.time, feature)};
+    return {FirstContactKind::Way,
+            to_double(event.time),
+            event.momentary,
+            feature,
+            point(event.time, feature),
+            normal(event.time, feature),
+            0};
   }
 
   /// Returns whether the ball moves along the plane and touches it.

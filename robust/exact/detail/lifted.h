@@ -63,10 +63,11 @@ PointLocation locate(const Lifted& polygon, const Signs& signs) {
   return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
-/// The feature nearest to a ball's centre, and the point on it, rounded as in Answer.
+/// Members of Answer.
 struct Touched {
   Feature nearest;
-  Eigen::Vector3d point;
+  Eigen::Vector3d point, contact_normal;
+  double depth;
 };
 
 /// Returns what the ball touches; nothing if it is separate. Requires the floating-point state of FloatingPointState.

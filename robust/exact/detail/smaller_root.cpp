@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "robust/exact/detail/nearest_double.h"
+#include "robust/exact/detail/rounded_roots.h"
 
 namespace touchstone::exact::detail {
 namespace {
@@ -48,16 +48,8 @@ kernel::Sign SmallerRoot::sign_of(const Linear& function) const {
 }
 
 double SmallerRoot::rounded(const Linear& function, const Number& divisor) const {
-  const Rational sum = rational(Number(a_ * function.p - b_ * function.q)),
-                 radicand = rational(Number(kernel::square(function.q) * discriminant_)),
-                 denominator = rational(Number(a_ * divisor));
-  // Everything times the denominators, so that integers remain.
-  const Integer scale = denominator_of(sum) * denominator_of(radicand);
-  const Integer root_scale = scale * denominator_of(denominator);
-  return nearest_sum_with_root(numerator_of(sum) * denominator_of(radicand) * denominator_of(denominator),
-                               -static_cast<int>(kernel::sign(function.q)),
-                               Integer(numerator_of(radicand) * root_scale * (root_scale / denominator_of(radicand))),
-                               Integer(numerator_of(denominator) * scale));
+  return rounded_sum_with_root(Number(a_ * function.p - b_ * function.q), -static_cast<int>(kernel::sign(function.q)),
+                               Number(kernel::square(function.q) * discriminant_), Number(a_ * divisor));
 }
 
 kernel::Comparison_result compare(const SmallerRoot& first, const SmallerRoot& second) {

@@ -19,10 +19,11 @@ template <class Counts>
 struct KernelTable {
   using Parts = PreparedPolygon::Parts;
   bool (*triangle_contact)(BallTriangleView, Counts&);
-  /// For a ball of radius 0: the feature that contains the closest point; its distance; feature, point and distance.
+  /// For a ball of radius 0: the feature that contains the closest point; its distance. For any ball: the closest
+  /// point, and the depth unless the pointer is null.
   Feature (*triangle_nearest)(BallTriangleView, Counts&);
   double (*triangle_distance)(BallTriangleView, const Feature&, Counts&);
-  double (*triangle_closest)(BallTriangleView, Feature&, double (&point)[3], Counts&);
+  void (*triangle_closest)(BallTriangleView, ClosestPoint&, double* depth, Counts&);
   bool (*triangle_motion_contact)(MotionTriangleView, Counts&);
   void (*triangle_first_contact)(MotionTriangleView, FirstContact&, Counts&);
   void (*set_contact)(const Ball&, const TriangleSet::Parts&, std::span<bool>, Counts&);
@@ -82,10 +83,9 @@ template <class Counts>
 [[nodiscard]] ClosestPoint closest(const KernelTable<Counts>& kernels, const Eigen::Vector3d& center,
                                    const Triangle& triangle, Counts& counts) {
   const Ball point_ball{center, 0};
-  Feature feature{};
-  double point[3];
-  const double distance = kernels.triangle_closest(view_of(point_ball, triangle), feature, point, counts);
-  return {feature, {point[0], point[1], point[2]}, distance};
+  ClosestPoint point{};
+  kernels.triangle_closest(view_of(point_ball, triangle), point, nullptr, counts);
+  return point;
 }
 
 }  // namespace touchstone::filtered::detail

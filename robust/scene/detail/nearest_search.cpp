@@ -54,7 +54,7 @@ double feature_distance(const Vector3d& center, const Triangle& triangle, const 
 
 }  // namespace
 
-NearestSearch::NearestSearch(const Vector3d& center) : ball_{center, kLargest} {}
+NearestSearch::NearestSearch(const Ball& given) : given_radius_(given.radius), ball_{given.center, kLargest} {}
 
 bool NearestSearch::touched(const Met& met) const {
   if (!has_shrunk()) return true;
@@ -88,7 +88,7 @@ void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t
   const Answer answer = filtered::answer({ball_.center, 0}, polygon);
   met_.push_back({{{first_.object, first_.face + number}, polygon},
                   answer.nearest,
-                  filtered::ClosestPoint{answer.nearest, answer.point, answer.distance}});
+                  filtered::ClosestPoint{answer.nearest, answer.point, answer.distance, answer.contact_normal}});
   shrink_to(answer.distance);
 }
 
@@ -129,11 +129,17 @@ std::optional<NearestFace> NearestSearch::nearest() {
     if (order < 0 || (order == 0 && met.face.id < best->face.id)) best = &met, least = here;
   }
   if (best == nullptr) return std::nullopt;
-  const filtered::ClosestPoint closest =
-      best->closest
-          ? *best->closest
-          : filtered::detail::closest(filtered::detail::kernels().plain, ball_.center, *best->face.triangle, uncounted);
-  return NearestFace{best->face.id, closest.feature, closest.point, closest.distance};
+  const Ball given{ball_.center, given_radius_};
+  filtered::ClosestPoint closest{};
+  double depth = 0;
+  if (best->closest) {
+    closest = *best->closest;
+    depth = given_radius_ > 0 ? filtered::answer(given, *best->face.polygon).depth : 0.0 - closest.distance;
+  } else {
+    filtered::detail::kernels().plain.triangle_closest(filtered::detail::view_of(given, *best->face.triangle), closest,
+                                                       &depth, uncounted);
+  }
+  return NearestFace{best->face.id, closest.feature, closest.point, closest.distance, closest.contact_normal, depth};
 }
 
 }  // namespace touchstone::scene::detail

@@ -38,8 +38,8 @@ struct MetFace {
 /// faces that still touch it.
 class NearestSearch {
  public:
-  /// Begins with the largest possible ball.
-  explicit NearestSearch(const Eigen::Vector3d& center);
+  /// Begins with the largest possible ball about the centre of this one.
+  explicit NearestSearch(const Ball& given);
 
   [[nodiscard]] const Ball& ball() const { return ball_; }
 
@@ -79,6 +79,7 @@ class NearestSearch {
   /// Returns whether the first face is nearer (-), as near (0) or farther (+).
   [[nodiscard]] int compare(const Met& first, double first_distance, const Met& second, double second_distance) const;
 
+  double given_radius_;
   Ball ball_;
   FaceId first_{0, 0};
   std::vector<Met> met_;

@@ -33,12 +33,29 @@ TEST(ExactCases, EveryKeyIsThatDerivedByHandAtBothEndsOfTheDoubles) {
       expect_exact({scaled(c.given, exponent), scaled(c.expected, exponent)});
 }
 
+// Identity (11) of exact.h, with normals that are exact.
+TEST(ExactCases, ACentreThatMovesAlongTheNormalOfAFaceKeepsPointAndNormal) {
+  int faces = 0;
+  for (const HandCase& c : hand_cases()) {
+    if (c.expected.nearest.kind != Kind::Face) continue;
+    const Ball farther{c.given.ball.center + c.expected.contact_normal, c.given.ball.radius};
+    const Answer answer = exact::answer(farther, c.given.polygon);
+    EXPECT_EQ(answer.point, c.expected.point) << c.given.id;
+    EXPECT_EQ(answer.contact_normal, c.expected.contact_normal) << c.given.id;
+    EXPECT_EQ(answer.depth, c.expected.depth - 1) << c.given.id;
+    ++faces;
+  }
+  EXPECT_GT(faces, 5);
+}
+
 /// Vertices 1/3 off the plane through their mean: N = (1, -1, 3), plane z = 1/3 - x/3 + y/3.
 const Polygon kThirds({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 1, 1}});
 
 // Lifted to (0, 0, 1/3), (2, 0, -1/3), (1, 1, 1/3), (0, 1, 2/3): thirds are not doubles, yet edge 0 passes through
 // (1, 0, 0).
 TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
+  const Eigen::Vector3d normal(0x1.34bf63d156826p-2, -0x1.34bf63d156826p-2,
+                               0x1.cf1f15ba01c39p-1);  // (1, -1, 3) / sqrt 11
   const Answer on_edge = exact::answer({{1, 0, 0}, 0}, kThirds);
   EXPECT_EQ(on_edge, (Answer{PlaneSide::Intersects,
                              true,
@@ -48,7 +65,9 @@ TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
                              {Kind::Edge, 0},
                              {1, 0, 0},
                              0,
-                             1.0 / 3}));
+                             1.0 / 3,
+                             normal,
+                             0}));
   const Answer above = exact::answer({{2, -1, 3}, 3}, kThirds);  // (1, 0, 0) + N, at distance sqrt(11)
   EXPECT_EQ(above, (Answer{PlaneSide::InFront,
                            false,
@@ -58,7 +77,9 @@ TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
                            {Kind::Edge, 0},
                            {1, 0, 0},
                            std::sqrt(11.0),
-                           1.0 / 3}));
+                           1.0 / 3,
+                           normal,
+                           -0x1.443949feb79a1p-2}));  // 3 - sqrt 11
   const Answer beyond = exact::answer({{5, 0, -1.0 / 3}, 3}, kThirds);
   EXPECT_EQ(beyond.nearest, (Feature{Kind::Vertex, 1}));
   EXPECT_EQ(beyond.point, Eigen::Vector3d(2, 0, -1.0 / 3));
@@ -104,6 +125,8 @@ TEST(ExactExtremes, SeesATinyBallOnAHugeTriangle) {
                             {Kind::Face, 0},
                             {0, 0, 0},
                             1e-300,
+                            0,
+                            {0, 0, 1},
                             0}));
   EXPECT_EQ(exact::relation({center, std::nextafter(1e-300, 0)}, huge), Relation::Separate);
   EXPECT_EQ(exact::relation({center, std::nextafter(1e-300, 1)}, huge), Relation::Overlapping);
@@ -120,6 +143,8 @@ TEST(ExactExtremes, SeesATinyTriangleUnderAHugeBall) {
                             {Kind::Vertex, 0},
                             {0, 0, 0},
                             1e300,
+                            0,
+                            {-1, 0, 0},
                             0}));
 }
 

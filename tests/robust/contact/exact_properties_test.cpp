@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The identities (1) to (8) and (10) of robust/exact/exact.h; (9) stands with those of `fast`.
+// The identities (1) to (8), (10) and (11) of robust/exact/exact.h; (9) stands with those of `fast`.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,6 +12,7 @@
 #include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/generators.h"
+#include "tests/robust/support/limits.h"
 #include "tests/robust/support/printing.h"
 #include "tests/robust/support/rearranged.h"
 
@@ -26,9 +27,10 @@ PlaneSide opposite(PlaneSide side) {
   return side == PlaneSide::InFront ? PlaneSide::Behind : PlaneSide::InFront;
 }
 
-/// The answer seen from the other side of the plane.
-Answer from_behind(Answer answer) {
+/// The answer seen from the other side of the plane, which is the front for a point of the polygon.
+Answer from_behind(Answer answer, const Case& c) {
   answer.plane = opposite(answer.plane);
+  if (exact::contact({c.ball.center, 0}, c.polygon)) answer.contact_normal = -answer.contact_normal;
   return answer;
 }
 
@@ -36,18 +38,19 @@ Answer from_behind(Answer answer) {
 /// order, each order takes the one that comes first in its own numbers; each feature has one closest point.
 void expect_same_but_numbers(const Answer& expected, const Ball& ball, const std::vector<Reordered>& orders) {
   std::vector<Answer> answers;
-  std::map<std::size_t, Eigen::Vector3d> tied;  // original number of a nearest feature, and its closest point
+  std::map<std::size_t, Answer> tied;  // by the original number of the nearest feature
   for (const Reordered& order : orders) {
     answers.push_back(order.in_old_numbers(exact::answer(ball, order.polygon)));
-    tied.emplace(answers.back().nearest.index, answers.back().point);
+    tied.emplace(answers.back().nearest.index, answers.back());
   }
   for (std::size_t k = 0; k < orders.size(); ++k) {
     Feature first = expected.nearest;
-    for (const auto& [index, point] : tied)
+    for (const auto& [index, answer] : tied)
       if (orders[k].place({first.kind, index}) < orders[k].place(first)) first.index = index;
     Answer same = expected;
     same.nearest = first;
-    same.point = tied.at(first.index);
+    same.point = tied.at(first.index).point;
+    same.contact_normal = tied.at(first.index).contact_normal;
     RC_ASSERT(answers[k] == same);
   }
 }
@@ -63,7 +66,7 @@ RC_GTEST_PROP(ExactVertexOrder, StartsOfLoopsAndOrderOfHolesOnlyRenumber, ()) {
 RC_GTEST_PROP(ExactOrientation, ReversingTheOuterLoopSwapsFrontAndBehind, ()) {
   const Case c = *any_case();
   const bool holes_too = *rc::gen::arbitrary<bool>();
-  expect_same_but_numbers(from_behind(exact::answer(c.ball, c.polygon)), c.ball,
+  expect_same_but_numbers(from_behind(exact::answer(c.ball, c.polygon), c), c.ball,
                           all_starts(c.polygon, [&](std::size_t loop) { return loop == 0 || holes_too; }));
 }
 
@@ -79,8 +82,9 @@ RC_GTEST_PROP(ExactOrientation, ReversingHolesOnlyRenumbers, ()) {
 RC_GTEST_PROP(ExactMirror, MirroringMirrorsThePointAndSwapsFrontAndBehind, ()) {
   const Case c = *any_case();
   const PointMap mirror = mirror_along(*rc::gen::inRange(0, 3));
-  Answer expected = from_behind(exact::answer(c.ball, c.polygon));
+  Answer expected = from_behind(exact::answer(c.ball, c.polygon), c);
   expected.point = mirror(expected.point);
+  expected.contact_normal = mirror(expected.contact_normal);
   const Case image = moved(c, mirror);
   RC_ASSERT(exact::answer(image.ball, image.polygon) == expected);
 }
@@ -94,10 +98,11 @@ RC_GTEST_PROP(ExactMirror, ExchangingAxesExchangesThePointAndSwapsFrontAndBehind
     return v;
   };
   const Case image = moved(c, exchange);
-  Answer expected = from_behind(exact::answer(c.ball, c.polygon));
+  Answer expected = from_behind(exact::answer(c.ball, c.polygon), c);
   const int axis = *exact::detail::dropped_axis(c.polygon), image_axis = axis == kept ? kept : (axis == i ? j : i);
   RC_PRE(expected.off_plane == 0 || exact::detail::dropped_axis(image.polygon) == image_axis);
   expected.point = exchange(expected.point);
+  expected.contact_normal = exchange(expected.contact_normal);
   RC_ASSERT(exact::answer(image.ball, image.polygon) == expected);
 }
 
@@ -105,7 +110,8 @@ bool normal_or_zero(double x) { return x == 0 || std::isnormal(x); }
 
 bool normal_or_zero(const Answer& answer) {
   return normal_or_zero(answer.point.x()) && normal_or_zero(answer.point.y()) && normal_or_zero(answer.point.z()) &&
-         normal_or_zero(answer.distance) && normal_or_zero(answer.off_plane);
+         normal_or_zero(answer.distance) && normal_or_zero(answer.off_plane) &&
+         (std::isnormal(answer.depth) || answer.relation == Relation::Touching);
 }
 
 // Identity (4): powers of two scale the lengths; where results leave the normal doubles the decisions stay.
@@ -114,12 +120,14 @@ RC_GTEST_PROP(ExactScaling, PowersOfTwoScaleTheLengthsOnly, ()) {
   const int exponent = *rc::gen::resize(100, rc::gen::inRange(-1060, 960));
   RC_PRE(scales_exactly(c, exponent));
   const Case larger = scaled(c, exponent);
-  Answer expected = scaled(exact::answer(c.ball, c.polygon), exponent);
+  const Answer given = exact::answer(c.ball, c.polygon);
+  Answer expected = scaled(given, exponent);
   const Answer answer = exact::answer(larger.ball, larger.polygon);
-  if (!normal_or_zero(expected)) {
+  if (!normal_or_zero(given) || !normal_or_zero(expected)) {
     expected.point = answer.point;
     expected.distance = answer.distance;
     expected.off_plane = answer.off_plane;
+    expected.depth = answer.depth;
   }
   RC_ASSERT(answer == expected);
 }
@@ -181,6 +189,8 @@ RC_GTEST_PROP(ExactRadius, GrowingItLosesNothing, ()) {
     RC_ASSERT(larger.foot == smaller.foot);
     RC_ASSERT(larger.nearest == smaller.nearest);
     RC_ASSERT(larger.distance == smaller.distance);
+    RC_ASSERT(larger.contact_normal == smaller.contact_normal);
+    RC_ASSERT(larger.depth >= smaller.depth);
     smaller = larger;
   }
 }
@@ -236,6 +246,17 @@ RC_GTEST_PROP(ExactTogether, TheThreeTestsMakeUpTheAnswer, ()) {
   RC_ASSERT(!a.contact() || intersects);
   RC_ASSERT(a.nearest.kind == Kind::Face || a.contact() == hits_nearest(a, c.polygon));
   RC_ASSERT(a.nearest.kind == Kind::Face || a.contact() == !a.edges_hit.empty());
+}
+
+// Identity (11): depth has the sign of the relation, except for the least of all; the normal has length 1.
+RC_GTEST_PROP(ExactNormal, GoesWithTheRelationAndHasLengthOne, ()) {
+  const Case c = *any_case();
+  const Answer a = exact::answer(c.ball, c.polygon);
+  RC_ASSERT(a.relation != Relation::Touching || a.depth == 0);
+  RC_ASSERT(a.relation != Relation::Separate || a.depth <= 0);
+  RC_ASSERT(a.relation != Relation::Overlapping || a.depth >= 0);
+  RC_ASSERT(a.depth != 0 || std::abs(c.ball.radius - a.distance) <= kLeast);
+  RC_ASSERT(std::abs(a.contact_normal.cast<long double>().norm() - 1) <= 0x1p-53L);
 }
 
 // The questions one by one are the keys of the whole answer.

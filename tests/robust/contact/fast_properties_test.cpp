@@ -67,6 +67,9 @@ RC_GTEST_PROP(FastMirror, MirroringMirrorsThePointAndSwapsFrontAndBehind, ()) {
   Answer expected = fast::answer(c.ball, c.polygon);
   const Answer answer = fast::answer(image.ball, image.polygon);
   expected.point = mirror(expected.point);
+  expected.contact_normal = mirror(expected.contact_normal);
+  // The front swaps, and is the normal of a point of the polygon.
+  if (same_point(expected.contact_normal, -answer.contact_normal)) expected.contact_normal = answer.contact_normal;
   if (expected.plane != PlaneSide::Intersects)
     expected.plane = expected.plane == PlaneSide::InFront ? PlaneSide::Behind : PlaneSide::InFront;
   if (answer.foot != expected.foot) {
@@ -143,6 +146,8 @@ void expect_equal_when_far(const Case& c, const Answer& expected) {
   RC_ASSERT(same_decisions(actual, expected));
   RC_ASSERT((actual.point - expected.point).cwiseAbs().maxCoeff() <= noise);
   RC_ASSERT(std::abs(actual.distance - expected.distance) <= noise);
+  RC_ASSERT(std::abs(actual.depth - expected.depth) <= noise);
+  RC_ASSERT((actual.contact_normal - expected.contact_normal).norm() * expected.distance <= 2 * noise);
   RC_ASSERT(std::abs(actual.off_plane - expected.off_plane) <= noise);
   RC_ASSERT(fast::contact(c.ball, polygon) == expected.contact());
   RC_ASSERT(fast::relation(c.ball, polygon) == expected.relation);
@@ -165,6 +170,8 @@ RC_GTEST_PROP(FastAgainstExact, EqualOnSmallIntegers, ()) {
   RC_ASSERT(same_decisions(actual, expected));
   RC_ASSERT((actual.point - expected.point).cwiseAbs().maxCoeff() <= 0x1p-48);
   RC_ASSERT(std::abs(actual.distance - expected.distance) <= 0x1p-48);
+  RC_ASSERT(std::abs(actual.depth - expected.depth) <= 0x1p-48);
+  RC_ASSERT((actual.contact_normal - expected.contact_normal).norm() <= 0x1p-48);
   RC_ASSERT(actual.off_plane == 0);
   RC_ASSERT(fast::contact(c.ball, c.polygon) == expected.contact());
   RC_ASSERT(fast::relation(c.ball, c.polygon) == expected.relation);

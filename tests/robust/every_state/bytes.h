@@ -49,12 +49,16 @@ class Bytes {
   void add(const Feature& f) { add(f.kind), add(f.index); }
   void add(const Answer& a) {
     add(a.plane), add(a.plane_tangent), add(a.foot), add(a.edges_hit), add(a.relation), add(a.nearest), add(a.point);
-    add(a.distance), add(a.off_plane);
+    add(a.distance), add(a.contact_normal), add(a.depth), add(a.off_plane);
   }
-  void add(const FirstContact& f) { add(f.kind), add(f.time), add(f.momentary), add(f.feature), add(f.point); }
-  void add(const filtered::ClosestPoint& p) { add(p.feature), add(p.point), add(p.distance); }
+  void add(const FirstContact& f) {
+    add(f.kind), add(f.time), add(f.momentary), add(f.feature), add(f.point), add(f.contact_normal), add(f.depth);
+  }
+  void add(const filtered::ClosestPoint& p) { add(p.feature), add(p.point), add(p.distance), add(p.contact_normal); }
   void add(const scene::FaceId& id) { add(id.object), add(id.face); }
-  void add(const scene::NearestFace& n) { add(n.face), add(n.feature), add(n.point), add(n.distance); }
+  void add(const scene::NearestFace& n) {
+    add(n.face), add(n.feature), add(n.point), add(n.distance), add(n.contact_normal), add(n.depth);
+  }
   void add(const scene::FirstFace& f) { add(f.face), add(f.contact); }
   void add(const Rejection& r) { add(r.code), add(r.message); }
   void add(const Triangle& t) { add(t.a), add(t.b), add(t.c); }

@@ -21,7 +21,7 @@ using filtered::ClosestPoint;
 
 ClosestPoint exact_closest(const Eigen::Vector3d& center, const Triangle& t) {
   const Answer answer = exact::answer({center, 0}, Polygon({t.a, t.b, t.c}));
-  return {answer.nearest, answer.point, answer.distance};
+  return {answer.nearest, answer.point, answer.distance, answer.contact_normal};
 }
 
 void expect_exact(const Eigen::Vector3d& center, const Triangle& triangle) {
@@ -95,10 +95,9 @@ TEST(FilteredClosest, LeavesFacesOfNeedlesToBigIntegers) {
   const Ball center{(a + b + c) / 3, 0};
   const auto question = filtered::detail::view_of(center, needle);
   filtered::StageCounts counts;
-  Feature feature;
-  double point[3];
-  (void)filtered::detail::baseline_kernels().counted.triangle_closest(question, feature, point, counts);
-  EXPECT_EQ(feature.kind, Feature::Kind::Face);
+  ClosestPoint closest;
+  filtered::detail::baseline_kernels().counted.triangle_closest(question, closest, nullptr, counts);
+  EXPECT_EQ(closest.feature.kind, Feature::Kind::Face);
   EXPECT_GT(counts.decided_by(filtered::Stage::BigInteger), 0U);
 }
 

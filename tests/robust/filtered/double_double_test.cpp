@@ -117,6 +117,9 @@ TEST(FilteredDoubleDouble, QuotientsAndRootsAreWithinTheirBounds) {
     EXPECT_LE(abs(quotient - exact), abs(exact) * unit) << "/, index " << i;
     EXPECT_TRUE(is_normalised(a / b)) << "/, index " << i;
 
+    EXPECT_LE(abs(exactly(reciprocal(b)) * exactly(b) - 1), unit) << "1 / b, index " << i;
+    EXPECT_TRUE(is_normalised(reciprocal(b))) << "1 / b, index " << i;
+
     const DoubleDouble positive = a.high < 0 ? -a : a;
     const mpq_class root = exactly(sqrt(positive));
     EXPECT_GE(root, 0) << "sqrt, index " << i;

@@ -78,7 +78,7 @@ std::string all_wrong_answers(const Asked& asked, const filtered::PreparedPolygo
   const Triangle triangles[] = {triangle, triangle, triangle};
   filtered::contact(c.ball, triangles, touches);
   expect(std::count(touches, touches + 3, expected.contact()) == 3, "batch-of-triangles");
-  const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
+  const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance, expected.contact_normal};
   expect(filtered::closest(c.ball.center, triangle) == closest, "closest");
   return wrong;
 }

@@ -338,14 +338,26 @@ TEST(Stages, OfWholeAnswersAndClosestPoints) {
     filtered::ClosestPoint closest;
     Stage stage;
   } cases[] = {
-      {"over a face", {1, 1, 3}, flat, {{Feature::Kind::Face, 0}, {1, 1, 1}, 2}, Stage::DoubleDouble},
-      {"beside an edge", {2, -3, 4}, right_triangle(), {{Feature::Kind::Edge, 0}, {2, 0, 0}, 5}, Stage::DoubleDouble},
-      {"off a vertex", {6, -1, 2}, right_triangle(), {{Feature::Kind::Vertex, 1}, {4, 0, 0}, 3}, Stage::DoubleDouble},
-      {"a tie, 1 + 2^-53", {0, 0, 1}, low, {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1}, Stage::BigInteger},
+      {"over a face", {1, 1, 3}, flat, {{Feature::Kind::Face, 0}, {1, 1, 1}, 2, {0, 0, 1}}, Stage::DoubleDouble},
+      {"beside an edge",
+       {2, -3, 4},
+       right_triangle(),
+       {{Feature::Kind::Edge, 0}, {2, 0, 0}, 5, {0, -0.6, 0.8}},
+       Stage::DoubleDouble},
+      {"off a vertex",
+       {6, -1, 2},
+       right_triangle(),
+       {{Feature::Kind::Vertex, 1}, {4, 0, 0}, 3, {2.0 / 3, -1.0 / 3, 2.0 / 3}},
+       Stage::DoubleDouble},
+      {"a tie, 1 + 2^-53",
+       {0, 0, 1},
+       low,
+       {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1, {0, 0, 1}},
+       Stage::BigInteger},
       {"a tie, 1 + 3 2^-53",
        {0, 0, 1 + 0x1p-52},
        low,
-       {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1 + 0x1p-51},
+       {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1 + 0x1p-51, {0, 0, 1}},
        Stage::BigInteger},
   };
   for (const auto& c : cases) {
@@ -354,7 +366,7 @@ TEST(Stages, OfWholeAnswersAndClosestPoints) {
     const filtered::PreparedPolygon prepared(c.polygon);
     expect_decided(c.id + ", prepared", c.closest, c.stage, c.stage, [&](StageCounts& counts) {
       const Answer answer = filtered::answer({c.center, 0.75}, prepared, counts);
-      return filtered::ClosestPoint{answer.nearest, answer.point, answer.distance};
+      return filtered::ClosestPoint{answer.nearest, answer.point, answer.distance, answer.contact_normal};
     });
   }
 }

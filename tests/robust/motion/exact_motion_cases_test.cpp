@@ -43,7 +43,8 @@ TEST(ExactMotionCases, ExtremeSizesAreLikeAnyOther) {
                                    0.4,
                                    false,
                                    {Feature::Kind::Face, 0},
-                                   {std::ldexp(2, exponent), std::ldexp(2, exponent), 0}}))
+                                   {std::ldexp(2, exponent), std::ldexp(2, exponent), 0},
+                                   {0, 0, 1}}))
         << exponent;
   }
 }

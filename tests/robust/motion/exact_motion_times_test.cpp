@@ -81,9 +81,9 @@ RC_GTEST_PROP(ExactMotionTimes, TheRoundedTimeIsTheNearestToWhereTheDistanceBeco
   if (first.momentary) RC_ASSERT(excess(least) == 0);
 }
 
-// Where the first time is a short binary fraction, the static answer at that time has the same feature and point. In
-// small integers no other time rounds to such a fraction.
-RC_GTEST_PROP(ExactMotionTimes, TheStaticAnswerAtTheFirstTimeHasTheSameFeatureAndPoint, ()) {
+// Where the first time is a short binary fraction, the static answer at that time has the same feature, point and
+// normal. In small integers no other time rounds to such a fraction.
+RC_GTEST_PROP(ExactMotionTimes, TheStaticAnswerAtTheFirstTimeHasTheSameFeaturePointAndNormal, ()) {
   const MovingCase c = *moving(rc::gen::oneOf(grid_cases(), grid_cases(2)));
   const exact::PreparedPolygon polygon(c.polygon);
   const FirstContact first = exact::first_contact(c.motion, polygon);
@@ -93,6 +93,8 @@ RC_GTEST_PROP(ExactMotionTimes, TheStaticAnswerAtTheFirstTimeHasTheSameFeatureAn
   RC_ASSERT(answer.relation == Relation::Touching);
   RC_ASSERT(answer.nearest == first.feature);
   RC_ASSERT(answer.point == first.point);
+  RC_ASSERT(answer.depth == first.depth);
+  if (c.motion.ball.radius > 0) RC_ASSERT(answer.contact_normal == first.contact_normal);
 }
 
 // In small integers the roots of different events are far apart, compared with 2^-30: just before the first time the

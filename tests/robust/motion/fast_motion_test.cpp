@@ -27,6 +27,8 @@ void expect_near(const FirstContact& found, const FirstContact& expected, double
     EXPECT_NEAR(found.time, expected.time, error) << id;
   }
   EXPECT_LE((found.point - expected.point).norm(), error) << id;
+  EXPECT_LE((found.contact_normal - expected.contact_normal).norm(), error) << id;
+  EXPECT_NEAR(found.depth, expected.depth, error) << id;
 }
 
 /// Whether all sizes are safe, also for float.
@@ -88,7 +90,7 @@ RC_GTEST_PROP(FastMotion, StartsAsTheStaticBall, ()) {
   RC_ASSERT(fast::contact(c.motion.ball, polygon) == (first.kind == FirstContactKind::Start));
   RC_PRE(first.kind == FirstContactKind::Start);
   const Answer answer = fast::answer(c.motion.ball, polygon);
-  RC_ASSERT(first == (FirstContact{FirstContactKind::Start, 0, false, answer.nearest, answer.point}));
+  RC_ASSERT(first == at_start(answer));
   if (is_triangle(c.polygon))
     RC_ASSERT(fast::contact(c.motion.ball, triangle_of(c.polygon)) ==
               (fast::first_contact(c.motion, triangle_of(c.polygon)).kind == FirstContactKind::Start));
@@ -132,6 +134,7 @@ RC_GTEST_PROP(FastMotion, PowersOfTwoScaleThePointOnly, ()) {
   const auto scale = [exponent](const Eigen::Vector3d& v) { return Eigen::Vector3d(std::ldexp(1.0, exponent) * v); };
   FirstContact expected = fast::first_contact(c.motion, c.polygon);
   expected.point = scale(expected.point);
+  expected.depth = std::ldexp(expected.depth, exponent);
   RC_ASSERT(fast::first_contact({larger.ball, scale(c.motion.to)}, larger.polygon) == expected);
 }
 

@@ -140,6 +140,20 @@ TEST(ClosestBounds, HoldForDistances) {
   EXPECT_LE(kEdgeOffItsPlane.from_error * kSecondOrder, bounds::kClosest);
 }
 
+// N_k / |N| as N_k sqrt(1 / N.N), in units of m_N / |N| and of itself.
+TEST(ClosestBounds, HoldForNormalsOfTheFace) {
+  const mpq_class of_maximum = (1 + kRootOfThree) * kNormalOfTriangle.direction_error;
+  EXPECT_LE(of_maximum * kSecondOrder, bounds::kClosest / 2);
+  const mpq_class own = kQuotient + kDouble;  // of the root and the product
+  EXPECT_LE(((error_of_square(kExactEdge, 1) + kQuotient) / 2 + own) * kSecondOrder, bounds::kClosest / 2);
+  EXPECT_LE((kDouble + bounds::kPerSquare * kDouble / 2 + own) * kSecondOrder, bounds::kClosest / 2);
+}
+
+// (c - p) / d: the bound holds 2 / 3 of the error of d more than is needed, and that is kClosest d at least.
+TEST(ClosestBounds, HoldForNormalsOffTheFace) {
+  EXPECT_LE((kQuotient + kDouble) * kSecondOrder, bounds::kClosest * mpq_class(2, 3) / 2);
+}
+
 // Every error holds two units of its value, or kClosest of it, and a tail is at most u of that: what Enclosed asks for.
 TEST(ClosestBounds, AreWideEnoughForTheRoundingTest) {
   EXPECT_GE(2 * kDouble, 2 * kU * kU);

@@ -11,14 +11,15 @@
 namespace touchstone::scene {
 
 bool operator==(const NearestFace& a, const NearestFace& b) {
-  return a.face == b.face && a.feature == b.feature && a.point == b.point && a.distance == b.distance;
+  return a.face == b.face && a.feature == b.feature && a.point == b.point && a.distance == b.distance &&
+         a.contact_normal == b.contact_normal && a.depth == b.depth;
 }
 bool operator==(const FirstFace& a, const FirstFace& b) { return a.face == b.face && a.contact == b.contact; }
 
 void PrintTo(const NearestFace& nearest, std::ostream* out) {
   *out << "object " << nearest.face.object << ", face " << nearest.face.face << ": " << to_string(nearest.feature.kind)
-       << ' ' << nearest.feature.index << ", point (" << nearest.point.transpose() << "), distance "
-       << nearest.distance;
+       << ' ' << nearest.feature.index << ", point (" << nearest.point.transpose() << "), distance " << nearest.distance
+       << ", contact_normal (" << nearest.contact_normal.transpose() << "), depth " << nearest.depth;
 }
 void PrintTo(const FirstFace& first, std::ostream* out) {
   *out << "object " << first.face.object << ", face " << first.face.face << ": ";
@@ -122,7 +123,7 @@ scene::NearestFace BruteForce::nearest_by_exact(const Ball& ball) const {
   for (std::size_t i = 1; i < faces_.size(); ++i)
     if (exact::compare_distances(ball, exact_of(i), exact_of(best)) < 0) best = i;
   const Answer answer = exact::answer(ball, exact_of(best));
-  return {faces_[best].id, answer.nearest, answer.point, answer.distance};
+  return {faces_[best].id, answer.nearest, answer.point, answer.distance, answer.contact_normal, answer.depth};
 }
 
 Subject::Subject(const std::vector<scene::Faces>& objects, std::string words) : what(std::move(words)), faces(objects) {

@@ -49,7 +49,7 @@ Found ask(const scene::detail::Walks& walks, const Motion& motion, const scene::
   first.enter({1, 0});
   walks.first_polygon(polygons, first);
   found.first = first.first();
-  scene::detail::NearestSearch search(ball.center);
+  scene::detail::NearestSearch search(ball);
   search.enter({0, 0});
   walks.nearest_triangle(triangles, search);
   search.enter({1, 0});

@@ -223,7 +223,7 @@ TEST(MovingBallInScene, NamesTheLowestOfFacesTouchedAtOnce) {
   ASSERT_TRUE(first);
   EXPECT_EQ(first->face, (FaceId{1, 1}));
   EXPECT_EQ(first->contact,
-            (FirstContact{FirstContactKind::Way, 0.875, false, {Feature::Kind::Face, 0}, {0.5, 0.5, 0}}));
+            (FirstContact{FirstContactKind::Way, 0.875, false, {Feature::Kind::Face, 0}, {0.5, 0.5, 0}, {0, 0, 1}}));
   // Without that object the polygon is first, which is as high.
   const auto polygon = scene.first_contact(kFalls, std::vector<std::uint32_t>{0, 2});
   ASSERT_TRUE(polygon);
@@ -423,7 +423,8 @@ TEST(MovingBallInScene, SeesAGrazeOfASingleMoment) {
   scene.add("fin", {{{{0, 0, 0}, {1, 0, -1}, {-1, 0, -1}}}, {}});
   const auto first = scene.first_contact(Motion({{0, -4, 1}, 1}, {0, 4, 1}));
   ASSERT_TRUE(first);
-  EXPECT_EQ(first->contact, (FirstContact{FirstContactKind::Way, 0.5, true, {Feature::Kind::Vertex, 0}, {0, 0, 0}}));
+  EXPECT_EQ(first->contact,
+            (FirstContact{FirstContactKind::Way, 0.5, true, {Feature::Kind::Vertex, 0}, {0, 0, 0}, {0, 0, 1}}));
   EXPECT_FALSE(scene.first_contact(Motion({{0, -4, 1.0000000000000002}, 1}, {0, 4, 1.0000000000000002})));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/robust/support/hand_cases.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "tests/robust/support/limits.h"
@@ -173,6 +174,35 @@ std::vector<HandCase> touching_cases() {
 
 constexpr bool kMomentary = true, kStays = false;
 
+/// Returns the doubles nearest to the direction from the point to the centre, or to the front if they coincide:
+/// coordinates in small integers, of which a long double rounds no midpoint.
+Eigen::Vector3d direction(const Eigen::Vector3d& center, const Eigen::Vector3d& point, const Polygon& polygon) {
+  Eigen::Matrix<long double, 3, 1> away = (center - point).cast<long double>();
+  if (away.isZero(0))
+    for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
+      away += polygon.vertex(i).cross(polygon.vertex(polygon.next(i))).cast<long double>();
+  return (away / std::sqrt(away.squaredNorm())).cast<double>();
+}
+
+double depth(const Ball& ball, const Eigen::Vector3d& point) {
+  return static_cast<double>(ball.radius - std::sqrt((ball.center - point).cast<long double>().squaredNorm()));
+}
+
+void add_normal(HandCase& c) {
+  c.expected.contact_normal = direction(c.given.ball.center, c.expected.point, c.given.polygon);
+  c.expected.depth = depth(c.given.ball, c.expected.point);
+}
+
+/// A centre at time t in small integers, or one that is on the point, and came from the front or along the plane.
+void add_normal(MovingHandCase& c) {
+  const Eigen::Vector3d& center = c.given.motion.ball.center;
+  FirstContact& first = c.expected;
+  if (!first.contact()) return;
+  const Eigen::Vector3d at_time = center + first.time * (c.given.motion.to - center);
+  if (first.contact_normal.isZero(0)) first.contact_normal = direction(at_time, first.point, c.given.polygon);
+  if (first.kind == FirstContactKind::Start) first.depth = depth(c.given.motion.ball, first.point);
+}
+
 FirstContact start(Feature feature, const Eigen::Vector3d& point) {
   return {FirstContactKind::Start, 0, false, feature, point};
 }
@@ -187,6 +217,7 @@ const std::vector<HandCase>& hand_cases() {
     std::vector<HandCase> cases = triangle_cases();
     for (const auto& more : {letter_cases(), hole_cases(), touching_cases()})
       cases.insert(cases.end(), more.begin(), more.end());
+    for (HandCase& c : cases) add_normal(c);
     return cases;
   }();
   return all;
@@ -196,13 +227,17 @@ const std::vector<HandCase>& lifted_cases() {
   // N = (32, 0, 32), plane x + z = 0: along x vertex 0 comes to (0, 0, 0), along z it would come to (1, 0, -1).
   static const Polygon tie({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
   static const Polygon with_hole(square(0, 8), {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
-  static const std::vector<HandCase> cases{
-      {{"a hole is lifted onto the plane of the outer loop, whose mean alone counts", {{3, 2, 1}, 1}, with_hole},
-       {Intersects, kTangent, Boundary, {4}, Touching, edge(4), {3, 2, 0}, 1, 5}},
-      {{"the lowest axis is dropped on a tie", {{0, -3, 0}, 3}, tie},
-       {Intersects, kNotTangent, Outside, {0, 3}, Touching, vertex(0), {0, 0, 0}, 3, 1}},
-  };
-  return cases;
+  static const std::vector<HandCase> all = [] {
+    std::vector<HandCase> cases{
+        {{"a hole is lifted onto the plane of the outer loop, whose mean alone counts", {{3, 2, 1}, 1}, with_hole},
+         {Intersects, kTangent, Boundary, {4}, Touching, edge(4), {3, 2, 0}, 1, 5}},
+        {{"the lowest axis is dropped on a tie", {{0, -3, 0}, 3}, tie},
+         {Intersects, kNotTangent, Outside, {0, 3}, Touching, vertex(0), {0, 0, 0}, 3, 1}},
+    };
+    for (HandCase& c : cases) add_normal(c);
+    return cases;
+  }();
+  return all;
 }
 
 HandCase turned(HandCase original, int times) {
@@ -213,84 +248,86 @@ HandCase turned(HandCase original, int times) {
   };
   original.given = moved(original.given, turn);
   original.expected.point = turn(original.expected.point);
+  original.expected.contact_normal = turn(original.expected.contact_normal);
   return original;
 }
 
 const std::vector<MovingHandCase>& moving_hand_cases() {
-  static const std::vector<MovingHandCase> cases{
-      {{"falls on the face", {{{2, 2, 5}, 1}, {2, 2, -5}}, square()}, way(0.4, kStays, kFace, {2, 2, 0})},
-      {{"falls on the back", {{{2, 1, -5}, 1}, {2, 1, 5}}, square()}, way(0.4, kStays, kFace, {2, 1, 0})},
-      {{"stops short of the face", {{{2, 2, 5}, 1}, {2, 2, 1.5}}, square()}, {}},
-      {{"moves away", {{{2, 2, 2}, 1}, {2, 2, 5}}, square()}, {}},
-      {{"falls beside the square", {{{6, 2, 5}, 1}, {6, 2, -5}}, square()}, {}},
-      {{"ends in contact", {{{2, 2, 3}, 1}, {2, 2, 1}}, square()}, way(1, kStays, kFace, {2, 2, 0})},
-      {{"starts in contact and leaves", {{{2, 2, 1}, 1}, {2, 2, 9}}, square()}, start(kFace, {2, 2, 0})},
-      {{"starts inside", {{{2, 2, 0}, 1}, {2, 2, 0}}, square()}, start(kFace, {2, 2, 0})},
-      {{"starts at a vertex", {{{-3, 0, 4}, 5}, {9, 9, 9}}, square()}, start(vertex(0), {0, 0, 0})},
-      {{"rests in contact", {{{2, -1, 0}, 1}, {2, -1, 0}}, square()}, start(edge(0), {2, 0, 0})},
-      {{"rests apart", {{{2, -2, 0}, 1}, {2, -2, 0}}, square()}, {}},
-      {{"a point passes through the face", {{{2, 2, 4}, 0}, {2, 2, -4}}, square()},
-       way(0.5, kMomentary, kFace, {2, 2, 0})},
-      {{"a point passes through an edge", {{{4, 2, 4}, 0}, {4, 2, -4}}, square()},
-       way(0.5, kMomentary, edge(1), {4, 2, 0})},
-      {{"a point passes through a vertex", {{{4, 4, 4}, 0}, {4, 4, -4}}, square()},
-       way(0.5, kMomentary, vertex(2), {4, 4, 0})},
-      {{"a point enters the face in its plane", {{{-4, 2, 0}, 0}, {4, 2, 0}}, square()},
-       way(0.5, kStays, edge(3), {0, 2, 0})},
-      {{"a point enters along an edge", {{{-4, 0, 0}, 0}, {4, 0, 0}}, square()},
-       way(0.5, kStays, vertex(0), {0, 0, 0})},
-      {{"a point passes a corner in its plane", {{{-4, 4, 0}, 0}, {4, -4, 0}}, square()},
-       way(0.5, kMomentary, vertex(0), {0, 0, 0})},
-      {{"a point passes through a reflex vertex", {{{2, 2, 1}, 0}, {2, 2, -3}}, letter_l()},
-       way(0.25, kMomentary, vertex(3), {2, 2, 0})},
-      {{"grazes an edge", {{{-1, 2, -4}, 1}, {-1, 2, 4}}, square()}, way(0.5, kMomentary, edge(3), {0, 2, 0})},
-      {{"grazes an edge at a slant", {{{-1, 1, -4}, 1}, {-1, 3, 4}}, square()},
-       way(0.5, kMomentary, edge(3), {0, 2, 0})},
-      {{"grazes a vertex", {{{-3, -4, -8}, 5}, {-3, -4, 8}}, square()}, way(0.5, kMomentary, vertex(0), {0, 0, 0})},
-      {{"grazes a vertex at the end", {{{-3, -4, -8}, 5}, {-3, -4, 0}}, square()},
-       way(1, kMomentary, vertex(0), {0, 0, 0})},
-      {{"misses a vertex", {{{-3, -4, -8}, 4.999}, {-3, -4, 8}}, square()}, {}},
-      {{"slides over an edge onto the face", {{{-4, 2, 1}, 1}, {4, 2, 1}}, square()},
-       way(0.5, kStays, edge(3), {0, 2, 0})},
-      {{"slides over a vertex onto the face", {{{-4, -4, 1}, 1}, {4, 4, 1}}, square()},
-       way(0.5, kStays, vertex(0), {0, 0, 0})},
-      {{"slides over a reflex vertex onto the face", {{{6, 6, 1}, 1}, {-2, -2, 1}}, letter_l()},
-       way(0.5, kStays, vertex(3), {2, 2, 0})},
-      {{"grazes a corner above it", {{{-4, 4, 1}, 1}, {4, -4, 1}}, square()},
-       way(0.5, kMomentary, vertex(0), {0, 0, 0})},
-      {{"slides along an edge above it", {{{-4, 0, 1}, 1}, {4, 0, 1}}, square()},
-       way(0.5, kStays, vertex(0), {0, 0, 0})},
-      {{"slides along an edge beside it", {{{-4, -1, 0}, 1}, {4, -1, 0}}, square()},
-       way(0.5, kStays, vertex(0), {0, 0, 0})},
-      {{"slides along an edge backwards", {{{8, -1, 0}, 1}, {0, -1, 0}}, square()},
-       way(0.5, kStays, vertex(1), {4, 0, 0})},
-      {{"slides above the face across a hole", {{{2, -2, 1}, 1}, {2, 6, 1}}, frame()},
-       way(0.25, kStays, edge(0), {2, 0, 0})},
-      {{"slides over the point in which a loop touches itself", {{{-1, 3, 1}, 1}, {7, 3, 1}}, pinched()},
-       way(0.5, kMomentary, vertex(2), {3, 3, 0})},
-      {{"slides through that point from face to face", {{{3, -3, 1}, 1}, {3, 9, 1}}, pinched()},
-       way(0.25, kStays, edge(0), {3, 0, 0})},
-      {{"slides over an edge into a hole that touches it", {{{-4, 4, 1}, 1}, {4, 4, 1}}, touching_hole()},
-       way(0.5, kMomentary, edge(3), {0, 4, 0})},
-      {{"slides over that point past the hole", {{{-2, 0, 1}, 1}, {2, 8, 1}}, touching_hole()},
-       way(0.5, kStays, edge(3), {0, 4, 0})},
-      {{"fits a hole just so", {{{2, 2, 4}, 1}, {2, 2, -4}}, frame()}, way(0.5, kMomentary, edge(4), {2, 1, 0})},
-      {{"passes through a hole", {{{2, 2, 4}, 0.999}, {2, 2, -4}}, frame()}, {}},
-      {{"fits between the fingers just so", {{{1.5, 5, 0}, 0.5}, {1.5, 1, 0}}, narrow_u()},
-       way(0.5, kStays, vertex(3), {2, 3, 0})},
-      {{"passes between the fingers just so", {{{1.5, 2, 4}, 0.5}, {1.5, 2, -4}}, narrow_u()},
-       way(0.5, kMomentary, edge(3), {2, 2, 0})},
-      {{"a point passes through a lifted face", {{{2, 2, 5}, 0}, {2, 2, -3}}, warped()},
-       way(0.5, kMomentary, kFace, {2, 2, 1})},
-      {{"grazes an edge and runs into the next", {{{7, 3, -4}, 1}, {-1, 3, 4}}, letter_l()},
-       way(0.5, kStays, edge(2), {3, 2, 0})},
-      {{"an irrational time", {{{-3, -1, 0}, 2}, {1, -1, 0}}, square()},
-       way(0.3169872981077807, kStays, vertex(0), {0, 0, 0})},  // (3 - sqrt 3) / 4
-      {{"a time that rounds to 0", {{{2, 2, 1 + 0x1p-52}, 1}, {2, 2, -kMax}}, square()},
-       way(0, kStays, kFace, {2, 2, 0})},
-      {{"a time that rounds to 1", {{{2, 2, 0x1p60}, 1}, {2, 2, 0}}, square()}, way(1, kStays, kFace, {2, 2, 0})},
-  };
-  return cases;
+  static const std::vector<MovingHandCase> all = [] {
+    std::vector<MovingHandCase> cases{
+        {{"falls on the face", {{{2, 2, 5}, 1}, {2, 2, -5}}, square()}, way(0.4, kStays, kFace, {2, 2, 0})},
+        {{"falls on the back", {{{2, 1, -5}, 1}, {2, 1, 5}}, square()}, way(0.4, kStays, kFace, {2, 1, 0})},
+        {{"stops short of the face", {{{2, 2, 5}, 1}, {2, 2, 1.5}}, square()}, {}},
+        {{"moves away", {{{2, 2, 2}, 1}, {2, 2, 5}}, square()}, {}},
+        {{"falls beside the square", {{{6, 2, 5}, 1}, {6, 2, -5}}, square()}, {}},
+        {{"ends in contact", {{{2, 2, 3}, 1}, {2, 2, 1}}, square()}, way(1, kStays, kFace, {2, 2, 0})},
+        {{"starts in contact and leaves", {{{2, 2, 1}, 1}, {2, 2, 9}}, square()}, start(kFace, {2, 2, 0})},
+        {{"starts inside", {{{2, 2, 0}, 1}, {2, 2, 0}}, square()}, start(kFace, {2, 2, 0})},
+        {{"starts at a vertex", {{{-3, 0, 4}, 5}, {9, 9, 9}}, square()}, start(vertex(0), {0, 0, 0})},
+        {{"rests in contact", {{{2, -1, 0}, 1}, {2, -1, 0}}, square()}, start(edge(0), {2, 0, 0})},
+        {{"rests apart", {{{2, -2, 0}, 1}, {2, -2, 0}}, square()}, {}},
+        {{"a point passes through the face", {{{2, 2, 4}, 0}, {2, 2, -4}}, square()},
+         way(0.5, kMomentary, kFace, {2, 2, 0})},
+        {{"a point passes through an edge", {{{4, 2, 4}, 0}, {4, 2, -4}}, square()},
+         way(0.5, kMomentary, edge(1), {4, 2, 0})},
+        {{"a point passes through a vertex", {{{4, 4, 4}, 0}, {4, 4, -4}}, square()},
+         way(0.5, kMomentary, vertex(2), {4, 4, 0})},
+        {{"a point enters the face in its plane", {{{-4, 2, 0}, 0}, {4, 2, 0}}, square()},
+         way(0.5, kStays, edge(3), {0, 2, 0})},
+        {{"a point enters along an edge", {{{-4, 0, 0}, 0}, {4, 0, 0}}, square()},
+         way(0.5, kStays, vertex(0), {0, 0, 0})},
+        {{"a point passes a corner in its plane", {{{-4, 4, 0}, 0}, {4, -4, 0}}, square()},
+         way(0.5, kMomentary, vertex(0), {0, 0, 0})},
+        {{"a point passes through a reflex vertex", {{{2, 2, 1}, 0}, {2, 2, -3}}, letter_l()},
+         way(0.25, kMomentary, vertex(3), {2, 2, 0})},
+        {{"grazes an edge", {{{-1, 2, -4}, 1}, {-1, 2, 4}}, square()}, way(0.5, kMomentary, edge(3), {0, 2, 0})},
+        {{"grazes an edge at a slant", {{{-1, 1, -4}, 1}, {-1, 3, 4}}, square()},
+         way(0.5, kMomentary, edge(3), {0, 2, 0})},
+        {{"grazes a vertex", {{{-3, -4, -8}, 5}, {-3, -4, 8}}, square()}, way(0.5, kMomentary, vertex(0), {0, 0, 0})},
+        {{"grazes a vertex at the end", {{{-3, -4, -8}, 5}, {-3, -4, 0}}, square()},
+         way(1, kMomentary, vertex(0), {0, 0, 0})},
+        {{"misses a vertex", {{{-3, -4, -8}, 4.999}, {-3, -4, 8}}, square()}, {}},
+        {{"slides over an edge onto the face", {{{-4, 2, 1}, 1}, {4, 2, 1}}, square()},
+         way(0.5, kStays, edge(3), {0, 2, 0})},
+        {{"slides over a vertex onto the face", {{{-4, -4, 1}, 1}, {4, 4, 1}}, square()},
+         way(0.5, kStays, vertex(0), {0, 0, 0})},
+        {{"slides over a reflex vertex onto the face", {{{6, 6, 1}, 1}, {-2, -2, 1}}, letter_l()},
+         way(0.5, kStays, vertex(3), {2, 2, 0})},
+        {{"grazes a corner above it", {{{-4, 4, 1}, 1}, {4, -4, 1}}, square()},
+         way(0.5, kMomentary, vertex(0), {0, 0, 0})},
+        {{"slides along an edge above it", {{{-4, 0, 1}, 1}, {4, 0, 1}}, square()},
+         way(0.5, kStays, vertex(0), {0, 0, 0})},
+        {{"slides along an edge beside it", {{{-4, -1, 0}, 1}, {4, -1, 0}}, square()},
+         way(0.5, kStays, vertex(0), {0, 0, 0})},
+        {{"slides along an edge backwards", {{{8, -1, 0}, 1}, {0, -1, 0}}, square()},
+         way(0.5, kStays, vertex(1), {4, 0, 0})},
+        {{"slides above the face across a hole", {{{2, -2, 1}, 1}, {2, 6, 1}}, frame()},
+         way(0.25, kStays, edge(0), {2, 0, 0})},
+        {{"fits a hole just so", {{{2, 2, 4}, 1}, {2, 2, -4}}, frame()}, way(0.5, kMomentary, edge(4), {2, 1, 0})},
+        {{"passes through a hole", {{{2, 2, 4}, 0.999}, {2, 2, -4}}, frame()}, {}},
+        {{"fits between the fingers just so", {{{1.5, 5, 0}, 0.5}, {1.5, 1, 0}}, narrow_u()},
+         way(0.5, kStays, vertex(3), {2, 3, 0})},
+        {{"passes between the fingers just so", {{{1.5, 2, 4}, 0.5}, {1.5, 2, -4}}, narrow_u()},
+         way(0.5, kMomentary, edge(3), {2, 2, 0})},
+        {{"a point passes through a lifted face", {{{2, 2, 5}, 0}, {2, 2, -3}}, warped()},
+         way(0.5, kMomentary, kFace, {2, 2, 1})},
+        {{"grazes an edge and runs into the next", {{{7, 3, -4}, 1}, {-1, 3, 4}}, letter_l()},
+         way(0.5, kStays, edge(2), {3, 2, 0})},
+        {{"an irrational time", {{{-3, -1, 0}, 2}, {1, -1, 0}}, square()},
+         {FirstContactKind::Way,
+          0.3169872981077807,
+          kStays,
+          vertex(0),
+          {0, 0, 0},                           // (3 - sqrt 3) / 4
+          {-0x1.bb67ae8584caap-1, -0.5, 0}}},  // sqrt 3 / 2
+        {{"a time that rounds to 0", {{{2, 2, 1 + 0x1p-52}, 1}, {2, 2, -kMax}}, square()},
+         way(0, kStays, kFace, {2, 2, 0})},
+        {{"a time that rounds to 1", {{{2, 2, 0x1p60}, 1}, {2, 2, 0}}, square()}, way(1, kStays, kFace, {2, 2, 0})},
+    };
+    for (MovingHandCase& c : cases) add_normal(c);
+    return cases;
+  }();
+  return all;
 }
 
 }  // namespace touchstone::contact_tests

@@ -19,7 +19,8 @@ void showValue(const FirstContact& first, std::ostream& out) {
   out.precision(std::numeric_limits<double>::max_digits10);
   out << to_string(first.kind) << " at " << first.time << (first.momentary ? ", momentary" : "") << "; "
       << to_string(first.feature.kind) << ' ' << first.feature.index << "; point (" << first.point.x() << ", "
-      << first.point.y() << ", " << first.point.z() << ")";
+      << first.point.y() << ", " << first.point.z() << "); contact_normal (" << first.contact_normal.x() << ", "
+      << first.contact_normal.y() << ", " << first.contact_normal.z() << "); depth " << first.depth;
 }
 
 namespace contact_tests {

@@ -38,6 +38,11 @@ void showValue(const MovingCase& drawn, std::ostream& out);
 [[nodiscard]] rc::Gen<MovingCase> moving(rc::Gen<Case> gen);
 [[nodiscard]] inline rc::Gen<MovingCase> any_moving_case() { return moving(any_case()); }
 
+/// Returns the first contact of a ball that touches at its start, where it has this answer.
+[[nodiscard]] inline FirstContact at_start(const Answer& answer) {
+  return {FirstContactKind::Start, 0, false, answer.nearest, answer.point, answer.contact_normal, answer.depth};
+}
+
 /// Returns c(t) if its coordinates are doubles.
 [[nodiscard]] std::optional<Eigen::Vector3d> center_at(const Motion& motion, const mpq_class& time);
 

@@ -15,7 +15,9 @@ void showValue(const Answer& answer, std::ostream& out) {
   for (const std::size_t i : answer.edges_hit) out << ' ' << i;
   out << "; " << to_string(answer.relation) << "; nearest " << to_string(answer.nearest.kind) << ' '
       << answer.nearest.index << "; point (" << answer.point.x() << ", " << answer.point.y() << ", " << answer.point.z()
-      << "); distance " << answer.distance << "; off_plane " << answer.off_plane;
+      << "); distance " << answer.distance << "; off_plane " << answer.off_plane << "; contact_normal ("
+      << answer.contact_normal.x() << ", " << answer.contact_normal.y() << ", " << answer.contact_normal.z()
+      << "); depth " << answer.depth;
 }
 
 }  // namespace touchstone

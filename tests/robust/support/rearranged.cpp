@@ -85,6 +85,7 @@ Answer scaled(Answer answer, int exponent) {
   for (double& x : answer.point) x = std::ldexp(x, exponent);
   answer.distance = std::ldexp(answer.distance, exponent);
   answer.off_plane = std::ldexp(answer.off_plane, exponent);
+  answer.depth = std::ldexp(answer.depth, exponent);
   return answer;
 }
 

@@ -96,7 +96,7 @@ void compare(const Ball& ball, const Polygon& polygon, int mode, unsigned flush)
       "contact of a triangle", [&] { return filtered::contact(ball, triangle); }, truth.contact());
   ask(
       "closest of a triangle", [&] { return filtered::closest(ball.center, triangle); },
-      filtered::ClosestPoint{truth.nearest, truth.point, truth.distance});
+      filtered::ClosestPoint{truth.nearest, truth.point, truth.distance, truth.contact_normal});
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ import surd
 from surd import nearest_double
 
 ANSWER_KEYS = ("plane", "plane_tangent", "foot", "edges_hit", "relation", "contact", "nearest", "point", "distance",
-               "off_plane")
-MOVING_KEYS = ("contact", "first", "time", "momentary", "feature", "point", "off_plane")
+               "contact_normal", "depth", "off_plane")
+MOVING_KEYS = ("contact", "first", "time", "momentary", "feature", "point", "contact_normal", "depth", "off_plane")
 EXPLAIN_KEYS = ("stage", "margin")
 SHOWN = 20
 
@@ -125,6 +125,12 @@ def nearest_root(value):
     a <<= 2 * shift
     root = math.isqrt(a // b)
     return nearest_double(Fraction(2 * root + (root * root * b != a), 2 << shift))
+
+
+def nearest_unit(v):
+    """The doubles nearest to the coordinates of a rational vector, not zero, divided by its length."""
+    length2 = Fraction(dot(v, v))
+    return [surd.sign(x) * nearest_root(x * x / length2) + 0.0 for x in v]  # -0 + 0 is 0
 
 
 # Loops with one coordinate dropped: points are pairs of integers
@@ -340,9 +346,19 @@ class Face:
         return (d2 / self.unit ** 2, {"kind": "vertex" if is_vertex else "edge", "index": index},
                 [quotient(x, denominator * self.unit) for x in point])
 
+    def normal_at(self, c, point):
+        """The contact normal, for exact numbers: from the closest point to c, or N if they are equal."""
+        away = sub(c, point)
+        return nearest_unit(away if any(away) else self.normal)
+
     def off_plane(self, scale):
         most = max(map(abs, self.heights))
         return nearest_double(Fraction(most, self.count * abs(self.normal[self.axis]) * scale))
+
+
+def nearest_depth(scale, r, d2):
+    """The double nearest to r less the root of d2, both of which are times `scale`."""
+    return nearest_double(surd.Surd(r, -1, d2) / scale)
 
 
 def answer(scale, c, r, loops):
@@ -361,6 +377,8 @@ def answer(scale, c, r, loops):
         "nearest": nearest,
         "point": [nearest_double(x / scale) for x in point],
         "distance": nearest_root(d2 / scale ** 2),
+        "contact_normal": face.normal_at(c, point),
+        "depth": nearest_depth(scale, r, d2),
         "off_plane": face.off_plane(scale),
     }
 
@@ -414,23 +432,28 @@ def first_contact(scale, c, to, r, loops):
     def center(t):
         return tuple(x + t * y for x, y in zip(c, way))
 
-    def verdict(first, time, momentary, feature, point):
+    def verdict(first, time, momentary, feature, point, normal, depth):
         return {"contact": first != "none", "first": first, "time": time, "momentary": momentary, "feature": feature,
-                "point": point, "off_plane": face.off_plane(scale)}
+                "point": point, "contact_normal": normal, "depth": depth, "off_plane": face.off_plane(scale)}
 
     d2, feature, point = face.closest(c)
     if d2 <= r * r:
-        return verdict("start", 0, None, feature, [nearest_double(x / scale) for x in point])
+        return verdict("start", 0, None, feature, [nearest_double(x / scale) for x in point], face.normal_at(c, point),
+                       nearest_depth(scale, r, d2))
     times_of_events = [moment for moment in moments(face, center, r) if moment[0] > 0]
     first = next((t for t, touches in times_of_events if touches), None)
     if first is None or first > 1:
-        return verdict("none", None, None, None, None)
+        return verdict("none", None, None, None, None, None, None)
     d2, feature, point = face.closest(center(first))
     assert d2 == r * r, "the ball touches at its first time"
     later = next((t for t, _ in times_of_events if surd.compare(t, first) > 0), first + 1)
     after = face.closest(center(surd.between(first, later)))[0]
+    if r > 0:
+        normal = [nearest_double(quotient(x, 1) / r) for x in sub(center(first), point)]
+    else:
+        normal = nearest_unit(times(-1 if face.height(c) < 0 else 1, face.normal))
     return verdict("way", nearest_double(first), after > r * r, feature,
-                   [nearest_double(x / scale) for x in point])
+                   [nearest_double(x / scale) for x in point], normal, 0)
 
 
 def judge_case(text_line):

@@ -47,7 +47,8 @@ class Answers(unittest.TestCase):
             '"holes":[]},"expected":{"relation":"touching"},"tags":["tangent","lattice"]}')
         verdict = (
             '{"id":"tilted-L-17","method":"exact","plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],'
-            '"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[0.5,0.25,0],"distance":1,"off_plane":0}')
+            '"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[0.5,0.25,0],"distance":1,'
+            '"contact_normal":[0,0,1],"depth":0,"off_plane":0}')
         self.assertEqual(checker.differences(checker.judge_case(line), verdict, "exact"), [])
 
     def test_plane(self):
@@ -174,6 +175,18 @@ class Rounding(unittest.TestCase):
         self.assertEqual([checker.nearest_double(k * tiny / 2) for k in (1, 3, 5)], [0, 2 * TINY, 2 * TINY])
         self.assertEqual(str(checker.nearest_double(-tiny / 2)), "0.0")
         self.assertEqual(json.dumps(judge((-0.0, -0.0, -0.0), 0)["point"]), "[0.0, 0.0, 0.0]")
+
+    def test_normals_and_depths(self):
+        third, half = 0.5773502691896257, math.sqrt(0.5)
+        for center, radius, normal, depth in (
+                ((1, 1, 2), 2, [0, 0, 1], 0), ((1, 1, -2), 3, [0, 0, -1], 1), ((1, 1, 0), 1, [0, 0, 1], 1),
+                ((4, 4, 0), 0, [0, 0, 1], 0), ((0, 1, 0), 0, [0, 0, 1], 0), ((-3, 1, 4), 1, [-0.6, 0, 0.8], -4),
+                ((5, 5, 1), 2, [third, third, third], 0.2679491924311227), ((1, -1, -1), 0, [0, -half, -half], -math.sqrt(2)),
+                ((1, 1, TINY), 0, [0, 0, 1], -TINY), ((-TINY, -TINY, 0), TINY, [-half, -half, 0], 0)):
+            verdict = judge(center, radius)
+            self.assertEqual((verdict["contact_normal"], verdict["depth"]), (normal, depth), center)
+        self.assertEqual(judge((1, 1, 0), 0, SQUARE[::-1])["contact_normal"], [0, 0, -1])
+        self.assertEqual(judge((HUGE, HUGE, 0), 0, SQUARE)["depth"], None)
 
     def test_point_rounds_to_nearest(self):
         # The foot of (1, 0, 0) on the line y = 3x is (0.1, 0.3).
@@ -337,6 +350,16 @@ class Moving(unittest.TestCase):
         self.assertEqual(first((4, 2, 4), 0, (4, 2, -4)), ("way", 0.5, True, edge(1), [4, 2, 0]))
         self.assertEqual(first((-4, 0, 0), 0, (4, 0, 0)), ("way", 0.5, False, vertex(0), [0, 0, 0]))
 
+    def test_normals_and_depths(self):
+        for start, radius, end, normal, depth in (
+                ((2, 2, 5), 1, (2, 2, -5), [0, 0, 1], 0), ((2, 2, -5), 1, (2, 2, 5), [0, 0, -1], 0),
+                ((2, 2, 4), 0, (2, 2, -4), [0, 0, 1], 0), ((4, 2, -4), 0, (4, 2, 4), [0, 0, -1], 0),
+                ((-4, 0, 0), 0, (4, 0, 0), [0, 0, 1], 0), ((-1, 2, -4), 1, (-1, 2, 4), [-1, 0, 0], 0),
+                ((-3, -4, -8), 5, (-3, -4, 8), [-0.6, -0.8, 0], 0), ((2, 2, -1), 3, (9, 9, 9), [0, 0, -1], 2),
+                ((-3, -1, 0), 2, (1, -1, 0), [-0.8660254037844386, -0.5, 0], 0), ((2, 2, 5), 1, (2, 2, 4), None, None)):
+            verdict = judge(start, radius, motion={"to": end})
+            self.assertEqual((verdict["contact_normal"], verdict["depth"]), (normal, depth), start)
+
     def test_slides(self):
         self.assertEqual(first((-4, 2, 1), 1, (4, 2, 1)), ("way", 0.5, False, edge(3), [0, 2, 0]))
         self.assertEqual(first((-4, -4, 1), 1, (4, 4, 1)), ("way", 0.5, False, vertex(0), [0, 0, 0]))
@@ -410,7 +433,8 @@ class Comparing(unittest.TestCase):
         for change in (
                 {"id": "b"}, {"method": "fast"}, {"plane": "behind"}, {"plane_tangent": 1}, {"foot": "outside"},
                 {"edges_hit": [0, 3, 1]}, {"relation": "separate"}, {"contact": False}, {"point": [1, 1, 5e-324]},
-                {"nearest": {"kind": "face", "index": 0}}, {"distance": 1 + ULP}, {"off_plane": None}, {"off_plane": -0.0},
+                {"nearest": {"kind": "face", "index": 0}}, {"distance": 1 + ULP}, {"contact_normal": [0, 0, -1]},
+                {"depth": TINY}, {"off_plane": None}, {"off_plane": -0.0},
                 {"new": 1}):
             self.assertFalse(self.compare([text()], [self.verdict(**change)])[0], change)
         self.assertTrue(self.compare([text()], [self.verdict(point=[1.0, 1, 0], stage="integers", margin=3)])[0])

@@ -250,6 +250,8 @@ class PolygonMotionDoubles {
   }
   /// Returns whether all vertices have the same coordinate along an axis.
   [[nodiscard]] bool flat(int axis) const { return axis == planar_axis_; }
+  /// Returns whether a component of the normal is certainly zero.
+  [[nodiscard]] bool no_normal(int axis) const { return edges_.edge_view(0).no_normal(axis); }
   /// Returns whether lifts move a component of an edge along this axis that is zero as given.
   [[nodiscard]] bool lifts(int axis) const { return edges_.lifts(axis); }
 

@@ -176,7 +176,7 @@ __attribute__((noinline)) FirstContact later_first_contact(const Motion& motion,
         ask<&PolygonQuery<Counts>::answer,
             static_cast<Answer (*)(const Ball&, const exact::PreparedPolygon&)>(exact::answer), Answer>(motion.ball,
                                                                                                         parts, counts);
-    return {FirstContactKind::Start, 0, false, start.nearest, start.point};
+    return {FirstContactKind::Start, 0, false, start.nearest, start.point, start.contact_normal, start.depth};
   }
   if (motion.at_rest()) return {};
   if (in_frame != nullptr) {

@@ -8,16 +8,17 @@
 #include "robust/filtered/detail/motion/moving_edge.h"
 #include "robust/filtered/detail/signs/closest_point.h"
 
-/// The time and the point of an event, correctly rounded, in double-doubles with a rounding test.
+/// The time, the point and the contact normal of an event, correctly rounded, in double-doubles with a rounding test.
 ///
 /// `Doubles` are a motion and a polygon or triangle in double-doubles: `moving(i)`, `normal()` and its
-/// `normal_length()`, `center(axis)`, `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices
-/// have the same coordinate, `lifts(axis)`, and `unscaled(length)`, which converts to the caller's unit of length.
+/// `normal_length()`, `no_normal(axis)`, whether a component of it is certainly zero, `center(axis)`, `vertex(i,
+/// axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices have the same coordinate, `lifts(axis)`, and
+/// `unscaled(length)`, which converts to the caller's unit of length.
 namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
-/// The unit of times.
+/// The unit of times and of components of normals.
 struct Unitless {
-  [[nodiscard]] static double unscaled(double time) { return time; }
+  [[nodiscard]] static double unscaled(double number) { return number; }
 };
 
 /// Returns when and whether the centre's distance from the supporting plane becomes r.
@@ -48,21 +49,23 @@ class TouchedPoint {
       : doubles_(doubles), feature_(feature), moving_(doubles.moving(feature.index)), time_(time) {
     if (feature.kind == Feature::Kind::Edge)
       multiple_ = quotient(moving_.along_at(time_), dot(moving_.edge, moving_.edge));
-    if (feature.kind == Feature::Kind::Face && moving_.radius.value.high > 0) {
-      const auto& normal = doubles.normal();
-      const auto height = dot(normal, moving_.to_center);
-      multiple_ = quotient(moving_.radius, doubles.normal_length());
-      if (height.value.high > 0) multiple_.value = -multiple_.value;
+    if (feature.kind == Feature::Kind::Face) {
+      in_front_ = dot(doubles.normal(), moving_.to_center).value.high > 0;
+      if (moving_.radius.value.high > 0) multiple_ = quotient(moving_.radius, doubles.normal_length());
+      if (in_front_) multiple_.value = -multiple_.value;
     }
   }
 
-  /// Returns the first contact, if the rounding of time and point is certain.
+  /// Returns the first contact, if the rounding of time, point and normal is certain.
   [[nodiscard]] std::optional<FirstContact> rounded_contact() const {
     const auto time = not_too_small(time_, Unitless());
     const auto x = coordinate(0), y = coordinate(1), z = coordinate(2);
     if (!time || !x || !y || !z) return std::nullopt;
+    const auto normal_x = normal(0), normal_y = normal(1), normal_z = normal(2);
+    if (!normal_x || !normal_y || !normal_z) return std::nullopt;
     const bool passes = feature_.kind == Feature::Kind::Face && !(moving_.radius.value.high > 0);
-    return FirstContact{FirstContactKind::Way, *time, passes, feature_, {*x, *y, *z}};
+    return FirstContact{
+        FirstContactKind::Way, *time, passes, feature_, {*x, *y, *z}, {*normal_x, *normal_y, *normal_z}, 0};
   }
 
  private:
@@ -79,6 +82,29 @@ class TouchedPoint {
     if (moving_.radius.value.high > 0) value = value + multiple_ * component(doubles.normal(), axis);
     return not_too_small(value, doubles);
   }
+  /// Returns a component of the normal, which is (c(t) - p) / r for the touched point p, as the nearest double; zero as
+  /// +0.
+  [[nodiscard]] std::optional<double> normal(int axis) const {
+    if (feature_.kind == Feature::Kind::Face) {
+      if (doubles_.no_normal(axis)) return 0.0;
+      const auto value = quotient(component(doubles_.normal(), axis), doubles_.normal_length());
+      return not_too_small(in_front_ ? value : Bounded<DoubleDouble>{-value.value, value.error}, Unitless());
+    }
+    if (!(moving_.radius.value.high >= kSmallestResult)) return std::nullopt;
+    if (moving_.to_center.error == 0 && moving_.edge.error == 0 && zero_away(axis)) return 0.0;
+    auto away = component(moving_.to_center, axis) + time_ * component(moving_.velocity, axis);
+    if (feature_.kind == Feature::Kind::Edge) away = away - multiple_ * component(moving_.edge, axis);
+    return not_too_small(quotient(away, moving_.radius), Unitless());
+  }
+  /// Returns whether c(t) - p has a component of zero at all times, for exact vectors.
+  [[nodiscard]] bool zero_away(int axis) const {
+    const auto &from = moving_.to_center.value, &velocity = moving_.velocity.value, &edge = moving_.edge.value;
+    if (feature_.kind == Feature::Kind::Vertex || edge[axis].high == 0)                 // exact
+      return from[axis].high == 0 && velocity[axis].high == 0;                          // exact
+    if (edge[(axis + 1) % 3].high == 0 && edge[(axis + 2) % 3].high == 0) return true;  // exact
+    return zero_across(from, edge, axis) && zero_across(velocity, edge, axis);
+  }
+
   /// Returns the nearest double. Steps from exact numbers may underflow, of which their errors know nothing; from
   /// kSmallestResult on that does not matter.
   template <class Unit>
@@ -95,6 +121,7 @@ class TouchedPoint {
   const MovingEdge<DoubleDouble> moving_;
   const Bounded<DoubleDouble> time_;
   Bounded<DoubleDouble> multiple_{};
+  bool in_front_ = false;
 };
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

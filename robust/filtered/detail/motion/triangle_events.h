@@ -112,6 +112,10 @@ class TriangleMotionDoubles {
     return view_.vertex[0][axis] == view_.vertex[1][axis] && view_.vertex[0][axis] == view_.vertex[2][axis];  // exact
   }
 
+  /// Returns whether a component of the normal is certainly zero.
+  [[nodiscard]] bool no_normal(int axis) const {
+    return certainly_zero(edges_[0].value, edges_[1].value, normal_.value, axis);
+  }
   /// Returns whether vertices are lifted along this axis.
   [[nodiscard]] static bool lifts(int) { return false; }
 

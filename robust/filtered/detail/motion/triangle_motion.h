@@ -18,14 +18,16 @@ template <class Counts>
 FirstContact start_contact(const MotionTriangleView& view, Counts& counts) {
   const double center[] = {view.center(0), view.center(1), view.center(2), 0};
   const BallTriangleView at_rest{view.vertex, center};
-  const ExactTriangle<Counts> triangle(at_rest, counts);
+  const ExactTriangle<Counts> triangle(at_rest, counts, view.radius());
   const Feature feature = triangle.nearest();
   const ClosestPointOnFeature closest(triangle, feature);
   return {FirstContactKind::Start,
           0,
           false,
           feature,
-          {closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)}};
+          {closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)},
+          closest.contact_normal(),
+          closest.depth()};
 }
 
 /// The knowledge of the first stage.

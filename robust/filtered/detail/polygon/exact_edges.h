@@ -34,6 +34,9 @@ class ExactEdges {
   /// Returns the centre in the frame's unit of length, 2^exponent; exact if `scales()`.
   [[nodiscard]] double center(int axis) const { return center_[axis]; }
   [[nodiscard]] bool scales() const { return usable_; }
+  /// Returns the radius in the same unit; exact if `radius_scales()`.
+  [[nodiscard]] double radius() const { return radius_; }
+  [[nodiscard]] bool radius_scales() const { return usable_; }
   [[nodiscard]] double unscaled(double length) const { return parts_.frame->unit.unscaled(length); }
   /// Returns a coordinate of a vertex before any lift, exact: in the frame's unit of length, or as given.
   [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
@@ -48,6 +51,10 @@ class ExactEdges {
     return form_.bigint.point(ball_, feature, axis);
   }
   [[nodiscard]] double bigint_distance(const Feature& feature) const { return form_.bigint.distance(ball_, feature); }
+  [[nodiscard]] Eigen::Vector3d bigint_normal(const Feature& feature) const {
+    return form_.bigint.contact_normal(ball_, feature);
+  }
+  [[nodiscard]] double bigint_depth(const Feature& feature) const { return form_.bigint.depth(ball_, feature); }
 
   template <SignKind kind>
   [[nodiscard]] int sign(std::size_t edge, int axis = 0) const {

@@ -329,15 +329,23 @@ Answer PolygonQuery<Counts>::answer() {
   const ClosestPointOnFeature closest(edges, feature);
   const Eigen::Vector3d point{closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)};
   const double distance = closest.distance();
+  const Eigen::Vector3d contact_normal = closest.contact_normal();
+  // A depth of 0 is no number that double-doubles round surely.
+  std::optional<double> depth;
+  if (distance != ball_.radius) depth = closest.depth();  // exact
+  const Relation relation = relation_at(distance);
+  if (!depth) depth = relation == Relation::Touching ? 0 : ClosestPointOnFeature(edges, feature).depth();
   return {.plane = plane_side_uncounted(),
           .plane_tangent = plane_sign() == 0,
           .foot = place,
           .edges_hit = edges_hit_uncounted(),
-          .relation = relation_at(distance),
+          .relation = relation,
           .nearest = feature,
           .point = point,
           .distance = distance,
-          .off_plane = edges.bigint().off_plane()};
+          .off_plane = edges.bigint().off_plane(),
+          .contact_normal = contact_normal,
+          .depth = *depth};
 }
 
 // All stages for a ball and a prepared polygon.

@@ -6,6 +6,7 @@
 
 #include "robust/detail/exact_kernel.h"
 #include "robust/exact/detail/nearest_double.h"
+#include "robust/exact/detail/rounded_roots.h"
 
 namespace touchstone::filtered::detail {
 namespace {
@@ -192,6 +193,24 @@ double BigIntPolygon::distance(const Ball& ball, const Feature& feature) const {
   Quotient squared = squared_distance(*numbers_, ball, feature);
   squared.denominator = squared.denominator * numbers_->scale * numbers_->scale;
   return rounded(squared, exact::detail::nearest_root);
+}
+
+Eigen::Vector3d BigIntPolygon::contact_normal(const Ball& ball, const Feature& feature) const {
+  const View edge = view(*numbers_, ball, feature.index);
+  const auto unit = [](const Vector& v) { return exact::detail::rounded_unit_vector<Number>(v.x, v.y, v.z); };
+  if (feature.kind == Feature::Kind::Face)
+    return unit(kernel::is_negative(dot(edge.normal(), edge.to_center())) ? Number(-1) * edge.normal() : edge.normal());
+  Vector away = edge.to_center();
+  if (feature.kind == Feature::Kind::Edge)
+    away = dot(edge.edge(), edge.edge()) * away - dot(edge.to_center(), edge.edge()) * edge.edge();
+  return unit(kernel::is_zero(dot(away, away)) ? edge.normal() : away);
+}
+
+double BigIntPolygon::depth(const Ball& ball, const Feature& feature) const {
+  const Quotient squared = squared_distance(*numbers_, ball, feature);
+  const Number& scale = numbers_->scale;
+  return exact::detail::rounded_depth<Number>(scale * Number(ball.radius), squared.numerator, squared.denominator,
+                                              scale);
 }
 
 }  // namespace touchstone::filtered::detail

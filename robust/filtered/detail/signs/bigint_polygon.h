@@ -44,6 +44,11 @@ class BigIntPolygon {
   /// Returns a coordinate of the feature's point closest to the centre, or its distance, as the nearest double.
   [[nodiscard]] double point(const Ball& ball, const Feature& feature, int axis) const;
   [[nodiscard]] double distance(const Ball& ball, const Feature& feature) const;
+  /// @{
+  /// Returns the contact normal at the feature's point closest to the centre, or the depth, as in Answer.
+  [[nodiscard]] Eigen::Vector3d contact_normal(const Ball& ball, const Feature& feature) const;
+  [[nodiscard]] double depth(const Ball& ball, const Feature& feature) const;
+  /// @}
 
  private:
   struct Numbers;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -9,8 +10,8 @@
 
 #include "robust/filtered/detail/polygon/exact_edges.h"
 
-/// The closest point and the distance, correctly rounded: in double-doubles with a rounding test, and in integers of
-/// any size if that is ambiguous.
+/// The closest point, the distance, the contact normal and the depth, correctly rounded: in double-doubles with a
+/// rounding test, and in integers of any size if that is ambiguous.
 namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 
 /// A double-double and a bound of its error: 0, or at least 2 u |low|, u = 2^-53. Every nonzero error here includes two
@@ -60,7 +61,7 @@ class ClosestPointOnFeature {
     view_ = &edges.edge_view(feature.index);
     if (vertex() || maximum() < kShortestDirection) return;
     // The point is the start plus a multiple of the direction.
-    per_square_ = face() ? view_->per_normal_square() : DoubleDouble(1) / dot(direction(), direction());
+    per_square_ = face() ? view_->per_normal_square() : reciprocal(dot(direction(), direction()));
     along_ = dot(direction(), view_->to_center);
     multiple_ = along_ * per_square_;
   }
@@ -85,6 +86,27 @@ class ClosestPointOnFeature {
     }
     edges_.counts().count(Stage::BigInteger);
     return edges_.bigint_distance(feature_);
+  }
+
+  /// Returns the contact normal, each component as the nearest double; zero as +0.
+  [[nodiscard]] Eigen::Vector3d contact_normal() const {
+    double normal[3];
+    if (edges_.scales() && (face() || coincides() ? find_face_normal(normal) : find_normal_off_face(normal))) {
+      edges_.counts().count(Stage::DoubleDouble);
+      return {normal[0], normal[1], normal[2]};
+    }
+    edges_.counts().count(Stage::BigInteger);
+    return edges_.bigint_normal(feature_);
+  }
+
+  /// Returns the radius less the distance as the nearest double; zero as +0.
+  [[nodiscard]] double depth() const {
+    if (const auto result = depth_in_doubles()) {
+      edges_.counts().count(Stage::DoubleDouble);
+      return *result;
+    }
+    edges_.counts().count(Stage::BigInteger);
+    return edges_.bigint_depth(feature_);
   }
 
  private:
@@ -122,11 +144,91 @@ class ClosestPointOnFeature {
   [[nodiscard]] std::optional<double> distance_in_doubles() const {
     if (!edges_.scales()) return std::nullopt;
     if (is_zero(view_->to_center) && !view_->lifted) return 0;
-    const Enclosed enclosed = enclosed_distance();
+    const Enclosed& enclosed = enclosed_distance();
     if (!(enclosed.value.high >= kSmallestResult)) return std::nullopt;
     return rounded(enclosed, edges_);
   }
-  [[nodiscard]] Enclosed enclosed_distance() const {
+
+  [[nodiscard]] std::optional<double> depth_in_doubles() const {
+    if (!edges_.scales() || !edges_.radius_scales()) return std::nullopt;
+    const DoubleDouble radius = edges_.radius();
+    if (coincides()) return rounded({radius, 0}, edges_);
+    const auto& [distance, error] = enclosed_distance();
+    if (!(distance.high >= kSmallestResult)) return std::nullopt;
+    const DoubleDouble value = radius - distance;
+    return rounded({value, error + 2 * bounds::kDoubleDoubleUnit * std::abs(value.high)}, edges_);
+  }
+
+  /// Writes the face's normal towards the centre; returns whether every component surely is the nearest double.
+  ///
+  /// N is known to kNormalError kClosest m_N / 64 in each component, and 1 / N.N to kPerSquare units of itself and to
+  /// the error that this leaves.
+  [[nodiscard]] bool find_face_normal(double (&normal)[3]) const {
+    if (view_->maxima.normal < kShortestDirection) return false;
+    const int side = face() ? estimate(along_, bound<SignKind::Front>(view_->maxima)).sign() : 1;
+    if (side == 0) return false;
+    const DoubleDouble per_length = sqrt(face() ? per_square_ : view_->per_normal_square());
+    const double error_of_normal = EdgeView::kNormalError * view_->maxima.normal * per_length.high;
+    for (int axis = 0; axis < 3; ++axis) {
+      normal[axis] = 0;
+      if (view_->no_normal(axis)) continue;
+      const DoubleDouble component = view_->normal[axis] * per_length;
+      if (!is_sure(component, bounds::kClosest * (error_of_normal + std::abs(component.high)))) return false;
+      normal[axis] = side > 0 ? component.high : -component.high;
+    }
+    return true;
+  }
+  /// Writes (c - p) / d for the closest point p; returns whether every component surely is the nearest double.
+  ///
+  /// If c - p is known to e and d to e', the quotient is known to 4/3 (e + |(c - p) / d| e') / d and its rounding,
+  /// provided that e' <= d / 4; if not, nothing rounds surely.
+  [[nodiscard]] bool find_normal_off_face(double (&normal)[3]) const {
+    const Enclosed& distance = enclosed_distance();
+    if (!(distance.value.high >= kSmallestResult)) return false;
+    const DoubleDouble per_distance = reciprocal(distance.value);
+    for (int axis = 0; axis < 3; ++axis) {
+      normal[axis] = 0;
+      const Enclosed away = vertex() ? away_from_vertex(axis) : away_from_edge(axis);
+      if (away.error == 0 && away.value.high == 0) continue;  // exact
+      const DoubleDouble component = away.value * per_distance;
+      const double error = 2 * (away.error + std::abs(component.high) * distance.error) * per_distance.high;
+      if (!is_sure(component, error)) return false;
+      normal[axis] = component.high;
+    }
+    return true;
+  }
+  [[nodiscard]] static bool is_sure(const DoubleDouble& component, double error) {
+    return std::abs(component.high) >= kSmallestResult && surely_nearest(component.high, component.low, error);
+  }
+  /// @{
+  /// Returns a component of c - p, where p lies on a vertex or an edge.
+  [[nodiscard]] Enclosed away_from_vertex(int axis) const {
+    return {view_->to_center[axis], view_->lifted ? bounds::kClosest * view_->maxima.to_center : 0};
+  }
+  [[nodiscard]] Enclosed away_from_edge(int axis) const {
+    const Enclosed from_start = away_from_vertex(axis);
+    const DoubleDouble& along = view_->edge[axis];
+    if (!view_->lifted && along.high == 0) return from_start;  // exact
+    const DoubleDouble value = from_start.value - multiple_ * along;
+    if (!view_->lifted && (is_parallel_to(axis) || (std::abs(value.high) <= 0x1p-80 * view_->maxima.to_center &&
+                                                    zero_across(view_->to_center, view_->edge, axis))))
+      return {{}, 0};
+    const double of_step = view_->maxima.to_center * maximum() * (std::abs(along.high) * per_square_.high);
+    return {value, from_start.error + bounds::kClosest * (of_step + (view_->lifted ? view_->maxima.edge : 0)) +
+                       2 * bounds::kDoubleDoubleUnit * (std::abs(from_start.value.high) + std::abs(value.high))};
+  }
+  /// @}
+  [[nodiscard]] bool is_parallel_to(int axis) const {
+    return view_->edge[(axis + 1) % 3].high == 0 && view_->edge[(axis + 2) % 3].high == 0;  // exact
+  }
+
+  /// Returns whether the centre is the vertex that is the closest point.
+  [[nodiscard]] bool coincides() const { return is_zero(view_->to_center) && !view_->lifted; }
+  [[nodiscard]] const Enclosed& enclosed_distance() const {
+    if (!distance_) distance_.emplace(computed_distance());
+    return *distance_;
+  }
+  [[nodiscard]] Enclosed computed_distance() const {
     if (vertex()) {
       const DoubleDouble value = sqrt(dot(view_->to_center, view_->to_center));
       return {value, bounds::kClosest * (value.high + (view_->lifted ? view_->maxima.to_center : 0))};
@@ -146,6 +248,7 @@ class ClosestPointOnFeature {
   const EdgeView* view_ = nullptr;  // if the doubles hold it
   // 1 / D.D, D.to_center and their product, for the direction D of an edge or the face.
   DoubleDouble per_square_, along_, multiple_;
+  mutable std::optional<Enclosed> distance_;
 };
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

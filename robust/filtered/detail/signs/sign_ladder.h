@@ -142,6 +142,34 @@ class IntegerView {
   return v.x.high == 0 && v.y.high == 0 && v.z.high == 0;  // exact: the tails are zero with them
 }
 
+/// Returns whether a component of u x v is certainly zero, given the computed product. Requires exact vectors.
+///
+/// Where neither vector has a tail and the two products round to the same double, which does not underflow, the
+/// computed component is the rounded difference of their rests.
+[[nodiscard]] inline bool certainly_zero(const Vector3<DoubleDouble>& u, const Vector3<DoubleDouble>& v,
+                                         const Vector3<DoubleDouble>& product, int axis) {
+  if (product[axis].high != 0) return false;  // exact
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const auto some_zero = [](const DoubleDouble& a, const DoubleDouble& b) { return a.high == 0 || b.high == 0; };
+  if (some_zero(u[i], v[j]) && some_zero(u[j], v[i])) return true;
+  if (u[i].low != 0 || u[j].low != 0 || v[i].low != 0 || v[j].low != 0) return false;  // exact
+  const double first = u[i].high * v[j].high;
+  return first == u[j].high * v[i].high && std::abs(first) >= 0x1p-900;  // exact: compared as rounded
+}
+
+/// Returns whether a component of e.e w - (w.e) e is zero, for exact vectors that are short integers times a power of
+/// two. False if they are not.
+[[nodiscard]] inline bool zero_across(const Vector3<DoubleDouble>& w, const Vector3<DoubleDouble>& e, int axis) {
+  const auto largest = [](const Vector3<DoubleDouble>& v) {
+    return std::max({std::abs(v.x.high), std::abs(v.y.high), std::abs(v.z.high)});
+  };
+  const Vector3<DoubleDouble> edges[] = {e, e};  // there is no normal
+  const IntegerView<30> view(EdgeOperands{w, e, e, 0, 0, {largest(w), largest(e), 0}, false, edges, false});
+  if (!view.fits()) return false;
+  const auto to_center = view.to_center(), edge = view.edge();
+  return (dot(edge, edge) * to_center[axis] - dot(to_center, edge) * edge[axis]).sign() == 0;
+}
+
 /// Returns whether the sign is 0 because the centre is the edge's start, so that every product has a factor 0.
 template <SignKind kind>
 bool vanishes(const EdgeOperands& operands) {

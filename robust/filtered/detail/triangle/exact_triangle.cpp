@@ -90,6 +90,16 @@ double bigint_distance(const BallTriangleView& view, const Feature& feature) {
   return BigIntPolygon(triangle).distance(ball_of(view), feature);
 }
 
+Eigen::Vector3d bigint_normal(const BallTriangleView& view, const Feature& feature) {
+  const Polygon triangle = polygon_of(view);
+  return BigIntPolygon(triangle).contact_normal(ball_of(view), feature);
+}
+
+double bigint_depth(const BallTriangleView& view, double radius, const Feature& feature) {
+  const Polygon triangle = polygon_of(view);
+  return BigIntPolygon(triangle).depth({ball_of(view).center, radius}, feature);
+}
+
 bool exact_motion_contact(const MotionTriangleView& view) { return exact::contact(motion_of(view), polygon_of(view)); }
 FirstContact exact_first_contact(const MotionTriangleView& view) {
   return exact::first_contact(motion_of(view), polygon_of(view));

@@ -15,8 +15,10 @@ namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET {
 template <class Counts>
 class ExactTriangle {
  public:
-  /// Requires a radius of 0, and round to nearest without flush-to-zero during its lifetime.
-  ExactTriangle(const BallTriangleView& view, Counts& counts) : given_(view), view_(view), counts_(counts) {
+  /// Requires a view with a radius of 0, and round to nearest without flush-to-zero during its lifetime. The radius is
+  /// that of the ball whose depth is asked.
+  ExactTriangle(const BallTriangleView& view, Counts& counts, double radius = 0)
+      : given_(view), view_(view), given_radius_(radius), counts_(counts) {
     if (const double largest = largest_number(view); !(largest >= 0x1p-30 && largest <= 0x1p30)) {
       scaled_.emplace(view, largest);
       view_ = scaled_->view();
@@ -37,6 +39,8 @@ class ExactTriangle {
   [[nodiscard]] Counts& counts() const { return counts_; }
   [[nodiscard]] bool scales() const { return scales_; }
   [[nodiscard]] double unscaled(double length) const { return scaled_ ? scaled_->unit().unscaled(length) : length; }
+  [[nodiscard]] double radius() const { return scaled_ ? scaled_->unit().scaled(given_radius_) : given_radius_; }
+  [[nodiscard]] bool radius_scales() const { return !scaled_ || scaled_->unit().is_exact(given_radius_); }
   [[nodiscard]] double center(int axis) const { return view_.center[axis]; }
   [[nodiscard]] double vertex(std::size_t i, int axis) const { return view_.vertex[i][axis]; }
   [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return given_.vertex[i][axis]; }
@@ -53,12 +57,19 @@ class ExactTriangle {
   [[nodiscard]] double bigint_distance(const Feature& feature) const {
     return detail::bigint_distance(given_, feature);
   }
+  [[nodiscard]] Eigen::Vector3d bigint_normal(const Feature& feature) const {
+    return detail::bigint_normal(given_, feature);
+  }
+  [[nodiscard]] double bigint_depth(const Feature& feature) const {
+    return detail::bigint_depth(given_, given_radius_, feature);
+  }
 
  private:
   [[nodiscard]] UnsureTriangle<Counts> triangle() const { return {view_, signs_, counts_}; }
 
   BallTriangleView given_, view_;
   std::optional<ScaledTriangle<BallTriangleView>> scaled_;
+  double given_radius_;
   Counts& counts_;
   TriangleSigns signs_;
   mutable std::optional<typename UnsureTriangle<Counts>::EdgeView> kept_;
@@ -78,15 +89,19 @@ double feature_distance(BallTriangleView view, const Feature& feature, Counts& c
   return pinned(ClosestPointOnFeature(triangle, feature).distance());
 }
 
-/// Writes the feature that contains the closest point, and the point; returns its distance.
+/// Writes the closest point and, if asked for, the depth.
 template <class Counts>
-double closest_point(BallTriangleView view, Feature& feature, double (&point)[3], Counts& counts) {
+void closest_point(BallTriangleView view, ClosestPoint& point, double* depth, Counts& counts) {
   const FloatingPointState nearest;
-  const ExactTriangle<Counts> triangle(view, counts);
-  feature = triangle.nearest();
+  const double center[] = {view.center[0], view.center[1], view.center[2], 0};
+  const ExactTriangle<Counts> triangle({view.vertex, center}, counts, view.radius());
+  const Feature feature = triangle.nearest();
   const ClosestPointOnFeature closest(triangle, feature);
-  for (int axis = 0; axis < 3; ++axis) point[axis] = closest.coordinate(axis);
-  return pinned(closest.distance());
+  point = {.feature = feature,
+           .point = {closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)},
+           .distance = closest.distance(),
+           .contact_normal = closest.contact_normal()};
+  if (depth != nullptr) *depth = closest.depth();
 }
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -130,19 +130,19 @@ class UnsureTriangle {
     static constexpr bool lifted = false;
     /// The error of the normal's components, in units of bounds::kClosest times the maximum.
     static constexpr double kNormalError = 1;
-    [[nodiscard]] DoubleDouble per_normal_square() const { return DoubleDouble(1) / dot(normal, normal); }
+    [[nodiscard]] DoubleDouble per_normal_square() const { return reciprocal(dot(normal, normal)); }
     /// Returns whether this component of the normal is certainly zero.
     [[nodiscard]] bool no_normal(int axis) const { return no_normals[axis]; }
   };
   [[nodiscard]] EdgeView edge_view(int i) const {
     const double longest = largest_edge();
     const Vector3<DoubleDouble> u = edge(0), v = edge(1);
-    const auto zero = [](const DoubleDouble& a, const DoubleDouble& b) { return a.high == 0 || b.high == 0; };  // exact
+    const Vector3<DoubleDouble> normal = signs::normal(u, v);
     return {exact_difference(view_.center, view_.vertex[i]),
             edge(i),
-            signs::normal(u, v),
+            normal,
             {signs_.to_center[i], longest, 2 * longest * longest},
-            {zero(u.y, v.z) && zero(u.z, v.y), zero(u.z, v.x) && zero(u.x, v.z), zero(u.x, v.y) && zero(u.y, v.x)}};
+            {certainly_zero(u, v, normal, 0), certainly_zero(u, v, normal, 1), certainly_zero(u, v, normal, 2)}};
   }
 
  private:

@@ -25,15 +25,22 @@ Answer answer_of(const cases::PartialAnswer& expected) {
           .nearest = expected.nearest.value(),
           .point = expected.point.value(),
           .distance = expected.distance.value(),
-          .off_plane = expected.off_plane.value()};
+          .off_plane = expected.off_plane.value(),
+          .contact_normal = expected.contact_normal.value(),
+          .depth = expected.depth.value()};
 }
 
 /// Throws std::bad_optional_access if a key is missing that the contract does not call null.
 FirstContact first_contact_of(const cases::PartialAnswer& expected) {
   const FirstContactKind kind = expected.first.value();
   if (kind == FirstContactKind::None) return {};
-  return {kind, expected.time.value(), kind == FirstContactKind::Way && expected.momentary.value(),
-          expected.feature.value(), expected.point.value()};
+  return {kind,
+          expected.time.value(),
+          kind == FirstContactKind::Way && expected.momentary.value(),
+          expected.feature.value(),
+          expected.point.value(),
+          expected.contact_normal.value(),
+          expected.depth.value()};
 }
 
 std::string asked;
