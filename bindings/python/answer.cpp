@@ -28,10 +28,10 @@ py::dict verdict_of(const Answer& answer) {
   keys["relation"] = text(to_string(answer.relation));
   keys["contact"] = answer.contact();
   keys["nearest"] = feature_of(answer.nearest);
-  py::list point;
-  for (const double x : answer.point) point.append(x);
-  keys["point"] = point;
+  keys["point"] = py::list(py::cast(coordinates_of(answer.point)));
   keys["distance"] = answer.distance;
+  keys["contact_normal"] = py::list(py::cast(coordinates_of(answer.contact_normal)));
+  keys["depth"] = answer.depth;
   keys["off_plane"] = answer.off_plane;
   return keys;
 }
@@ -40,21 +40,24 @@ py::dict verdict_of(const Answer& answer) {
 py::tuple members_of(const Answer& a) {
   return py::make_tuple(static_cast<int>(a.plane), a.plane_tangent, static_cast<int>(a.foot), a.edges_hit,
                         static_cast<int>(a.relation), static_cast<int>(a.nearest.kind), a.nearest.index,
-                        coordinates_of(a.point), a.distance, a.off_plane);
+                        coordinates_of(a.point), a.distance, coordinates_of(a.contact_normal), a.depth, a.off_plane);
 }
 /// Throws pybind11::value_error, which names the member, for members that no answer has together, whichever path gave
 /// it: `fast` may say that no edge is hit by a ball that touches.
 Answer answer_from(int plane, bool plane_tangent, int foot, const std::vector<std::size_t>& edges_hit, int relation,
-                   int kind, std::size_t index, const Coordinates& point, double distance, double off_plane) {
+                   int kind, std::size_t index, const Coordinates& point, double distance,
+                   const Coordinates& contact_normal, double depth, double off_plane) {
   Answer answer{.plane = enumerator_of<PlaneSide>(plane, "plane"),
                 .plane_tangent = plane_tangent,
                 .foot = enumerator_of<PointLocation>(foot, "foot"),
                 .edges_hit = edges_hit,
                 .relation = enumerator_of<Relation>(relation, "relation"),
                 .nearest = feature_from(kind, index, "nearest"),
-                .point = Eigen::Vector3d(point[0], point[1], point[2]),
+                .point = vector_of(point),
                 .distance = distance,
-                .off_plane = off_plane};
+                .off_plane = off_plane,
+                .contact_normal = vector_of(contact_normal),
+                .depth = depth};
   const bool meets_plane = answer.plane == PlaneSide::Intersects, inside = answer.foot == PointLocation::Inside;
   require_member(meets_plane || !plane_tangent, "plane_tangent", "a tangent plane intersects the ball");
   require_member(std::ranges::adjacent_find(edges_hit, std::greater_equal<>()) == edges_hit.end(), "edges_hit",
@@ -83,6 +86,8 @@ void add_answer(py::module_& module) {
       .def_property_readonly("nearest", [](const Answer& a) { return feature_of(a.nearest); })
       .def_readonly("point", &Answer::point)
       .def_readonly("distance", &Answer::distance)
+      .def_readonly("contact_normal", &Answer::contact_normal)
+      .def_readonly("depth", &Answer::depth)
       .def_readonly("off_plane", &Answer::off_plane)
       .def("verdict", verdict_of, "Returns the keys of a verdict, as `touchstone judge` prints them.")
       .def(py::self == py::self)

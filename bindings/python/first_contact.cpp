@@ -29,16 +29,22 @@ bool is_time_of(FirstContactKind kind, double time) {
 /// From its members, enumerators as numbers. Throws pybind11::value_error, which names the member, for members that no
 /// first contact has together.
 FirstContact first_contact_from(int kind, double time, bool momentary, int feature, std::size_t index,
-                                const Coordinates& point) {
+                                const Coordinates& point, const Coordinates& contact_normal, double depth) {
   FirstContact first{enumerator_of<FirstContactKind>(kind, "kind"),
                      time,
                      momentary,
                      feature_from(feature, index, "feature"),
-                     {point[0], point[1], point[2]}};
+                     vector_of(point),
+                     vector_of(contact_normal),
+                     depth};
   require_member(is_time_of(first.kind, time), "time", "is 0 for 'start', 0 to 1 for 'way' and infinite for 'none'");
   require_member(!momentary || first.kind == FirstContactKind::Way, "momentary", "is for 'way' alone");
   require_member(first.contact() || first.feature == FirstContact().feature, "feature", "is the face for 'none'");
   require_member(first.contact() || first.point == FirstContact().point, "point", "is the origin for 'none'");
+  require_member(first.contact() || first.contact_normal == FirstContact().contact_normal, "contact_normal",
+                 "is zero for 'none'");
+  require_member(first.kind == FirstContactKind::Start || depth == 0, "depth",
+                 "is 0 unless the ball touches at 'start'");
   return first;
 }
 
@@ -51,7 +57,7 @@ void add_first_contact(py::module_& module) {
       "or 'none'. Without a contact `time` is infinite.");
   make_picklable(type, [](const FirstContact& f) {
     return py::make_tuple(static_cast<int>(f.kind), f.time, f.momentary, static_cast<int>(f.feature.kind),
-                          f.feature.index, coordinates_of(f.point));
+                          f.feature.index, coordinates_of(f.point), coordinates_of(f.contact_normal), f.depth);
   });
   type.def(py::init(&first_contact_from), "Takes what `pickle` kept.")
       .def_property_readonly("kind", [](const FirstContact& f) { return text(to_string(f.kind)); })
@@ -60,6 +66,8 @@ void add_first_contact(py::module_& module) {
       .def_readonly("momentary", &FirstContact::momentary)
       .def_property_readonly("feature", [](const FirstContact& f) { return feature_of(f.feature); })
       .def_readonly("point", &FirstContact::point)
+      .def_readonly("contact_normal", &FirstContact::contact_normal)
+      .def_readonly("depth", &FirstContact::depth)
       .def(py::self == py::self)
       .def("__repr__",
            [](const FirstContact& f) {

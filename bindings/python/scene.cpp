@@ -154,9 +154,11 @@ std::vector<std::string> names_of(const SharedScene& scene) {
 }
 
 NearestFace nearest_face_from(std::uint32_t object, std::uint32_t face, int kind, std::size_t index,
-                              const Coordinates& point, double distance) {
+                              const Coordinates& point, double distance, const Coordinates& contact_normal,
+                              double depth) {
   require_member(distance >= 0, "distance", "must not be negative");
-  return {{object, face}, feature_from(kind, index, "feature"), {point[0], point[1], point[2]}, distance};
+  return {{object, face}, feature_from(kind, index, "feature"), vector_of(point), distance, vector_of(contact_normal),
+          depth};
 }
 
 void add_nearest_face(py::module_& module) {
@@ -164,7 +166,7 @@ void add_nearest_face(py::module_& module) {
                                "The face of a scene that is nearest to a centre, and its closest point.");
   make_picklable(type, [](const NearestFace& n) {
     return py::make_tuple(n.face.object, n.face.face, static_cast<int>(n.feature.kind), n.feature.index,
-                          coordinates_of(n.point), n.distance);
+                          coordinates_of(n.point), n.distance, coordinates_of(n.contact_normal), n.depth);
   });
   type.def(py::init(&nearest_face_from), "Takes what `pickle` kept.")
       .def_property_readonly(
@@ -174,11 +176,14 @@ void add_nearest_face(py::module_& module) {
       .def_property_readonly("feature", [](const NearestFace& n) { return feature_of(n.feature); })
       .def_readonly("point", &NearestFace::point)
       .def_readonly("distance", &NearestFace::distance)
+      .def_readonly("contact_normal", &NearestFace::contact_normal)
+      .def_readonly("depth", &NearestFace::depth)
       .def(
           "__eq__",
           [](const NearestFace& a, const NearestFace& b) {
             return a.face == b.face && a.feature == b.feature && same_point(a.point, b.point) &&
-                   same_number(a.distance, b.distance);
+                   same_number(a.distance, b.distance) && same_point(a.contact_normal, b.contact_normal) &&
+                   same_number(a.depth, b.depth);
           },
           py::is_operator())
       .def("__repr__", [](const NearestFace& n) {

@@ -53,6 +53,7 @@ struct Name {
 /// A point as `pickle` keeps it.
 using Coordinates = std::array<double, 3>;
 inline Coordinates coordinates_of(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+inline Eigen::Vector3d vector_of(const Coordinates& kept) { return {kept[0], kept[1], kept[2]}; }
 
 }  // namespace touchstone::python
 

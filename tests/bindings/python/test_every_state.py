@@ -42,7 +42,8 @@ def as_bytes(result):
     if isinstance(result, touchstone.Answer):
         return as_bytes(result.verdict())
     if isinstance(result, touchstone.FirstContact):
-        return as_bytes([result.kind, result.time, result.momentary, result.feature, result.point])
+        return as_bytes([result.kind, result.time, result.momentary, result.feature, result.point,
+                         result.contact_normal, result.depth])
     if isinstance(result, dict):
         return [(key, as_bytes(value)) for key, value in result.items()]
     if isinstance(result, (list, tuple)):
@@ -125,7 +126,8 @@ class EveryState(unittest.TestCase):
                 self.assert_same_in_every_state(lambda: getattr(touchstone.TriangleSet(triangles), name)(balls), (name, unit))
             for name in ("touches", "touched", "closest"):
                 self.assert_same_in_every_state(lambda: getattr(scene(), name)(balls), (name, unit))
-            self.assert_same_in_every_state(lambda: [(n.object, n.face, n.feature, n.point, n.distance)
+            self.assert_same_in_every_state(lambda: [(n.object, n.face, n.feature, n.point, n.distance, n.contact_normal,
+                                                      n.depth)
                                                      for n in scene().nearest(balls)], ("nearest", unit))
             motions = MOTIONS * unit
             self.assert_same_in_every_state(lambda: [f and (f.object, f.face, as_bytes(f.contact))

@@ -94,6 +94,19 @@ class Answers(unittest.TestCase):
             self.assertEqual(distances.tolist(), [a.distance for a in one])
             self.assertEqual({a.relation for a in one}, {"separate", "overlapping"})
 
+    def test_have_the_normal_and_the_depth_of_the_contact(self):
+        square, scene = touchstone.Polygon(SQUARE), touchstone.Scene()
+        scene.add("square", square)
+        for path in PATHS:
+            for ball, normal, depth in (([2, 2, 1, 3], [0, 0, 1], 2), ([2, 2, -1, 0.5], [0, 0, -1], -0.5),
+                                        ([-3, 2, 4, 5], [-0.6, 0, 0.8], 0), ([2, 2, 0, 1], [0, 0, 1], 1)):
+                answer, start = path.answer(ball, square), path.first_contact([*ball, *ball[:3]], square)
+                nearest = scene.nearest(ball)
+                for thing in (answer, nearest, start) if answer.contact else (answer, nearest):
+                    self.assertEqual((thing.contact_normal.tolist(), thing.depth), (normal, depth))
+            way = path.first_contact([2, 2, -3, 1, 2, 2, 0], square)
+            self.assertEqual((way.contact_normal.tolist(), way.depth), ([0, 0, -1], 0))
+
     def test_differ_where_doubles_err(self):
         triangle = touchstone.Polygon([[0, 0, 0], [3, 1, 0], [1, 3, 1]])
         balls = random_balls(2000)
@@ -439,9 +452,11 @@ class Pickling(unittest.TestCase):
             return kind(*(changes.get(name, member) for name, member in zip(names, members)))
 
         NAMES = {touchstone.Answer: ("plane", "plane_tangent", "foot", "edges_hit", "relation", "nearest", "index", "point",
-                                     "distance", "off_plane"),
-                 touchstone.FirstContact: ("kind", "time", "momentary", "feature", "index", "point"),
-                 touchstone.NearestFace: ("object", "face", "feature", "index", "point", "distance"),
+                                     "distance", "contact_normal", "depth", "off_plane"),
+                 touchstone.FirstContact: ("kind", "time", "momentary", "feature", "index", "point", "contact_normal",
+                                           "depth"),
+                 touchstone.NearestFace: ("object", "face", "feature", "index", "point", "distance", "contact_normal",
+                                          "depth"),
                  touchstone.FirstFace: ("object", "face", "contact")}
         square = touchstone.Polygon(SQUARE)
         first = lambda *motion: touchstone.exact.first_contact(motion, square)
@@ -462,7 +477,8 @@ class Pickling(unittest.TestCase):
                 *((none, "time", {"time": time}) for time in (0.0, 1.0, -infinite, nan)),
                 (start, "momentary", {"momentary": True}), (none, "momentary", {"momentary": True}),
                 (way, "feature", {"feature": 0, "index": 1}), (none, "feature", {"index": 1}), (none, "feature", {"feature": 1}),
-                (none, "point", {"point": (0, 0, 1)}),
+                (none, "point", {"point": (0, 0, 1)}), (none, "contact_normal", {"contact_normal": (0, 0, 1)}),
+                (none, "depth", {"depth": 1.0}), (way, "depth", {"depth": 1.0}),
                 (above, "plane_tangent", {"plane_tangent": True}), (above, "relation", {"relation": 1}),
                 (above, "nearest", {"index": 1}), (above, "nearest", {"nearest": 1}), (above, "nearest", {"foot": 1}),
                 (beside, "nearest", {"nearest": 0, "index": 0}), (beside, "edges_hit", {"edges_hit": [1, 0]}),
