@@ -253,8 +253,8 @@ void add_mesh(py::module_& module) {
   make_picklable(type, [](const HeldMesh& mesh) { return py::make_tuple(vertices_of(mesh), numbers_of_faces(mesh)); });
   type.def(py::init([](const py::object& vertices, const py::object& faces) { return mesh_of(vertices, faces); }),
            py::arg("vertices"), py::arg("faces"))
-      .def_static("read", read, py::arg("file"), py::arg("format") = py::none(), py::arg("bad_faces") = "refuse",
-                  "Reads Wavefront OBJ, Geomview OFF, STL or PLY; each number becomes the nearest double. `file` is a\n"
+      .def_static("read", read, py::arg("path"), py::arg("format") = py::none(), py::arg("bad_faces") = "refuse",
+                  "Reads Wavefront OBJ, Geomview OFF, STL or PLY; each number becomes the nearest double. `path` is a\n"
                   "path, bytes or an open file; `format` is needed where no name ends in it. Raises BrokenMesh, a\n"
                   "ValueError that names the file and the line or byte. With bad_faces='leave out' faulty lines,\n"
                   "vertices and faces are left out, and `left_out` names them.")

@@ -49,7 +49,8 @@ inline constexpr std::array kKeys{
     Key{"first", &PartialAnswer::first},         Key{"time", &PartialAnswer::time},
     Key{"momentary", &PartialAnswer::momentary}, Key{"feature", &PartialAnswer::feature},
     Key{"nearest", &PartialAnswer::nearest},     Key{"point", &PartialAnswer::point},
-    Key{"distance", &PartialAnswer::distance},   Key{"off_plane", &PartialAnswer::off_plane}};
+    Key{"distance", &PartialAnswer::distance},   Key{"contact_normal", &PartialAnswer::contact_normal},
+    Key{"depth", &PartialAnswer::depth},         Key{"off_plane", &PartialAnswer::off_plane}};
 
 /// Returns the key that a member holds.
 template <class Value>

@@ -22,6 +22,8 @@ PartialAnswer PartialAnswer::of(const Answer& answer, std::string_view stage) {
   all.nearest = answer.nearest;
   all.point = answer.point;
   all.distance = answer.distance;
+  all.contact_normal = answer.contact_normal;
+  all.depth = answer.depth;
   all.off_plane = answer.off_plane;
   all.stage = stage;
   return all;
@@ -36,6 +38,8 @@ PartialAnswer PartialAnswer::of(const FirstContact& first, double off_plane, std
   if (first.contact()) {
     answer.feature = first.feature;
     answer.point = first.point;
+    answer.contact_normal = first.contact_normal;
+    answer.depth = first.depth;
   }
   answer.off_plane = off_plane;
   answer.stage = stage;
@@ -53,7 +57,8 @@ bool is_null(const PartialAnswer& answer, const Key& key) {
   if (!answer.first || has(answer, key)) return false;
   if (key == key_of(&PartialAnswer::momentary)) return *answer.first != FirstContactKind::Way;
   return *answer.first == FirstContactKind::None &&
-         (key == key_of(&PartialAnswer::feature) || key == key_of(&PartialAnswer::point));
+         (key == key_of(&PartialAnswer::feature) || key == key_of(&PartialAnswer::point) ||
+          key == key_of(&PartialAnswer::contact_normal) || key == key_of(&PartialAnswer::depth));
 }
 
 PartialAnswer only(const PartialAnswer& answer, const std::vector<Key>& keys) {

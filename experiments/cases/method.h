@@ -47,6 +47,8 @@ struct PartialAnswer {
   std::optional<Feature> nearest;
   std::optional<Eigen::Vector3d> point;
   std::optional<double> distance;
+  std::optional<Eigen::Vector3d> contact_normal;
+  std::optional<double> depth;
   std::optional<double> off_plane;
   bool unsure = false;     ///< the method computes a requested key, but could not decide it
   std::string_view stage;  ///< the stage that decided, for --explain

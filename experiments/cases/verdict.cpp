@@ -195,6 +195,8 @@ StatedAnswer stated_in(const json& object) {
       if (result.values.*member) result.texts[name] = text(value_of(*(result.values.*member)));
     });
   }
+  if (result.values.first == FirstContactKind::None)
+    result.values.depth.reset();  // null without a contact, not infinite
   return result;
 }
 

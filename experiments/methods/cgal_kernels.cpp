@@ -203,6 +203,7 @@ class PreparedKernel final : public PreparedMethod {
       case QueryKind::Answer:
         answer = PartialAnswer::of(polygon_.answer(ball), "");
         answer.stage = stage_;
+        answer.contact_normal.reset(), answer.depth.reset();  // a kernel has no root of a quotient
         if (!polygon_.knows_off_plane()) answer.off_plane.reset();
         break;
     }

@@ -134,6 +134,12 @@ class PlainPolygon {
       return p_.vertices_[feature.index] + edge.along / edge.length_squared * edge.direction;
     }
 
+    /// Returns a vector along the contact normal. Requires certain comparisons.
+    [[nodiscard]] Vector away_from(const Feature& feature) const {
+      const Vector away = center_ - closest_point(feature);
+      return away == CGAL::NULL_VECTOR ? p_.normal_ : away;
+    }
+
    private:
     struct Edge {
       Edge(const Query& query, std::size_t i)

@@ -64,7 +64,7 @@ To make a case small on which a method fails, from this folder or any other, run
 
 It reduces the numbers of loops and vertices, the lengths of the numbers and their exponents. The small case still fails
 in all the decisive keys in which the original failed (with `--key KEY`, in that key), with the same wrong words. If
-only `point`, `distance` or `off_plane` were wrong, the small case fails in those and in no decisive key.
+only keys of numbers, such as `point`, were wrong, the small case fails in those and in no decisive key.
 )";
 
 std::size_t sum(const std::vector<FileCounts>& files, auto of) {

@@ -160,12 +160,22 @@ bool is_nearest_double(double x, const mpq_class& exact) {
                            : rounded.low < value && value < rounded.high;
 }
 
-bool is_nearest_root(double x, const mpq_class& squared) {
-  const auto [low, high, with_ends] = that_round_to(x);
-  const mpq_class low_squared = low * low, high_squared = high * high;
-  if (squared > high_squared || (squared == high_squared && !with_ends)) return false;
-  return low < 0 || squared > low_squared || (squared == low_squared && with_ends);
+namespace {
+
+/// Returns the sign of sqrt(squared) - x.
+int compare_root(const mpq_class& squared, const mpq_class& x) { return x < 0 ? 1 : sgn(mpq_class(squared - x * x)); }
+
+/// Returns whether x is the double nearest to term + sign sqrt(squared), for a sign of -1 or +1.
+bool is_nearest_sum(double x, const mpq_class& term, int sign, const mpq_class& squared) {
+  const auto [low, high, with_ends] = that_round_to(std::abs(x));
+  const auto compare = [&](const mpq_class& end) { return sign * compare_root(squared, sign * (end - term)); };
+  const int from_low = compare(x < 0 ? mpq_class(-high) : low), from_high = compare(x < 0 ? mpq_class(-low) : high);
+  return with_ends ? from_low >= 0 && from_high <= 0 : from_low > 0 && from_high < 0;
 }
+
+}  // namespace
+
+bool is_nearest_root(double x, const mpq_class& squared) { return is_nearest_sum(x, 0, 1, squared); }
 
 std::vector<std::string> rational_differences(const Ball& ball, const Polygon& polygon,
                                               const cases::StatedAnswer& answer) {
@@ -214,6 +224,20 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
   }
   compare(key_of(&PartialAnswer::point), is_nearest_point,
           fmt::format("about [{},{},{}]", point[0].get_d(), point[1].get_d(), point[2].get_d()));
+  const auto away = query.away_from(nearest->feature);
+  const std::array normal{rational(away.x()), rational(away.y()), rational(away.z())};
+  const mpq_class length_squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+  bool is_nearest_normal = stands.contact_normal.has_value();
+  for (std::size_t k = 0; k < 3 && is_nearest_normal; ++k)
+    is_nearest_normal = is_nearest_sum((*stands.contact_normal)[static_cast<Eigen::Index>(k)], 0,
+                                       normal[k] < 0 ? -1 : 1, normal[k] * normal[k] / length_squared);
+  compare(key_of(&PartialAnswer::contact_normal), is_nearest_normal,
+          fmt::format("the direction of about [{},{},{}]", normal[0].get_d(), normal[1].get_d(), normal[2].get_d()));
+  const mpq_class radius(ball.radius);
+  const double depth = stands.depth.value_or(0);  // an infinite one was stated without its sign
+  compare(key_of(&PartialAnswer::depth),
+          stands.depth && is_nearest_sum(std::isinf(depth) ? -depth : depth, radius, -1, squared),
+          fmt::format("{} - sqrt({})", about(radius), about(squared)));
   return differences;
 }
 

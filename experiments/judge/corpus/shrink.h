@@ -26,7 +26,7 @@ struct Size {
 
 /// The condition that a reduced case must meet. A case that fails in decisive keys (is_decisive) must still fail in all
 /// of them; if their values are words, the true and the given words must stay: a missed overlap does not become a
-/// missed touch. A case that fails only in `point`, `distance`, `time` or `off_plane` must still fail in all of these,
+/// missed touch. A case that fails only in keys of numbers, such as `point` or `time`, must still fail in all of these,
 /// and in no decisive key. A moving ball stays a moving one, and it first touches at the start, on the way or never, as
 /// it did.
 class SameFailure {

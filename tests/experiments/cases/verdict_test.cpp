@@ -108,10 +108,12 @@ TEST(Verdict, StatementsAreReadAsTheAnswersThatTheyState) {
   answer.nearest = {Feature::Kind::Vertex, 3};
   answer.point = {-0.0, std::numeric_limits<double>::infinity(), 0.1};
   answer.distance = 5e-324;
+  answer.contact_normal = {-0.6, 0, 0.8};
+  answer.depth = -1;
   answer.off_plane = std::numeric_limits<double>::quiet_NaN();
   const StatedAnswer read = stated_in(nlohmann::json(object_of(answer)));
   EXPECT_EQ(read.texts, stated(answer).texts);
-  EXPECT_EQ(read.texts.size(), 10U);
+  EXPECT_EQ(read.texts.size(), 12U);
   for (const Key& key : kKeys) {
     if (!has(answer, key)) continue;
     EXPECT_TRUE(has(read.values, key)) << key.name;
@@ -124,12 +126,13 @@ TEST(Verdict, StatementsAreReadAsTheAnswersThatTheyState) {
 TEST(Verdict, StatementsAboutMovingBallsAreReadAsTheAnswersThatTheyState) {
   const Feature vertex{Feature::Kind::Vertex, 3};
   for (const FirstContact& first :
-       {FirstContact{FirstContactKind::Way, 0.25, true, vertex, {0.1, 0, 0}},
-        FirstContact{FirstContactKind::Start, 0, false, {Feature::Kind::Face, 0}, {1, 2, 3}}, FirstContact{}}) {
+       {FirstContact{FirstContactKind::Way, 0.25, true, vertex, {0.1, 0, 0}, {0, -0.6, 0.8}},
+        FirstContact{FirstContactKind::Start, 0, false, {Feature::Kind::Face, 0}, {1, 2, 3}, {0, 0, 1}, 0.5},
+        FirstContact{}}) {
     const auto answer = PartialAnswer::of(first, 0.5, "");
     const StatedAnswer read = stated_in(nlohmann::json(object_of(answer)));
     EXPECT_EQ(read.texts, stated(answer).texts);
-    EXPECT_EQ(read.texts.size(), 7U);
+    EXPECT_EQ(read.texts.size(), 9U);
     for (const Key& key : kKeys) {
       EXPECT_EQ(has(answer, key) || is_null(answer, key), read.texts.contains(std::string(key.name))) << key.name;
       EXPECT_TRUE(same_value(key, read.values, answer)) << key.name;
@@ -144,13 +147,15 @@ TEST(Verdict, KeysAboutMovingBallsAreNullAsTheContractHasIt) {
   const auto text = [](const FirstContact& first) { return to_line(object_of(PartialAnswer::of(first, 0, ""))); };
   EXPECT_EQ(text({}),
             "{\"contact\":false,\"first\":\"none\",\"time\":null,\"momentary\":null,\"feature\":null,"
-            "\"point\":null,\"off_plane\":0}\n");
-  EXPECT_EQ(text({FirstContactKind::Start, 0, false, {Feature::Kind::Edge, 1}, {1, 0, 0}}),
-            "{\"contact\":true,\"first\":\"start\",\"time\":0,\"momentary\":null,"
-            "\"feature\":{\"kind\":\"edge\",\"index\":1},\"point\":[1,0,0],\"off_plane\":0}\n");
-  EXPECT_EQ(text({FirstContactKind::Way, 1, true, {Feature::Kind::Face, 0}, {1, 0, 0}}),
-            "{\"contact\":true,\"first\":\"way\",\"time\":1,\"momentary\":true,"
-            "\"feature\":{\"kind\":\"face\"},\"point\":[1,0,0],\"off_plane\":0}\n");
+            "\"point\":null,\"contact_normal\":null,\"depth\":null,\"off_plane\":0}\n");
+  EXPECT_EQ(
+      text({FirstContactKind::Start, 0, false, {Feature::Kind::Edge, 1}, {1, 0, 0}, {0, 0, 1}, 0.5}),
+      "{\"contact\":true,\"first\":\"start\",\"time\":0,\"momentary\":null,"
+      "\"feature\":{\"kind\":\"edge\",\"index\":1},\"point\":[1,0,0],\"contact_normal\":[0,0,1],\"depth\":0.5,\"off_plane\":0}\n");
+  EXPECT_EQ(
+      text({FirstContactKind::Way, 1, true, {Feature::Kind::Face, 0}, {1, 0, 0}, {0, 0, -1}}),
+      "{\"contact\":true,\"first\":\"way\",\"time\":1,\"momentary\":true,"
+      "\"feature\":{\"kind\":\"face\"},\"point\":[1,0,0],\"contact_normal\":[0,0,-1],\"depth\":0,\"off_plane\":0}\n");
 }
 
 TEST(Verdict, NullIsMetByNullAlone) {
