@@ -60,7 +60,7 @@ py::object locate(const Solid& solid, const py::object& rows) {
   return py::module_::import("numpy").attr("array")(words)[numbers];
 }
 
-py::object touches(const Solid& solid, const py::object& rows) {
+py::object touches_solid(const Solid& solid, const py::object& rows) {
   const Balls balls(rows);
   py::array_t<bool> answers(static_cast<py::ssize_t>(balls.all().size()));
   const std::span<bool> out(answers.mutable_data(), balls.all().size());
@@ -108,7 +108,7 @@ void add_solid(py::module_& module) {
            py::arg("vertices"), py::arg("faces"))
       .def("locate", locate, points,
            "Returns where a point lies: 'inside', 'boundary' or 'outside'; for n points an array of these words.")
-      .def("touches", touches, balls, "Returns whether the ball touches the solid: a bool, or an array of them.")
+      .def("touches", touches_solid, balls, "Returns whether the ball touches the solid: a bool, or an array of them.")
       .def("signed_distance", signed_distance, points,
            "Returns the distance of a point from the surface, the nearest double, negative inside: a float, or an\n"
            "array of them.")

@@ -164,13 +164,8 @@ class Passage {
   [[nodiscard]] FirstContact first_contact(const Feature& feature, const Event<Scalar>& event) const {
     // A foot that came from outside is inside if it passed an odd number of boundaries.
     const bool momentary = event.momentary && !(event.passes && slides_along_plane());
-    return {FirstContactKind::Way,
-            to_double(event.time),
-            event.momentary,
-            feature,
-            point(event.time, feature),
-            normal(event.time, feature),
-            0};
+    return {FirstContactKind::Way,      to_double(event.time),       momentary, feature,
+            point(event.time, feature), normal(event.time, feature), 0};
   }
 
   /// Returns whether the ball moves along the plane and touches it.

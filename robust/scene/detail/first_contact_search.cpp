@@ -21,6 +21,12 @@ void FirstContactSearch::meet(const Triangle& triangle, std::uint32_t number, co
   meet(Met{{numbered(number), triangle}, feature, earliest, latest, std::nullopt});
 }
 
+void FirstContactSearch::start(const MetFace& face) {
+  if (wanted_ == Wanted::All) return met_.push_back({face, std::nullopt, 0, 0, std::nullopt});
+  if (!start_ || face.id < start_->id) start_.emplace(face);
+  end_ = 0;
+}
+
 // The time was rounded to the nearest double.
 void FirstContactSearch::meet(const MetFace& face, const FirstContact& contact) {
   meet(Met{face, contact.feature, std::nextafter(contact.time, -kInfinity), std::nextafter(contact.time, kInfinity),
@@ -77,16 +83,17 @@ std::optional<FirstFace> FirstContactSearch::first() const {
 }
 
 std::vector<FirstFace> FirstContactSearch::all_in_order() const {
-  for (Met& met : met_) find_contact(met);
-  const auto at_start = [](const Met& met) { return met.contact->kind == FirstContactKind::Start; };
-  std::ranges::sort(met_, [&](Met& a, Met& b) {
+  std::vector<Met*> order;
+  for (Met& met : met_) find_contact(met), order.push_back(&met);
+  const auto at_start = [](const Met* met) { return met->contact->kind == FirstContactKind::Start; };
+  std::ranges::sort(order, [&](Met* a, Met* b) {
     if (at_start(a) != at_start(b)) return at_start(a);
-    const int order = at_start(a) ? 0 : compare(a, b);
-    return order < 0 || (order == 0 && a.face.id < b.face.id);
+    const int times = at_start(a) ? 0 : compare(*a, *b);
+    return times < 0 || (times == 0 && a->face.id < b->face.id);
   });
   std::vector<FirstFace> faces;
-  faces.reserve(met_.size());
-  for (const Met& met : met_) faces.push_back({met.face.id, *met.contact});
+  faces.reserve(order.size());
+  for (const Met* met : order) faces.push_back({met->face.id, *met->contact});
   return faces;
 }
 

@@ -35,12 +35,11 @@ class FirstContactSearch {
   [[nodiscard]] bool is_at_start() const { return start_.has_value() || motion_.at_rest(); }
   /// Returns whether a face, by its number in the set, is lower than any found that is touched at the start.
   [[nodiscard]] bool is_lower(std::uint32_t number) const { return !start_ || numbered(number) < start_->id; }
-  /// Adds a face that the ball touches at its start.
+  /// Adds a face that the ball touches at its start. Always inlined into the walks, which are compiled for several
+  /// targets.
   template <class Face>
-  void start(const Face& face, std::uint32_t number) {
-    if (wanted_ == Wanted::All) return met_.push_back({{numbered(number), face}, std::nullopt, 0, 0, std::nullopt});
-    if (is_lower(number)) start_.emplace(numbered(number), face);
-    end_ = 0;
+  __attribute__((always_inline)) void start(const Face& face, std::uint32_t number) {
+    start({numbered(number), face});
   }
 
   /// Adds a triangle that the ball does not touch at its start, but first touches between these times; if known, its
@@ -68,6 +67,7 @@ class FirstContactSearch {
     std::optional<FirstContact> contact;  ///< where it was needed
   };
   [[nodiscard]] FaceId numbered(std::uint32_t number) const { return {first_.object, first_.face + number}; }
+  void start(const MetFace& face);
   void meet(const MetFace& face, const FirstContact& contact);
   void meet(Met met);
   /// Finds the first contact, and thereby the feature.

@@ -395,7 +395,7 @@ class Scenes(unittest.TestCase):
     def test_refuse_faces_of_a_mesh_that_are_no_polygons(self):
         loops = {"loop-meets-itself": [[[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 3, 0]],  # a bow-tie
                                        [[0, 0, 0], [4, 0, 0], [2, 0, 0], [2, 2, 0]],  # back along an edge
-                                       [[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 0, 0], [0, 4, 0]],  # a vertex on an edge
+                                       [[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 0, 0], [0, -5, 0]],  # a crossing at a vertex
                                        [[0, 0, 1], [2, 2, 0], [2, 0, 1], [0, 3, 0]]],  # a bow-tie once it is lifted
                  "repeated-vertex": [[[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, 1, 0]]],
                  "zero-normal": [[[0, 0, 0], [1, 1, 1], [2, 2, 2], [3, 3, 3]], [[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0]]]}

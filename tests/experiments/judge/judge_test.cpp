@@ -19,7 +19,7 @@ TEST(Judge, PrintsTheVerdictOfTheContract) {
   EXPECT_EQ(run(with(kTouching, "")).verdicts,
             R"({"id":"t","method":"exact","plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],)"
             R"("relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[0.5,0.25,0],"distance":1,)"
-            R"("off_plane":0})"
+            R"("contact_normal":[0,0,1],"depth":0,"off_plane":0})"
             "\n");
 }
 
@@ -68,14 +68,15 @@ constexpr auto kFalling = R"({"id":"f","ball":{"center":[0.5,0.25,3],"radius":1}
 TEST(Judge, PrintsTheVerdictOnAMovingBall) {
   EXPECT_EQ(run(with(kFalling, "")).verdicts,
             R"({"id":"f","method":"exact","contact":true,"first":"way","time":0.5,"momentary":false,)"
-            R"("feature":{"kind":"face"},"point":[0.5,0.25,0],"off_plane":0})"
+            R"("feature":{"kind":"face"},"point":[0.5,0.25,0],"contact_normal":[0,0,1],"depth":0,"off_plane":0})"
             "\n");
   Order order;
   order.explain = true;
   order.methods = {methods::find_method("fast")};
   EXPECT_EQ(run(with(kFalling, ""), order).verdicts,
             R"({"id":"f","method":"fast","contact":true,"first":"way","time":0.5,"momentary":false,)"
-            R"("feature":{"kind":"face"},"point":[0.5,0.25,0],"off_plane":0,"stage":"double"})"
+            R"("feature":{"kind":"face"},"point":[0.5,0.25,0],"contact_normal":[0,0,1],"depth":0,"off_plane":0,)"
+            R"("stage":"double"})"
             "\n");
 }
 

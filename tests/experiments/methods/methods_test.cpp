@@ -81,6 +81,12 @@ cases::Verdict ask(std::string_view method, const Sample& sample, cases::QueryKi
   return cases::object_of(find_method(method)->prepare(sample.polygon)->ask(sample.ball, kind));
 }
 
+/// Leaves out what only `exact`, `filtered` and `fast` compute.
+cases::Verdict without_normal(cases::Verdict answer) {
+  answer.erase("contact_normal"), answer.erase("depth");
+  return answer;
+}
+
 /// Determines the rounding mode by sums: fegetround reads only the x87 unit.
 bool rounds_to_nearest() {
   const volatile double one = 1, little = 0x1p-60;
@@ -101,8 +107,9 @@ TEST(ExactMethods, AgreeWithExactOnAdversarialSamples) {
   for (const Sample& sample : all_samples())
     for (const cases::QueryKind kind : kKinds) {
       const auto truth = ask("exact", sample, kind);
-      for (const char* method : {"cgal-epeck", "rational", "filtered"})
-        EXPECT_EQ(ask(method, sample, kind), truth) << method << ", " << sample.id;
+      EXPECT_EQ(ask("filtered", sample, kind), truth) << sample.id;
+      for (const char* method : {"cgal-epeck", "rational"})
+        EXPECT_EQ(ask(method, sample, kind), without_normal(truth)) << method << ", " << sample.id;
     }
 }
 
@@ -114,7 +121,7 @@ TEST(Interval, IsNeverWrongWhereItIsSure) {
     for (const cases::QueryKind kind : kKinds) {
       const cases::PartialAnswer answer = prepared->ask(sample.ball, kind);
       ASSERT_TRUE(rounds_to_nearest()) << sample.id;  // bounds come from no mode that was left behind
-      const auto given = cases::object_of(answer), truth = ask("exact", sample, kind);
+      const auto given = cases::object_of(answer), truth = without_normal(ask("exact", sample, kind));
       for (const auto& [key, value] : given.items()) EXPECT_EQ(value, truth[key]) << key << ", " << sample.id;
       EXPECT_EQ(answer.unsure, given.size() < truth.size()) << sample.id;
       if (kind == cases::QueryKind::Contact) ++(answer.unsure ? unsure : sure);
@@ -127,7 +134,8 @@ TEST(Interval, IsNeverWrongWhereItIsSure) {
 // The same on any case of the generators: grids, far away, warped, at extreme exponents.
 RC_GTEST_PROP(Methods, ThatAreExactOrSureAreRightOnAnyCase, ()) {
   const auto drawn = *contact_tests::any_case();
-  const auto truth = cases::object_of(cases::PartialAnswer::of(exact::answer(drawn.ball, drawn.polygon), ""));
+  const auto truth =
+      without_normal(cases::object_of(cases::PartialAnswer::of(exact::answer(drawn.ball, drawn.polygon), "")));
   const Sample sample{drawn.id, drawn.ball, drawn.polygon};
   RC_ASSERT(ask("cgal-epeck", sample) == truth);
   RC_ASSERT(ask("rational", sample) == truth);
@@ -139,7 +147,7 @@ RC_GTEST_PROP(Methods, ThatAreExactOrSureAreRightOnAnyCase, ()) {
 TEST(Interval, KnowsAllThatDoublesHold) {
   const Polygon u({{0, -1, 0}, {4, -1, 0}, {4, 4, 0}, {2, 4, 0}, {2, 0, 0}, {1, 0, 0}, {1, 4, 0}, {0, 4, 0}});
   const Sample sample{"U", {{1.5, 2, 0}, 0.5}, u};
-  EXPECT_EQ(ask("interval", sample), ask("exact", sample));
+  EXPECT_EQ(ask("interval", sample), without_normal(ask("exact", sample)));
 }
 
 // 201 bits are right whenever double-doubles are right by a wide margin; 64 doubles from a threshold both are right.

@@ -18,7 +18,7 @@ namespace touchstone::corpus {
 namespace {
 
 constexpr const char* kGood =
-    R"({"id":"good","ball":{"center":[1,1,2],"radius":2},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},"expected":{"plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[1,1,0],"distance":2,"off_plane":0}})";
+    R"({"id":"good","ball":{"center":[1,1,2],"radius":2},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},"expected":{"plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[1,1,0],"distance":2,"contact_normal":[0,0,1],"depth":0,"off_plane":0}})";
 
 /// Returns the findings about a file of these lines.
 Findings check(const std::vector<std::string>& lines) {
@@ -46,6 +46,8 @@ TEST(Check, NamesFileLineCaseAndKeyOfEveryPlantedFault) {
       {R"("nearest":{"kind":"face"})", R"("nearest":{"kind":"edge","index":0})"},
       {R"("point":[1,1,0])", R"("point":[1,1.0000000000000002,0])"},
       {R"("distance":2)", R"("distance":2.0000000000000004)"},
+      {R"("contact_normal":[0,0,1])", R"("contact_normal":[0,0,0.9999999999999999])"},
+      {R"("depth":0)", R"("depth":5e-324)"},
       {R"("off_plane":0)", R"("off_plane":5e-324)"}};
   for (const auto& [stands, wrong] : planted) {
     const std::string key = stands.substr(1, stands.find(':') - 2);

@@ -182,7 +182,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
     ASSERT_EQ(std::ranges::count(found, touches), 6) << stored;
     for (const Triangle& order : orders) ASSERT_EQ(filtered_path.plain_contact(ball, order), touches) << stored;
 
-    const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
+    const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance, expected.contact_normal};
     ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
     const auto found_closest =
         filtered::detail::closest(filtered::detail::baseline_kernels().plain, ball.center, *triangle, none);

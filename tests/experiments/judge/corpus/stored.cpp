@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +15,9 @@
 
 namespace touchstone::corpus {
 namespace {
+
+/// A depth beyond the doubles, of which JSON keeps no sign, is that of a ball far away.
+double signed_depth(double depth) { return std::isinf(depth) ? -depth : depth; }
 
 /// Throws std::bad_optional_access if a key is missing.
 Answer answer_of(const cases::PartialAnswer& expected) {
@@ -27,7 +31,7 @@ Answer answer_of(const cases::PartialAnswer& expected) {
           .distance = expected.distance.value(),
           .off_plane = expected.off_plane.value(),
           .contact_normal = expected.contact_normal.value(),
-          .depth = expected.depth.value()};
+          .depth = signed_depth(expected.depth.value())};
 }
 
 /// Throws std::bad_optional_access if a key is missing that the contract does not call null.

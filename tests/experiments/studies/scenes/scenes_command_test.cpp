@@ -97,7 +97,8 @@ TEST_F(SceneCommand, AnswersEachQuestionAboutChosenObjects) {
   EXPECT_EQ(ask("--all", "cube")["touched"].size(), 0U);
   EXPECT_EQ(ask("--nearest", "cube")["nearest"],
             nlohmann::json::parse(R"({"object":")" + object("cube") +
-                                  R"(","face":1,"feature":{"kind":"face"},"point":[0.5,0.5,1.0],"distance":1.25})"));
+                                  R"(","face":1,"feature":{"kind":"face"},"point":[0.5,0.5,1.0],"distance":1.25,)"
+                                  R"("contact_normal":[0,0,1],"depth":-0.25})"));
   EXPECT_EQ(ask("--nearest", "roof")["nearest"]["distance"], 0.75);
   const Ran unknown = touchstone_scene({path("cube.obj"), "--balls", balls, "--objects", "cone"});
   EXPECT_EQ(unknown.status, 2);
