@@ -23,7 +23,7 @@ using Loop = std::vector<Eigen::Vector3d>;
 /// vertex i to vertex `next(i)`. The polygon stands for a closed planar region: every vertex is moved onto the
 /// supporting plane of the outer loop, along the axis of the normal's largest component, and the moved loops bound the
 /// region by the even-odd rule. The constructor checks only what single comparisons decide; `exact::validate` decides
-/// whether the loops have a normal and do not meet.
+/// whether the loops have a normal, and neither cross nor overlap.
 ///
 /// Stores one array of coordinates per axis. Two polygons are equal if their loops are, vertex by vertex (0 = -0).
 class Polygon {

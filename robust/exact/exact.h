@@ -44,7 +44,7 @@ namespace touchstone::exact {
 
 /// A polygon lifted exactly onto its supporting plane.
 ///
-/// Throws Rejected with `zero-normal` if there is no such plane. Requires that the loops are simple and do not meet, as
+/// Throws Rejected with `zero-normal` if there is no such plane. Requires that the loops neither cross nor overlap, as
 /// `validate` decides. Cost: linear, about 1 us per vertex.
 class PreparedPolygon {
  public:

@@ -40,11 +40,11 @@ namespace touchstone::filtered {
 /// that plain doubles leave open; and a hierarchy of boxes over more than 32 edges, O(n log n), 0.2 to 0.4 us per
 /// vertex. Several threads may query at once.
 ///
-/// Throws Rejected with `zero-normal` if there is no supporting plane. Requires that the loops are simple and do not
-/// meet, as `exact::validate` decides. Cost: O(n), 2 to 6 times that of fast::PreparedPolygon; 1 to 3 us per vertex if
-/// scaling to the polygon's size loses bits, or if the two largest components of the normal agree to more than
-/// 126 bits. A query with a small ball then costs about O(log n), if small
-/// discs meet few edges. Memory: O(n), or O(n log n) for loops that wind through every part of the plane.
+/// Throws Rejected with `zero-normal` if there is no supporting plane. Requires that the loops neither cross nor
+/// overlap, as `exact::validate` decides. Cost: O(n), 2 to 6 times that of fast::PreparedPolygon; 1 to 3 us per vertex
+/// if scaling to the polygon's size loses bits, or if the two largest components of the normal agree to more than 126
+/// bits. A query with a small ball then costs about O(log n), if small discs meet few edges. Memory: O(n), or
+/// O(n log n) for loops that wind through every part of the plane.
 class PreparedPolygon {
  public:
   /// Prepares the polygon.

@@ -24,13 +24,26 @@ int turn_of(const std::array<Vector3d, 3>& corners, int axis) {
   return exact::detail::orientation(ax, ay, bx, by, cx, cy);
 }
 
+/// A vertex and its neighbours.
+std::array<Vector3d, 3> corner(const Polygon& polygon, std::size_t vertex) {
+  return {polygon.vertex(polygon.previous(vertex)), polygon.vertex(vertex), polygon.vertex(polygon.next(vertex))};
+}
+
 /// Returns the lexicographically lowest vertex of the loop and its neighbours. They have the orientation of the loop,
-/// because no simple loop runs straight there.
+/// because no valid loop runs straight there. If the loop visits that point several times, takes the visit with the
+/// first edge in counterclockwise order: no other visit encloses that one.
 std::array<Vector3d, 3> lowest_corner(const Polygon& polygon, std::size_t loop, int axis) {
+  const auto first_end = [&](std::size_t vertex) -> Vector3d {
+    const auto [before, here, after] = corner(polygon, vertex);
+    return turn_of({here, before, after}, axis) > 0 ? before : after;
+  };
   std::size_t lowest = polygon.loop_begin(loop);
-  for (std::size_t i = lowest; i < polygon.loop_end(loop); ++i)
-    if (seen(polygon.vertex(i), axis) < seen(polygon.vertex(lowest), axis)) lowest = i;
-  return {polygon.vertex(polygon.previous(lowest)), polygon.vertex(lowest), polygon.vertex(polygon.next(lowest))};
+  for (std::size_t i = lowest + 1; i < polygon.loop_end(loop); ++i) {
+    const auto here = seen(polygon.vertex(i), axis), least = seen(polygon.vertex(lowest), axis);
+    if (here < least || (here == least && turn_of({polygon.vertex(i), first_end(i), first_end(lowest)}, axis) > 0))
+      lowest = i;
+  }
+  return corner(polygon, lowest);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 /// All functions here require round to nearest, without flush-to-zero.
 namespace touchstone::mesh::detail {
 
-/// Returns the orientation of a simple loop in the projection along an axis, with the other two axes in cyclic order:
+/// Returns the orientation of a loop in the projection along an axis, with the other two axes in cyclic order:
 /// counterclockwise (1) or clockwise (-1). Requires a loop that `exact::validate` accepts with that axis dropped.
 /// Exact. Cost: linear.
 [[nodiscard]] int turn(const Polygon& polygon, std::size_t loop, int axis);
