@@ -67,7 +67,7 @@ struct PermanentView {
 template <int Bits>
 class IntegerView {
  public:
-  /// Requires that no vertex is lifted.
+  /// Requires that no vertex is lifted, and that the operands outlive the view.
   explicit IntegerView(const EdgeOperands& operands) : operands_(operands), scale_(0), fits_(false) {
     if (!short_enough(operands.to_center) || !short_enough(operands.edge)) return;
     // Then every difference is below 2^Bits, and the normal below 2^(2 Bits + 1).
@@ -77,6 +77,7 @@ class IntegerView {
     scale_ = power_of_two(shift);
     fits_ = whole(operands.to_center) && whole(operands.edge) && whole(operands.radius, scale_) && whole_normal();
   }
+  explicit IntegerView(EdgeOperands&&) = delete;
 
   /// Returns whether all numbers are integers after the scaling.
   [[nodiscard]] bool fits() const { return fits_; }
@@ -164,7 +165,8 @@ class IntegerView {
     return std::max({std::abs(v.x.high), std::abs(v.y.high), std::abs(v.z.high)});
   };
   const Vector3<DoubleDouble> edges[] = {e, e};  // there is no normal
-  const IntegerView<30> view(EdgeOperands{w, e, e, 0, 0, {largest(w), largest(e), 0}, false, edges, false});
+  const EdgeOperands operands{w, e, e, 0, 0, {largest(w), largest(e), 0}, false, edges, false};
+  const IntegerView<30> view(operands);
   if (!view.fits()) return false;
   const auto to_center = view.to_center(), edge = view.edge();
   return (dot(edge, edge) * to_center[axis] - dot(to_center, edge) * edge[axis]).sign() == 0;
