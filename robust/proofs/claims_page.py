@@ -44,7 +44,8 @@ LEFT = {
 LEFT_OF_OTHERS = {
     "polygon_events": AFTER_STEPS + ". Times, reaches and boxes: by hand, what they contain if numbers are off by so much",
     "rounded_sum": "what `Permanent` guarantees, and C++ over GMP", "culling_ball": AFTER_STEPS,
-    "own_frame": "inequalities of norms, by hand; " + COUNTED, "distance_bound": AFTER_STEPS + ". `kWide`: " + COUNTED,
+    "own_frame": "that the constants cover the roundings, which `Permanent` and ratios count: C++ over GMP. Of altitudes and of"
+                 " distances from the origin they are counted by hand", "distance_bound": AFTER_STEPS + ". `kWide`: " + COUNTED,
     "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP. `kTiny`: " + COUNTED,
     "held_vertex": RATIOS, "lifted_box": AFTER_STEPS + ". Above 64 vertices, sums are bounded as a whole, by hand",
     "crossed_triangles": AFTER_STEPS,
@@ -167,7 +168,7 @@ The filters rest on {len(records)} claims. From {len(used)} of them follow the {
 at rest or moving, touches a triangle, and those that double-doubles decide. What computes and combines these signs records
 itself, as compiled for SSE2 and for AVX2, whose products are fused. The other {len(listed)} claims are about parts of other bounds.
 `./check` has Gappa prove all from the record. It passes only if Coq checks half of them as well, drawn by the commit, the
-rules of the error calculus and the lemma of parity; `./check --full` only if Coq checks all {len(records)}, and each step of the
+rules of the error calculus and the lemmas of parity and of own frames; `./check --full` only if Coq checks all {len(records)}, and each step of the
 calculus that the tests carry out. `./check --quick` leaves all of this out. See [the proofs](README.md) for how.
 
 A claim says: for inputs whose magnitudes are at most 1 and whose errors are those that `bounds.h` states, the computed
@@ -199,6 +200,8 @@ be trusted.
 - [parity.v](coq/parity.v): a chain of edges crosses a line an odd number of times exactly if one of its ends is above
   the line; of several chains, modulo 2, as often as they have ends above. Used in
   [frame_query.h](../filtered/detail/polygon/frame_query.h), where boxes that are not met count by the ends of their chains.
+- [own_frame.v](coq/own_frame.v): the inequalities of norms by which [own_frame.h](../scene/detail/own_frame.h) bounds what
+  a pose that nearly is a rotation times a number does to lengths, from the sums of rows and columns on.
 - [error_free.v](coq/error_free.v): the error-free sums, differences and products of doubles to nearest are exact where nothing
   overflows or underflows: each as recorded, with and without fused products.
 - [calculus.v](coq/calculus.v): each rule of [error_bound.h](error_bound.h). A step that Coq finds justified holds for

@@ -136,8 +136,8 @@ void for_each_sum_of_products(Visit visit) {
   visit(SumOfProducts{"kCross", "z", kCross, 31}, [](const auto& a, const auto& b) { return cross(a, b).z; });
 }
 
-/// A claim about a quotient or a root of double-doubles: its relative error is at most constant kDoubleDoubleUnit. The
-/// proof is for `proved` u^2, which is at most that; it fails for one u^2 less.
+/// A claim about a quotient, a reciprocal or a root of double-doubles: its relative error is at most constant
+/// kDoubleDoubleUnit. The proof is for `proved` u^2, which is at most that; it fails for one u^2 less.
 struct Quotient {
   std::string_view constant, instance;
   double value, proved;
@@ -148,6 +148,7 @@ template <class Visit>
 void for_each_quotient(Visit visit) {
   using bounds::kQuotient;
   visit(Quotient{"kQuotient", "/", kQuotient, 11}, [](const auto& a, const auto& b) { return a / b; });
+  visit(Quotient{"kQuotient", "reciprocal", kQuotient, 13}, [](const auto&, const auto& b) { return reciprocal(b); });
   visit(Quotient{"kQuotient", "sqrt", kQuotient, 5}, [](const auto& a, const auto&) { return sqrt(a); });
 }
 

@@ -6,8 +6,8 @@ take signs to be certain (record.cpp). Every such sign must follow from a claim 
 the first fault. Gappa must prove every claim, at the unit of its arithmetic. It must refuse a constant that inputs and rounding errors of the
 model exceed (adversary.py) or, where that is larger and no operation is fused, a sixteenth less than the claimed one: so
 the check can fail, and the constant is not loose. For sums of products of double-doubles it must refuse a constant that is
-one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out; for quotients and roots one that
-is one u^2 smaller; for a permanent the next smaller double. Exit status 1 if a claim is not proved or a smaller one is.
+one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out; for quotients, reciprocals and
+roots one that is one u^2 smaller; for a permanent the next smaller double. Exit status 1 if a claim is not proved or a smaller one is.
 """
 
 import concurrent.futures
@@ -106,7 +106,7 @@ def judge_sum_of_products(program, model, record):
 
 
 def judge_quotient(program, model, record):
-    """The faults of the claim about a quotient or a root, and a line that says what is proved."""
+    """The faults of the claim about a quotient, a reciprocal or a root, and a line that says what is proved."""
     name, proved, unit = name_of(record), record["proved"], quotients.UNIT
     faults = []
     if proved * unit * unit > record["value"] * model["double_double_unit"]:

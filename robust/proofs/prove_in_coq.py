@@ -24,7 +24,8 @@ import error_free
 import gappa
 import prove
 
-THEORIES = {"model": 0, "permanent": 0, "parity": 2, "calculus": 1, "error_free": 5}  # each with how many theorems it tells the assumptions of
+# Each with how many theorems it tells the assumptions of.
+THEORIES = {"model": 0, "permanent": 0, "parity": 2, "own_frame": 5, "calculus": 1, "error_free": 5}
 
 
 class Check:

@@ -10,15 +10,21 @@ namespace touchstone::scene::detail {
 namespace {
 
 using namespace own_frame;
+using filtered::detail::Vector3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Returns whether the centre is not too far away to be moved into a frame.
 bool sees(const Eigen::Vector3d& center) { return center.lpNorm<Eigen::Infinity>() <= kLargestOfCenters; }
 
-/// Returns a bound of the norm of a matrix less the identity, except for rounding.
-double distance_from_identity(const Eigen::Matrix3d& product) {
-  const Eigen::Matrix3d rest = (product - Eigen::Matrix3d::Identity()).cwiseAbs();
+Vector3<double> components(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Returns a bound of the norm of a b - I, except for rounding: the largest sum of magnitudes in a row or a column.
+double distance_from_identity(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  Eigen::Matrix3d rest;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      rest(i, j) = std::abs(entry(components(a.row(i)), components(b.col(j))) - (i == j ? 1 : 0));
   return std::max(rest.rowwise().sum().maxCoeff(), rest.colwise().sum().maxCoeff());
 }
 
@@ -28,33 +34,29 @@ OwnFrame::OwnFrame(const Pose& pose, const Eigen::Matrix3d& inverse, double scal
     : pose_(pose),
       inverse_(inverse),
       residual_(residual),
-      longer_((1 + residual) * scale * kWide),
-      shorter_((1 + residual) / scale * kWide),
-      rounding_((kRounding * (longer_ * reach + pose.translation.lpNorm<Eigen::Infinity>()) + kTiny) * kWide),
-      margin_((shorter_ * rounding_ + residual * reach) * kWide) {}
+      lengths_(lengths(scale, residual, reach, pose.translation.lpNorm<Eigen::Infinity>())) {}
 
 std::optional<OwnFrame> OwnFrame::of(const Pose& pose, double reach, double thinnest) {
   const double scale = pose.rotation.norm() / std::sqrt(3.0);
   if (!(scale >= 1 / kLargest && scale <= kLargest && reach <= kLargest)) return std::nullopt;
   if (!(pose.translation.lpNorm<Eigen::Infinity>() <= kLargest)) return std::nullopt;
   const Eigen::Matrix3d inverse = pose.rotation.transpose() / (scale * scale);
-  const double residual =
-      std::max(distance_from_identity(inverse * pose.rotation), distance_from_identity(pose.rotation * inverse)) *
-          kWide +
-      kResidual;
+  const double rest =
+      std::max(distance_from_identity(inverse, pose.rotation), distance_from_identity(pose.rotation, inverse));
+  const double residual = rest * kWide + kResidual;
   if (!(residual <= kMostResidual)) return std::nullopt;
   const OwnFrame frame(pose, inverse, scale, residual, reach);
-  if (!(2 * frame.rounding_ * frame.shorter_ < (1 - residual) * thinnest * kNarrow)) return std::nullopt;
+  if (!(thinnest_altitude(frame.lengths_, residual) < thinnest)) return std::nullopt;
   return frame;
 }
 
-double OwnFrame::spread(const Eigen::Vector3d& center) const { return (center - pose_.translation).lpNorm<1>(); }
-
 SeenBall OwnFrame::seen(const Ball& ball) const {
   if (!sees(ball.center)) return {{Eigen::Vector3d::Zero(), kInfinity}, -1};
-  const double spread = this->spread(ball.center);
-  return {{inverse_ * (ball.center - pose_.translation), outer_radius(ball.radius, shorter_, margin_, spread)},
-          (ball.radius - lost(rounding_, residual_, spread)) * kNarrow / longer_};
+  const Vector3<double> center = components(ball.center), t = components(pose_.translation);
+  const double far = spread(center, t);
+  Ball outer{Eigen::Vector3d::Zero(), outer_radius(ball.radius, lengths_, far)};
+  for (int i = 0; i < 3; ++i) outer.center[i] = coordinate(components(inverse_.row(i)), center, t);
+  return {outer, inner_radius(ball.radius, lengths_, lost(lengths_, residual_, far))};
 }
 
 SeenMotion OwnFrame::seen(const Motion& motion) const {
@@ -66,7 +68,9 @@ SeenMotion OwnFrame::seen(const Motion& motion) const {
 }
 
 double OwnFrame::radius_under_pose(const Eigen::Vector3d& center, double radius) const {
-  return sees(center) ? (longer_ * radius + lost(rounding_, residual_, spread(center))) * kWide : kInfinity;
+  if (!sees(center)) return kInfinity;
+  const double far = spread(components(center), components(pose_.translation));
+  return own_frame::radius_under_pose(radius, lengths_, lost(lengths_, residual_, far));
 }
 
 double distance_from_origin(const Eigen::Vector3d& point) { return point.norm() * kWide + 0x1p-500; }

@@ -38,20 +38,72 @@ inline constexpr double kMostResidual = 0x1p-20;
 inline constexpr double kLargest = 0x1p60;
 inline constexpr double kLargestOfCenters = 0x1p500;
 
-// Lengths over any numbers: doubles, or numbers that carry the bounds of their errors for the proof.
+// Over any numbers: doubles; for the proofs, numbers that count their roundings or carry the bounds of their errors.
+
+/// Returns an entry of a product of two matrices.
+template <class A, class B>
+constexpr auto entry(const filtered::detail::Vector3<A>& row, const filtered::detail::Vector3<B>& column) {
+  return dot(row, column);
+}
+/// Returns a coordinate of A (c - t).
+template <class A, class N>
+constexpr auto coordinate(const filtered::detail::Vector3<A>& row, const filtered::detail::Vector3<N>& center,
+                          const filtered::detail::Vector3<N>& t) {
+  return dot(row, filtered::detail::Vector3{center.x - t.x, center.y - t.y, center.z - t.z});
+}
+/// Returns D.
+template <class N>
+constexpr auto spread(const filtered::detail::Vector3<N>& center, const filtered::detail::Vector3<N>& t) {
+  using filtered::detail::magnitude;
+  return magnitude(center.x - t.x) + magnitude(center.y - t.y) + magnitude(center.z - t.z);
+}
+
+/// Bounds that depend on the pose alone.
+template <class N>
+struct Lengths {
+  N longer, shorter;  ///< of |R| and |A|
+  N rounding;         ///< e
+  N margin;           ///< |A| e + h reach
+};
+/// `translation`: the largest component of t.
+template <class N>
+constexpr Lengths<N> lengths(const N& scale, const N& residual, const N& reach, const N& translation) {
+  using filtered::detail::constant;
+  const N wide = constant<N>(kWide), stretch = constant<N>(1) + residual;
+  const N longer = stretch * scale * wide, shorter = stretch / scale * wide;
+  const N rounding = (constant<N>(kRounding) * (longer * reach + translation) + constant<N>(kTiny)) * wide;
+  return {longer, shorter, rounding, (shorter * rounding + residual * reach) * wide};
+}
 
 /// Returns the radius in the own frame of a ball that holds all that a ball of this radius holds under the pose.
-/// `margin`: what the residual and the rounding of vertices take. `spread`: D.
 template <class N>
-constexpr N outer_radius(const N& radius, const N& shorter, const N& margin, const N& spread) {
+constexpr N outer_radius(const N& radius, const Lengths<N>& lengths, const N& spread) {
   using filtered::detail::constant;
-  return (shorter * radius + (margin + constant<N>(kCenter) * shorter * spread)) * constant<N>(kWide);
+  const N off = lengths.margin + constant<N>(kCenter) * lengths.shorter * spread;
+  return (lengths.shorter * radius + off) * constant<N>(kWide);
 }
 /// Returns how much farther than |R| times its distance in the own frame a triangle may be from a centre.
 template <class N>
-constexpr N lost(const N& rounding, const N& residual, const N& spread) {
+constexpr N lost(const Lengths<N>& lengths, const N& residual, const N& spread) {
   using filtered::detail::constant;
-  return (rounding + (residual + constant<N>(kCenter)) * spread) * constant<N>(kWide);
+  return (lengths.rounding + (residual + constant<N>(kCenter)) * spread) * constant<N>(kWide);
+}
+/// Returns the radius in the own frame of a ball that holds only what a ball of this radius holds under the pose.
+template <class N>
+constexpr N inner_radius(const N& radius, const Lengths<N>& lengths, const N& lost) {
+  return (radius - lost) * filtered::detail::constant<N>(kNarrow) / lengths.longer;
+}
+/// Returns the radius under the pose of a ball that holds all that a ball of this radius holds in the own frame.
+template <class N>
+constexpr N radius_under_pose(const N& radius, const Lengths<N>& lengths, const N& lost) {
+  return (lengths.longer * radius + lost) * filtered::detail::constant<N>(kWide);
+}
+/// Returns an altitude, in the own frame, at and below which the rounding of vertices may make a triangle degenerate.
+template <class N>
+constexpr N thinnest_altitude(const Lengths<N>& lengths, const N& residual) {
+  using filtered::detail::constant;
+  const N both = lengths.rounding + lengths.rounding;
+  return both * lengths.shorter / (constant<N>(1) - residual) * constant<N>(kWide);
 }
 
 }  // namespace own_frame
@@ -81,6 +133,7 @@ struct SeenMotion {
 /// the distance of p from A (c - t),
 ///     |p - A (c - t)| <= |A| (|R p + t - c| + e) + h |p|,
 ///     |R p + t - c| <= |R| |p - A (c - t)| + h |c - t| + e.
+/// Coq proves these inequalities (robust/proofs/coq/own_frame.v).
 class OwnFrame {
  public:
   /// Returns the frame for triangles none of whose vertices is farther than `reach` from the origin and none of whose
@@ -88,7 +141,7 @@ class OwnFrame {
   /// rounding of vertices may make a triangle degenerate. Requires round to nearest, without flush-to-zero, as do all
   /// functions here.
   ///
-  /// No triangle becomes degenerate if 2 e |A| < (1 - h) thinnest. If one did, one of its posed vertices would be
+  /// No triangle becomes degenerate if 2 e |A| < (1 - h) `thinnest`. If one did, one of its posed vertices would be
   /// between the other two. Then, before rounding, that vertex would be within 2 e of the opposite side. But an
   /// altitude of at least `thinnest` is longer than that under R, as |x| <= |A| |R x| + h |x|.
   [[nodiscard]] static std::optional<OwnFrame> of(const Pose& pose, double reach, double thinnest);
@@ -105,15 +158,10 @@ class OwnFrame {
  private:
   OwnFrame(const Pose& pose, const Eigen::Matrix3d& inverse, double scale, double residual, double reach);
 
-  /// Returns the sum of the magnitudes of the components of c - t.
-  [[nodiscard]] double spread(const Eigen::Vector3d& center) const;
-
   Pose pose_;
   Eigen::Matrix3d inverse_;  ///< A
   double residual_;          ///< h
-  double longer_, shorter_;  ///< bounds of |R| and |A|
-  double rounding_;          ///< e
-  double margin_;            ///< |A| e + h reach
+  own_frame::Lengths<double> lengths_;
 };
 
 /// Returns at least the distance of the point from the origin.

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The constants of own frames, in rationals: what sums of three products may lose, however they are added.
+// The constants of own frames: the functions of own_frame.h, over numbers that count or bound their roundings.
 #include "robust/scene/detail/own_frame.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include "robust/filtered/detail/numbers/permanent.h"
 #include "robust/filtered/detail/signs/bounds.h"
 #include "robust/proofs/error_bound.h"
+#include "tests/robust/proofs/ratio.h"
 #include "tests/robust/proofs/rationals.h"
+
+namespace touchstone::filtered::detail {
+template <int Roundings>
+constexpr Permanent<Roundings> magnitude(const Permanent<Roundings>& a) {
+  return {a.value < 0 ? -a.value : a.value, a.permanent};
+}
+}  // namespace touchstone::filtered::detail
 
 namespace touchstone::proofs::own_frame {
 namespace {
@@ -18,15 +27,28 @@ namespace bounds = filtered::detail::bounds;
 const mpq_class kMost = kMostResidual;
 
 /// The relative error of a number that was rounded that number of times.
-mpq_class roundings(std::size_t count) { return power(1 + kU, count) - 1; }
+mpq_class roundings(int count) { return power(1 + kU, static_cast<std::size_t>(count)) - 1; }
+
+/// How often a monomial of the expression is rounded: the type counts.
+template <int Roundings>
+constexpr int counted(const Permanent<Roundings>&) {
+  return Roundings;
+}
+constexpr Vector3<Permanent<0>> kVector{};
+
+/// A coordinate of a centre or of t: nothing but a difference of two is known to a rounding of itself.
+struct Coordinate {
+  friend constexpr Permanent<1> operator-(Coordinate, Coordinate) { return {}; }
+};
+constexpr Vector3<Coordinate> kPoint{};
 
 /// The error of a row or a column of A R - I, whose sums of magnitudes are at most |A's row| |R's column|; both norms
-/// are at most 1 + 2 h times 1 / s and s. A product is rounded three times at most. The identity is then subtracted
-/// from at most 1 + 2 h, and the sum of three magnitudes, of at most 2 h each, rounded twice.
+/// are at most 1 + 2 h times 1 / s and s. The identity is then subtracted from at most 1 + 2 h, and the sum of three
+/// magnitudes, of at most 2 h each, rounded twice.
 mpq_class residual_error() {
   const mpq_class norms = power(1 + 2 * kMost, 2);
-  const mpq_class entry = roundings(3) * norms + kU * 2 * kMost;
-  return 3 * entry + roundings(2) * 6 * kMost;
+  const mpq_class of_entry = roundings(counted(entry(kVector, kVector))) * norms + kU * 2 * kMost;
+  return 3 * of_entry + roundings(2) * 6 * kMost;
 }
 
 // The residual is also that of R^T R / s^2, from which A R differs by the rounding of A and of s^2, and |R| is at most
@@ -37,9 +59,11 @@ TEST(OwnFrameBounds, CoverTheResidual) {
   EXPECT_LE(3 * kU, mpq_class(kResidual) / 2);
 }
 
-// Each component of c - t is rounded once, and its product three times; a column of A is not longer than |A|. The sum D
-// is computed from components that were rounded, with two additions. Under the pose, |R| |A| <= (1 + h)^2.
-mpq_class center_error() { return roundings(4) * (1 + kU) / (1 - roundings(3)) * power(1 + kMost, 2); }
+// A column of A is not longer than |A|, and D is computed. Under the pose, |R| |A| <= (1 + h)^2.
+mpq_class center_error() {
+  return roundings(counted(coordinate(kVector, kPoint, kPoint))) / (1 - roundings(counted(spread(kPoint, kPoint)))) *
+         power(1 + kMost, 2);
+}
 
 TEST(OwnFrameBounds, CoverTheCentre) {
   EXPECT_LE(center_error(), mpq_class(kCenter));
@@ -51,10 +75,11 @@ TEST(OwnFrameBounds, CoverLengthsThatFollowFromTheCentre) {
   const auto exactly = [&](double number) { return ErrorBound{&model, number, number, 0}; };
   for (const double a : {0.0, 1.0, 1000.0})
     for (const double b : {0.0, 1.0, 1000.0})
-      for (const double spread : {0x1p-20, 1.0, 1000.0}) {
-        const mpq_class of_radius = 2 * mpq_class(a) + b + center_error() * 2 * spread;
-        EXPECT_GE(outer_radius(exactly(a), exactly(2), exactly(b), exactly(spread)).low, of_radius);
-        EXPECT_GE(lost(exactly(a), exactly(b), exactly(spread)).low, a + (b + center_error()) * spread);
+      for (const double far : {0x1p-20, 1.0, 1000.0}) {
+        const Lengths<ErrorBound> lengths{exactly(3), exactly(2), exactly(a), exactly(b)};
+        const mpq_class of_radius = 2 * mpq_class(a) + b + center_error() * 2 * far;
+        EXPECT_GE(outer_radius(exactly(a), lengths, exactly(far)).low, of_radius);
+        EXPECT_GE(lost(lengths, exactly(b), exactly(far)).low, a + (b + center_error()) * far);
       }
 }
 
@@ -64,8 +89,21 @@ TEST(OwnFrameBounds, CoverTheRoundingOfVertices) {
   EXPECT_GT(3 * kU * kU, power(mpq_class(kRounding) * 19 / 20, 2)) << "it is loose";
 }
 
-// No length takes more than eight roundings in a row after the numbers above.
+// kTiny exceeds what underflow takes.
 TEST(OwnFrameBounds, CoverTheRoundingOfLengths) {
+  const Ratio<53> exact;
+  const auto of_pose = lengths(exact, exact, exact, exact);
+  for (const auto& length : {of_pose.longer, of_pose.shorter, of_pose.rounding, of_pose.margin})
+    EXPECT_GE(length.least, 1);
+  const auto off = lost(of_pose, exact, exact);
+  EXPECT_GE(outer_radius(exact, of_pose, exact).least, 1);
+  EXPECT_LE(inner_radius(exact, of_pose, off).most, 1);
+  EXPECT_GE(radius_under_pose(exact, of_pose, off).least, 1);
+  EXPECT_GE(thinnest_altitude(of_pose, exact).least, 1);
+}
+
+// Sums of lengths, distances from the origin and altitudes take at most eight roundings in a row.
+TEST(OwnFrameBounds, CoverTheRoundingOfDistances) {
   EXPECT_LE(roundings(8), mpq_class(kWide) - 1);
   EXPECT_LE(roundings(8), 1 - mpq_class(kNarrow));
 }

@@ -30,6 +30,7 @@ struct Ratio {
   friend Ratio quotient(const Ratio& a, const Ratio& b) {
     return Ratio{a.least / b.most, b.least > 0 ? mpq_class(a.most / b.least) : power(2, 5000)}.rounded();
   }
+  friend Ratio operator/(const Ratio& a, const Ratio& b) { return quotient(a, b); }
   friend Ratio square_root(const Ratio& a) { return Ratio{root_below(a.least), root_above(a.most)}.rounded(); }
   /// p A - q B <= p (A - B) if p <= q. So a difference has a bound on the side on which its operands allow this.
   friend Ratio operator-(const Ratio& a, const Ratio& b) {

@@ -144,11 +144,7 @@ inline DoubleWord<Word> operator/(const DoubleWord<Word>& a, const DoubleWord<Wo
   return quick_two_sum(first, second) + DoubleWord<Word>(after_second.high / b.high);
 }
 
-/// 1 / b to within bounds::kQuotient of its size. Requires b != 0.
-///
-/// The first quotient is off by at most u of itself, u = 2^-53, and b by as much without its tail. So the rest is at
-/// most (2 + u) u; its sums lose 5 u^2, its product 2 u^2, and its square, which is left out, is at most (2 + u)^2 u^2:
-/// 12 u^2 of the bound's 16.
+/// 1 / b to within bounds::kQuotient of its size, by a step of Newton's method. Requires b != 0.
 template <class Word>
 inline DoubleWord<Word> reciprocal(const DoubleWord<Word>& b) {
   const Word first = Word(1) / b.high;

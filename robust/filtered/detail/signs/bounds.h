@@ -104,7 +104,7 @@ inline constexpr double kLaneDistance = 61;
 /// products of words, four of them in an error-free product, loses at most 2^-1075, and sums lose nothing.
 inline constexpr double kDot = 8;
 inline constexpr double kCross = 4;
-/// The relative error of quotients and roots of double-doubles, in units of kDoubleDoubleUnit.
+/// The relative error of quotients, reciprocals and roots of double-doubles, in units of kDoubleDoubleUnit.
 inline constexpr double kQuotient = 2;
 
 /// Double-doubles (prepared.h, exact_edges.h), lengths in the frame's unit. A vertex's lift is known to kLift, a slope
