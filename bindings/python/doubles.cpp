@@ -52,15 +52,18 @@ void expect_real(const py::array& objects) {
 
 }  // namespace
 
+void expect_unmasked(py::handle numbers) {
+  const py::object masked = py::module_::import("numpy").attr("ma");
+  if (has_masked(numbers, masked.attr("MaskedArray"), masked.attr("is_masked")))
+    throw py::type_error("masked numbers are not supported");
+}
+
 Doubles doubles_of(py::handle numbers) {
   const DefaultState state;
   // NumPy would convert strings to numbers, and drop imaginary parts and masks.
   constexpr std::string_view kRealKinds = "fiubO";
-  const auto numpy = py::module_::import("numpy");
-  const py::object masked = numpy.attr("ma");
-  if (has_masked(numbers, masked.attr("MaskedArray"), masked.attr("is_masked")))
-    throw py::type_error("masked numbers are not supported");
-  const py::array array = numpy.attr("asarray")(numbers);
+  expect_unmasked(numbers);
+  const py::array array = py::module_::import("numpy").attr("asarray")(numbers);
   const char kind = array.dtype().kind();
   if (kRealKinds.find(kind) == std::string_view::npos)
     throw py::type_error("expected real numbers, got " + py::str(array.dtype()).cast<std::string>());

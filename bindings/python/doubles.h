@@ -18,4 +18,7 @@ using Doubles = Numbers<double>;
 /// pybind11::value_error for lists that are nested more deeply than arrays can be, such as a list that holds itself.
 [[nodiscard]] Doubles doubles_of(pybind11::handle numbers);
 
+/// Throws pybind11::type_error if a number of an array, or of those in a list of lists, is masked.
+void expect_unmasked(pybind11::handle numbers);
+
 }  // namespace touchstone::python

@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <optional>
@@ -31,6 +32,7 @@ using Indices = Numbers<std::int64_t>;
 /// Returns whole numbers as an array of one or two dimensions. Of other numbers NumPy would drop the fraction, and of
 /// large ones a bit.
 Indices indices_of(py::handle numbers, const std::string& name) {
+  expect_unmasked(numbers);
   const py::array array = py::module_::import("numpy").attr("asarray")(numbers);
   const char kind = array.dtype().kind();
   if (array.size() > 0 && kind != 'i' && kind != 'u')
@@ -89,7 +91,12 @@ MeshInput input_of(const py::object& file, const std::optional<std::string>& for
     auto path = py::module_::import("os").attr("fspath")(file).cast<std::filesystem::path>();
     if (!format) return {.path = std::move(path)};
     const py::object opened = py::module_::import("pathlib").attr("Path")(file);
-    return {.content = opened.attr("read_bytes")().cast<std::string>(), .format = *format, .name = path.string()};
+    try {
+      return {.content = opened.attr("read_bytes")().cast<std::string>(), .format = *format, .name = path.string()};
+    } catch (const py::error_already_set& error) {
+      if (!error.matches(PyExc_OSError)) throw;
+      throw BrokenMesh(path.string() + ": " + py::str(error.value().attr("strerror")).cast<std::string>());
+    }
   }
   MeshInput input{.name = "the bytes"};
   py::object content = file;
@@ -162,8 +169,13 @@ py::list faces_of_blocks(py::handle blocks) {
   return faces;
 }
 
+/// Compares vertices by `same_number`, and NaN with NaN: vertices that no face uses may be anything.
 bool equal(const HeldMesh& a, const HeldMesh& b) {
-  return a.faces == b.faces && std::ranges::equal(a.vertices, b.vertices, same_point);
+  const auto same = [](double x, double y) { return same_number(x, y) || (std::isnan(x) && std::isnan(y)); };
+  const auto same_vertices = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+    return std::ranges::equal(p, q, same);
+  };
+  return a.faces == b.faces && std::ranges::equal(a.vertices, b.vertices, same_vertices);
 }
 
 /// Translates BrokenMesh to the Python exception BrokenMesh, a ValueError.

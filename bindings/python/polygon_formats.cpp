@@ -20,25 +20,21 @@ namespace py = pybind11;
 
 /// Throws Rejected unless the name of a geometry is that of a polygon.
 void expect_polygon(const std::string& name, bool is_polygon) {
-  if (!is_polygon) malformed("expected a Polygon, got '" + io::legible(name, 40) + "'; of several polygons, pass each");
+  if (!is_polygon) malformed("expected the geometry of one Polygon, got '" + io::legible(name, 40) + "'");
 }
 
-/// A strict reader of POLYGON and POLYGON Z in well-known text. Keywords are in any case.
+/// A strict reader of POLYGON and POLYGON Z in well-known text. Keywords are in any case; hexadecimal numbers are read.
 class WktReader {
  public:
   explicit WktReader(std::string_view text) : text_(text) { skip_blanks(); }
 
   std::vector<Loop> polygon() {
     const std::string name = word();
-    expect_polygon(name, name == "POLYGON");
-    const std::size_t after_name = position_;
-    const std::string dimensions = word();
-    if (dimensions == "EMPTY") malformed("the polygon is empty");
-    if (!dimensions.empty() && dimensions != "Z") {
-      position_ = after_name;
-      fail("expected '(' or 'Z'");
-    }
-    if (!dimensions.empty()) coordinates_ = 3;
+    expect_polygon(name, name == "POLYGON" || name == "POLYGONZ");
+    const bool has_z = name == "POLYGONZ" || pass_word("Z");
+    if (pass_word("EMPTY")) malformed("the polygon is empty");
+    if (!at('(')) fail(has_z ? "expected '('" : "expected '(' or 'Z'");
+    if (has_z) coordinates_ = 3;
     const std::vector<Loop> loops = list<Loop>([this] { return list<Eigen::Vector3d>([this] { return point(); }); });
     if (position_ < text_.size()) fail("expected the end");
     return loops;
@@ -69,6 +65,13 @@ class WktReader {
       letters += static_cast<char>(std::toupper(static_cast<unsigned char>(text_[position_])));
     skip_blanks();
     return letters;
+  }
+
+  bool pass_word(std::string_view expected) {
+    const std::size_t before = position_;
+    if (word() == expected) return true;
+    position_ = before;
+    return false;
   }
 
   /// Takes elements in brackets, separated by commas.
@@ -104,10 +107,23 @@ class WktReader {
   int coordinates_ = 0;  // of each point; 0 before it is known
 };
 
-Loop loop_of_ring(py::handle ring, std::size_t number) {
-  const Doubles rows = doubles_of(ring);
+/// Returns the points of a ring. Throws Rejected, which names the loop, for what NumPy cannot make rows of doubles of.
+Doubles rows_of_ring(py::handle ring, std::size_t number) try {
+  return doubles_of(ring);
+} catch (const py::error_already_set& error) {
+  if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_OverflowError)) throw;
+  malformed(loop_name(number) + ": " + py::str(error.value()).cast<std::string>());
+}
+
+/// `coordinates`: of each point of the polygon; 0 before it is known.
+Loop loop_of_ring(py::handle ring, std::size_t number, py::ssize_t& coordinates) {
+  const Doubles rows = rows_of_ring(ring, number);
   if (rows.ndim() != 2 || (rows.shape(1) != 2 && rows.shape(1) != 3))
     malformed(loop_name(number) + " must be a list of points, each of two or of three numbers");
+  if (coordinates == 0) coordinates = rows.shape(1);
+  if (rows.shape(1) != coordinates)
+    malformed(loop_name(number) + " has points of " + std::to_string(rows.shape(1)) +
+              " numbers, but the outer loop of " + std::to_string(coordinates));
   Loop loop;
   const auto at = rows.unchecked<2>();
   for (py::ssize_t i = 0; i < at.shape(0); ++i)
@@ -120,8 +136,11 @@ std::vector<Loop> loops_of_geojson(const py::dict& geometry) {
   const auto type = py::str(geometry["type"]).cast<std::string>();
   expect_polygon(type, type == "Polygon");
   if (!geometry.contains("coordinates")) malformed("the GeoJSON has no key \"coordinates\"");
+  const py::object rings = geometry["coordinates"];
+  if (!py::isinstance<py::iterable>(rings)) malformed("\"coordinates\" of the GeoJSON must be a list of rings");
   std::vector<Loop> loops;
-  for (const py::handle ring : geometry["coordinates"]) loops.push_back(loop_of_ring(ring, loops.size()));
+  py::ssize_t coordinates = 0;
+  for (const py::handle ring : rings) loops.push_back(loop_of_ring(ring, loops.size(), coordinates));
   if (loops.empty()) malformed("the polygon is empty");
   return loops;
 }

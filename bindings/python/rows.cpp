@@ -36,7 +36,9 @@ Doubles rows_of(py::handle object) {
   const Doubles radii = doubles_of(pair[1]);
   const py::ssize_t count = centers.size() / 3;
   const bool one = radii.ndim() == 0;
-  if (!one && (centers.ndim() != 2 || radii.ndim() != 1 || radii.size() != count))
+  if (!one && centers.ndim() == 1)
+    throw Rejected({RejectionCode::MalformedCase, "the radius of one centre must be a number, not an array"});
+  if (!one && (radii.ndim() != 1 || radii.size() != count))
     throw Rejected({RejectionCode::MalformedCase,
                     "for " + std::to_string(count) + " centres there must be one radius or as many radii"});
   Doubles rows = centers.ndim() == 1 ? Doubles(4) : Doubles({count, py::ssize_t{4}});

@@ -29,10 +29,15 @@ std::vector<Loop> loops_of(pybind11::handle outer, const std::vector<pybind11::o
 /// Returns the loops without the last points, which repeat the first ones.
 std::vector<Loop> opened(std::vector<Loop> loops) {
   for (std::size_t number = 0; number < loops.size(); ++number) {
-    if (loops[number].size() < 2 || loops[number].front() != loops[number].back())
+    Loop& loop = loops[number];
+    if (loop.size() < 2)
+      throw Rejected({RejectionCode::MalformedCase,
+                      loop_name(number) + " is not closed: it has " + (loop.empty() ? "no" : "only one") + " point"});
+    // A point that is not finite is refused by its own name.
+    if (loop.front().allFinite() && loop.back().allFinite() && loop.front() != loop.back())
       throw Rejected(
           {RejectionCode::MalformedCase, loop_name(number) + " is not closed: its last point is not its first"});
-    loops[number].pop_back();
+    loop.pop_back();
   }
   return loops;
 }

@@ -134,8 +134,8 @@ class Reader {
 
   /// Returns the loop without its last point, which repeats the first.
   static Loop opened(Loop loop, const std::string& where) {
-    if (loop.size() < 2 || loop.front() != loop.back())
-      malformed(where + " is not closed: its last point is not its first");
+    if (loop.size() < 2) malformed(where + " is not closed: it has " + (loop.empty() ? "no" : "only one") + " point");
+    if (loop.front() != loop.back()) malformed(where + " is not closed: its last point is not its first");
     loop.pop_back();
     return loop;
   }

@@ -124,6 +124,7 @@ class Meshes(unittest.TestCase):
         vertices = np.vstack([[np.nan, np.inf, 0], CUBE_VERTICES])
         mesh = touchstone.Mesh(vertices, CUBE_FACES + 1)
         self.assertTrue(np.array_equal(mesh.vertices, vertices, equal_nan=True))
+        self.assertEqual(mesh, pickle.loads(pickle.dumps(mesh)))
         scene = touchstone.Scene()
         scene.add("cube", mesh)
         self.assertEqual(scene.face_count(0), 12)
@@ -182,10 +183,15 @@ class Meshes(unittest.TestCase):
             touchstone.Mesh([[0, 0, 0], [0, np.nan, 0], [1, 0, 0]], [[0, 1, 2]])
         with self.assertRaisesRegex(TypeError, "whole numbers"):
             touchstone.Mesh(CUBE_VERTICES, CUBE_FACES + 0.5)
+        masked = np.ma.masked_array([[0, 1, 2]], mask=[[0, 0, 1]])
+        for faces in (masked, [[0, 1, 3], masked[0]]):
+            with self.assertRaisesRegex(TypeError, "masked"):
+                touchstone.Mesh(CUBE_VERTICES, faces)
         with self.assertRaisesRegex(TypeError, "vertices"):
             touchstone.Mesh.of(3)
-        with self.assertRaisesRegex(touchstone.BrokenMesh, "nowhere.obj"):
-            touchstone.Mesh.read("nowhere.obj")
+        for given in ({}, {"format": "obj"}):
+            with self.assertRaisesRegex(touchstone.BrokenMesh, "nowhere.obj"):
+                touchstone.Mesh.read("nowhere.obj", **given)
         self.assertTrue(issubclass(touchstone.BrokenMesh, ValueError))
 
     def test_warns_of_what_is_odd_in_a_file(self):
@@ -322,7 +328,7 @@ class Scenes(unittest.TestCase):
         self.assertEqual(self.scene.nearest((centres[0], radii[0])), self.scene.nearest(self.balls[0]))
         self.assertEqual(self.scene.touches(([9, 9, 9, 1], [0, 0, 0, 1])).tolist(), [False, True])  # two balls, as before
         for words, wrong in (("for 2 centres there must be one radius or as many", (centres[:2], [1, 2, 3])),
-                             ("for 1 centres", ([0, 0, 0], [1])), ("ball 1", (centres[:2], [1, -1])), ("negative", ([0, 0, 0], -1))):
+                             ("of one centre must be a number", ([0, 0, 0], [1])), ("ball 1", (centres[:2], [1, -1])), ("negative", ([0, 0, 0], -1))):
             with self.assertRaisesRegex(touchstone.Rejected, words):
                 self.scene.touches(wrong)
 

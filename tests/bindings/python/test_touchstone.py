@@ -257,7 +257,8 @@ class Refusals(unittest.TestCase):
         self.refused("repeated-vertex", "vertex 4", lambda: touchstone.Polygon(ring))
         self.refused("malformed-case", "the outer loop is not closed: its last", lambda: touchstone.Polygon(SQUARE, closed=True))
         self.refused("malformed-case", "hole 0 is not closed", lambda: touchstone.Polygon(ring, [hole[:-1]], closed=True))
-        self.refused("malformed-case", "the outer loop is not closed", lambda: touchstone.Polygon([], closed=True))
+        self.refused("malformed-case", "the outer loop is not closed: it has no point", lambda: touchstone.Polygon([], closed=True))
+        self.refused("not-finite", "vertex 0", lambda: touchstone.Polygon([[np.nan, 0, 0], *SQUARE[1:], [np.nan, 0, 0]], closed=True))
         self.refused("too-few-vertices", "outer loop", lambda: touchstone.Polygon([[0, 0, 0], [1, 0, 0], [0, 0, 0]], closed=True))
 
     def test_name_the_place_in_geojson_and_wkt(self):
@@ -271,15 +272,19 @@ class Refusals(unittest.TestCase):
                      "POLYGON Z ((0 0 0, 4 0 0, 4 4 0, 0 4 -0, 0 0 0), (1e0 1 0, 1 2 0, 2 1 0, 1 1 0))"):
             self.assertEqual(touchstone.Polygon.of(same), expected)
         lifted = touchstone.Polygon([[0, 0, 1], [1, 0, 1], [0, 0.1, 1]])
-        for same in (geojson([[0, 0, 1], [1, 0, 1], [0, 0.1, 1], [0, 0, 1]]), "POLYGON Z((0 0 1,1 0 1,0 0.1 1,0 0 1))",
+        for same in (geojson([[0, 0, 1], [1, 0, 1], [0, 0.1, 1], [0, 0, 1]]), "POLYGONZ((0 0 1,1 0 1,0 0.1 1,0 0 1))",
                      "POLYGON((0 0 1,1 0 1,0 .1 1,0 0 1))"):
             self.assertEqual(touchstone.Polygon.of(same), lifted)
-        for words, wrong in (("expected a Polygon, got 'MultiPolygon'", geojson(ring, kind="MultiPolygon")),
-                             ("expected a Polygon, got 'MULTIPOLYGON'", "MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)))"),
+        for words, wrong in (("expected the geometry of one Polygon, got 'MultiPolygon'", geojson(ring, kind="MultiPolygon")),
+                             ("expected the geometry of one Polygon, got 'MULTIPOLYGON'", "MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)))"),
                              ("no key \"type\"", {}), ("no key \"coordinates\"", {"type": "Polygon"}), ("is empty", geojson()),
                              ("hole 0 must be a list of points", geojson(ring, [1, 2])), ("hole 0 is not closed", geojson(ring, hole[:-1])),
                              ("outer loop must be a list of points, each of two", geojson([[0, 0, 0, 1]] * 4)),
-                             ("the polygon is empty", "POLYGON EMPTY"), ("character 8: expected '(' or 'Z', found '", "POLYGON M((0 0 1))"),
+                             ("hole 0 has points of 3 numbers, but the outer loop of 2", geojson(ring, [[1, 1, 5], [1, 2, 5], [2, 1, 5], [1, 1, 5]])),
+                             ("hole 0: ", geojson(ring, [[1, 1], [1, 2, 0], [2, 1], [1, 1]])), ("outer loop: ", geojson([[10**400, 0]])),
+                             ("\"coordinates\" of the GeoJSON must be a list", {"type": "Polygon", "coordinates": None}),
+                             ("the outer loop is not closed: it has only one point", geojson([[0, 0]])),
+                             ("the polygon is empty", "POLYGON EMPTY"), ("the polygon is empty", "POLYGON Z EMPTY"), ("character 8: expected '(' or 'Z', found '", "POLYGON M((0 0 1))"),
                              ("character 9: expected '(', found the end", "POLYGON Z"), ("character 10: expected a number, found 'x", "POLYGON ((x 0))"),
                              ("expected 2 numbers a point", "POLYGON ((0 0, 1 0 0, 0 1, 0 0))"),
                              ("character 14: expected 3 numbers a point", "POLYGON Z((0 0, 1 0, 0 1, 0 0))"),
@@ -304,6 +309,7 @@ class Refusals(unittest.TestCase):
         self.refused("not-finite", "ball 5", lambda: touchstone.exact.answer(balls, square))
         self.refused("malformed-case", "n x 4", lambda: touchstone.fast.contact([1, 2, 3], square))
         self.refused("malformed-case", "n x 4", lambda: touchstone.fast.contact(1.0, square))
+        self.refused("malformed-case", "radius of one centre must be a number", lambda: touchstone.fast.contact(([0, 0, 1], [1.0]), square))
 
     def test_are_type_errors_where_there_are_no_numbers(self):
         ball, loop, square = np.array([4, 0, 0, 1.0]), np.array(SQUARE), touchstone.Polygon(SQUARE)
