@@ -58,7 +58,8 @@ inline constexpr std::size_t kMostSentences = 1000;
 /// The extension, in upper or lower case, selects the format; the content tells text STL from binary STL. Numbers,
 /// decimal or hexadecimal such as `0x1.8p-3`, are read as the nearest doubles, so no precision is lost. The words of
 /// STL may be on any lines, as may those of OFF and PLY if they fill the file exactly. Negative OBJ indices count from
-/// the end. A binary STL may hold as many bytes after each facet as its attribute count announces.
+/// the end. A message about a continued line of OBJ names the line on which the word stands. A binary STL may hold as
+/// many bytes after each facet as its attribute count announces.
 ///
 /// One rule for all formats: what is not understood is a fault. The readers ignore only what a format defines and what
 /// holds neither a vertex nor a face: normals, colours, texture coordinates, names, materials, points, lines and

@@ -34,8 +34,18 @@ TEST(ReadObj, JoinsALineThatEndsWithABackslash) {
   EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}, {2, 1, 0}}));
 }
 
-TEST(ReadObj, NamesTheFirstLineOfAContinuedOneAndCountsThemAll) {
-  EXPECT_EQ(fault(".obj", "v 0 \\\n0 \\\nx\n"), "line 1: 'x' is not a number");
+TEST(ReadObj, NamesTheLineOfAWordOnAContinuedOneAndCountsThemAll) {
+  EXPECT_EQ(fault(".obj", "v 0 \\\n0 \\\nx\n"), "line 3: 'x' is not a number");
+  EXPECT_EQ(fault(".obj", "v 0 \\\nx \\\n0\n"), "line 2: 'x' is not a number");
+  EXPECT_EQ(fault(".obj", "v 0 0 0 1 0 \\\n0 red\n"), "line 2: 'red' is not a number");
+  EXPECT_EQ(fault(".obj", "v 0 0 0 2 \\\n0 0 0\n"), "line 1: the weight of a vertex must be 1");
+  EXPECT_EQ(fault(".obj", "surf 0 1 \\\n0 1\n"), "line 1: 'surf' is not read: only polygons are");
+  EXPECT_EQ(fault(".obj", kObj + "f 1 2 \\\n3 \\\nx\n"), "line 6: 'x' is not a corner of a face");
+  EXPECT_EQ(fault(".obj", kObj + "f 1 2 3\nf 1 \\\n 2 9 \\\n3\n"),
+            "line 6: vertex 9 is out of range: 3 vertices were read, numbered from 1");
+  EXPECT_EQ(fault(".obj", kObj + "f 1 \\\n0 2\n"),
+            "line 5: vertex 0 is out of range: 3 vertices were read, numbered from 1");
+  EXPECT_EQ(read_mesh(kObj + "f 3 2 1\nf 1 2 \\\n3\n", "obj", "memory").places[1].number, 5U);
   EXPECT_EQ(fault(".obj", "v 0 \\\n0 \\\n0\nv x 0 0\n"), "line 4: 'x' is not a number");
 }
 
@@ -60,6 +70,18 @@ TEST(ReadObj, ContinuesLinesOfGeometryAlone) {
       read(".obj", "g C:\\work\\\nv 0 0 0\nusemtl walls\\ \nv 1 0 \\ \t\n0\nvt 0 \\\n0\nv 0 1 0\nf 1 2 \\ \n3\n");
   EXPECT_EQ(points(mesh), kTrianglePoints);
   EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}}));
+}
+
+// Without a number they can be no vertex and no face, whatever the case of a keyword.
+TEST(ReadObj, ContinuesNamesOnLinesWithoutAKeywordAndANumber) {
+  EXPECT_EQ(read(".obj", kObj + "g wheel \\\nleft \\ \nfront\nmtllib a.mtl \\\nb.mtl\nf 1 2 3\n").faces,
+            (Faces{{0, 1, 2}}));
+  EXPECT_EQ(fault(".obj", kObj + "g wheel \\\nF 1 2 3\nf 1 2 3\n"), "line 5: 'F' is not an OBJ keyword");
+  EXPECT_EQ(fault(".obj", kObj + "g wheel \\\nF 1/1 2/2 3/3\nf 1 2 3\n"), "line 5: 'F' is not an OBJ keyword");
+  EXPECT_EQ(fault(".obj", kObj + "g wheel \\\n\nleft\nf 1 2 3\n"), "line 6: 'left' is not an OBJ keyword");
+  EXPECT_EQ(fault(".obj", kObj + "g wheel \\\nleft\nfront\nf 1 2 3\n"), "line 6: 'front' is not an OBJ keyword");
+  EXPECT_EQ(fault(".obj", kObj + "g wheel \\\ncall other.obj\nf 1 2 3\n"),
+            "line 5: 'call' is not read, and the file that it names may hold vertices");
 }
 
 // A vertex that a faulty line swallowed would shift the numbers of all later ones.
@@ -100,7 +122,7 @@ TEST(ReadObj, RefusesAWordThatItDoesNotKnow) {
 
 // A backslash too many, or a line end too few, puts a vertex or a face on such a line.
 TEST(ReadObj, RefusesWordsAmongNumbersThatItDoesNotKeep) {
-  EXPECT_EQ(fault(".obj", kObj + "vt 0 0 \\\nv 1 0 0\nf 1 2 3\n"), "line 4: 'v' is not a number");
+  EXPECT_EQ(fault(".obj", kObj + "vt 0 0 \\\nv 1 0 0\nf 1 2 3\n"), "line 5: 'v' is not a number");
   EXPECT_EQ(fault(".obj", kObj + "vn 0 0 1 f 1 2 3\nf 1 2 3\n"), "line 4: 'f' is not a number");
   EXPECT_EQ(fault(".obj", kObj + "l 1/1 2/2 v\nf 1 2 3\n"), "line 4: 'v' is not a number");
   EXPECT_EQ(read(".obj", kObj + "parm u 0 1 2\nl 1/1 -2/-2\nvn nan 0 0\nf 1 2 3\n").faces, (Faces{{0, 1, 2}}));

@@ -64,6 +64,29 @@ TEST(ReadOff, ReadsWordsWhereLinesDoNotHoldThePartsOneByOne) {
             "line 3: a vertex has 3 numbers, the first one has 6");
 }
 
+TEST(ReadOff, ReadsAFileOnOneLine) {
+  const std::string parts = "0 0 0 1 0 0 0 1 0 3 0 1 2";
+  for (const std::string& content :
+       std::vector<std::string>{"OFF 3 1 0 " + parts, "OFF\n3 1 0 " + parts + "\n", "OFF\n3 1 0\n" + parts + " 9\n",
+                                "COFF 3 1 0 0 0 0 9 9 9 1 0 0 9 9 9 0 1 0 9 9 9 3 0 1 2"})
+    expect_triangle(read(".off", content));
+  EXPECT_EQ(fault(".off", "OFF 3 1 " + parts), "line 1: unexpected numbers after the counts");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0\n1 2\n"), "line 1: unexpected numbers after the counts");
+}
+
+// On lines, a vertex may have other numbers than those that the header announces; among words it may not.
+TEST(ReadOff, ReadsColoursAndNormalsAmongWords) {
+  const std::string faces = "3 0 1 2\n";
+  expect_triangle(read(".off", "COFF\n3 1 0\n0 0 0 9 9 9 1 0 0 9 9 9\n0 1 0 9 9 9\n" + faces));
+  expect_triangle(read(".off", "COFF\n3 1 0\n0 0 0 9 9 9 255 1 0 0 9 9 9 255\n0 1 0 9 9 9 255\n" + faces));
+  expect_triangle(read(".off", "NOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 0 0 1\n0 1 0 0 0 1\n" + faces));
+  expect_triangle(read(".off", "STOFF\n3 1 0\n0 0 0 .5 1 1 0 0 .5 1\n0 1 0 .5 1\n3 0 1\n2 255 0 0\n"));
+  expect_triangle(
+      read(".off", "STCNOFF 3 1 0\n0 0 0 0 0 1 9 9 9 .5 1\n1 0 0 0 0 1 9 9 9\n.5 1 0 1 0 0 0 1 9 9 9 .5 1\n3 0 1 2\n"));
+  EXPECT_EQ(fault(".off", "COFF\n3 1 0\n0 0 0 9 9 1 0 0 9 9\n0 1 0 9 9\n" + faces),
+            "line 4: a vertex has 5 numbers, the first one has 10");
+}
+
 TEST(ReadOff, RefusesNumbersThatCanBeReadInTwoWays) {
   EXPECT_EQ(fault(".off", "OFF\n4 2 0\n0 0 0 1 0 0 1 1 0 0 1 0\n3 0 1 2 5\n3 0 2 3 1\n"),
             "line 2: the numbers after the counts can be read in two ways");

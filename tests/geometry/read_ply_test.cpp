@@ -234,6 +234,33 @@ TEST(ReadPly, RefusesABadHeader) {
             "line 9: the element 'face' needs one list 'vertex_indices' or 'vertex_index', it has 0");
 }
 
+TEST(ReadPly, RefusesWordsAtTheEndOfAHeaderLine) {
+  const std::string whole = kAsciiTriangle + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const auto changed_fault = [&](const std::string& line, const std::string& other) {
+    std::string changed = whole;
+    return fault(".ply", changed.replace(changed.find(line + "\n"), line.size(), other));
+  };
+  EXPECT_EQ(changed_fault("ply", "ply 2"), "line 1: unexpected '2' at the end of a header line");
+  EXPECT_EQ(changed_fault("format ascii 1.0", "format ascii 1.0 utf8"),
+            "line 2: unexpected 'utf8' at the end of a header line");
+  EXPECT_EQ(changed_fault("element vertex 3", "element vertex 3 4"),
+            "line 5: unexpected '4' at the end of a header line");
+  EXPECT_EQ(changed_fault("property float x", "property float x y"),
+            "line 6: unexpected 'y' at the end of a header line");
+  EXPECT_EQ(changed_fault("property list uchar int vertex_indices", "property list uchar int vertex_indices red"),
+            "line 10: unexpected 'red' at the end of a header line");
+  EXPECT_EQ(changed_fault("end_header", "end_header 0"), "line 11: unexpected '0' at the end of a header line");
+  EXPECT_EQ(changed_fault("obj_info none", "obj_info none of it"), "no fault");
+}
+
+TEST(ReadPly, KnowsOneVersionAndOneFormat) {
+  const std::string rest = vertex_element("float", "0") + "end_header\n";
+  EXPECT_EQ(fault(".ply", "ply\nformat ascii 1.1\n" + rest), "line 2: expected the version 1.0, found '1.1'");
+  EXPECT_EQ(fault(".ply", "ply\nformat ascii\n" + rest), "line 2: expected the version 1.0, found the end of the line");
+  EXPECT_EQ(fault(".ply", "ply\nformat ascii 1.0\nformat binary_big_endian 1.0\n" + rest),
+            "line 3: a second line 'format'");
+}
+
 TEST(ReadPly, RefusesWrongText) {
   const std::string vertices = kAsciiTriangle + "0 0 0\n1 0 0\n0 1 0\n";
   EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0\n1 0\n"), "line 13: expected a number, found the end of the line");

@@ -61,15 +61,21 @@ class MeshBuilder {
   }
 
   /// Adds a face whose corners are vertex numbers of the file. Reports a fault if there are fewer than three.
-  void add_face(SourceLocation place, std::span<const std::int64_t> corners) {
+  /// `corner_places` has the place of each corner, or none if all are at `place`.
+  void add_face(SourceLocation place, std::span<const std::int64_t> corners,
+                std::span<const SourceLocation> corner_places = {}) {
     if (corners.size() < 3)
       source_.broken(place, "a face needs at least 3 vertices, this one has " + std::to_string(corners.size()));
     std::vector<std::uint32_t> face;
     face.reserve(corners.size());
-    for (const std::int64_t number : corners) {
-      if (number < first_number_ || number - first_number_ >= kLeftOut) out_of_range(place, number);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::int64_t number = corners[i];
+      if (number < first_number_ || number - first_number_ >= kLeftOut)
+        out_of_range(corner_places.empty() ? place : corner_places[i], number);
       face.push_back(static_cast<std::uint32_t>(number - first_number_));
     }
+    if (!corner_places.empty())
+      corner_places_.emplace_back(mesh_.faces.size(), std::vector(corner_places.begin(), corner_places.end()));
     mesh_.faces.push_back(std::move(face));
     places_.push_back(place);
   }
@@ -96,7 +102,7 @@ class MeshBuilder {
       throw BrokenMesh(all_legible(source_.name) + ": more vertices than 32-bit numbers can count");
     std::size_t kept = 0;
     for (std::size_t i = 0; i < mesh_.faces.size(); ++i)
-      if (attempt([&] { renumber(places_[i], mesh_.faces[i]); })) {
+      if (attempt([&] { renumber(i, mesh_.faces[i]); })) {
         if (kept != i) mesh_.faces[kept] = std::move(mesh_.faces[i]);
         places_[kept++] = places_[i];
       }
@@ -108,6 +114,8 @@ class MeshBuilder {
  private:
   /// The number in the file of a vertex that is not finite, and its place.
   using NotFinite = std::pair<std::size_t, SourceLocation>;
+  /// The number of a face on several lines, and the places of its corners.
+  using CornerPlaces = std::pair<std::size_t, std::vector<SourceLocation>>;
 
   static constexpr std::uint32_t kLeftOut = std::numeric_limits<std::uint32_t>::max();
 
@@ -116,8 +124,12 @@ class MeshBuilder {
     if (parts_left_out_++ < kMostSentences) left_out_.emplace_back(fault.what());
   }
 
-  void renumber(SourceLocation place, std::vector<std::uint32_t>& face) const {
-    for (std::uint32_t& corner : face) {
+  void renumber(std::size_t index, std::vector<std::uint32_t>& face) const {
+    const auto own = std::ranges::lower_bound(corner_places_, index, {}, &CornerPlaces::first);
+    const bool has_own = own != corner_places_.end() && own->first == index;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      std::uint32_t& corner = face[i];
+      const SourceLocation place = has_own ? own->second[i] : places_[index];
       const std::int64_t number = first_number_ + corner;
       if (corner >= number_in_mesh_.size()) out_of_range(place, number);
       const auto found = std::ranges::lower_bound(not_finite_, std::size_t{corner}, {}, &NotFinite::first);
@@ -143,6 +155,7 @@ class MeshBuilder {
   std::vector<SourceLocation> places_;         // of the faces
   std::vector<std::uint32_t> number_in_mesh_;  // by number in the file
   std::vector<NotFinite> not_finite_;          // ascending
+  std::vector<CornerPlaces> corner_places_;    // ascending
   std::vector<std::string> left_out_, warnings_;
   std::size_t parts_left_out_ = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Geomview OFF as text: the counts, then the vertices, then the faces, of which each begins with its number of
-// vertices. A colour may follow a face on its line, and other numbers each vertex.
+// vertices. A colour may follow a face on its line, and other numbers each vertex: on lines any, among words those that
+// the header announces.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -19,7 +20,10 @@ constexpr TextSyntax kSyntax{.comments = true};
 
 struct Header {
   std::int64_t vertices, faces;
-  bool is_plain;  ///< no number belongs to a vertex but its coordinates
+  std::vector<int> widths;    ///< how many numbers a vertex may have
+  bool ends_its_line = true;  ///< no number follows the counts on their line
+
+  [[nodiscard]] bool is_plain() const { return widths == std::vector{3}; }
 };
 
 /// Returns whether the word announces points of three coordinates, which normals, colours and texture coordinates may
@@ -29,10 +33,17 @@ bool is_header(std::string_view word) {
   return word.ends_with(kName) && word.find_first_not_of("STCN") == word.size() - kName.size();
 }
 
+/// Returns how many numbers a vertex may have. A colour has three or four.
+std::vector<int> widths_of(std::string_view word) {
+  const auto has = [&](char letter) { return word.find(letter) != std::string_view::npos; };
+  const int others = 3 + (has('N') ? 3 : 0) + (has('S') || has('T') ? 2 : 0);
+  return has('C') ? std::vector{others + 3, others + 4} : std::vector{others};
+}
+
 /// Takes the header. The word may be missing; the counts follow it at once, on the same line or on the next ones.
 Header take_header(TextReader& lines) {
   if (!lines.next_line()) lines.truncated("expected 'OFF'");
-  Header header{.vertices = -1, .faces = 0, .is_plain = true};
+  Header header{.vertices = -1, .faces = 0, .widths = {3}};
   if (!whole_number(lines.peek())) {
     const std::string_view field = lines.take();
     const std::size_t letters = std::min(field.find_first_of("0123456789"), field.size());
@@ -42,7 +53,7 @@ Header take_header(TextReader& lines) {
     const std::optional<std::int64_t> count = whole_number(field.substr(letters));
     if (!is_header(word) || (letters < field.size() && !count))
       lines.broken("expected 'OFF', found " + TextReader::quoted(field));
-    header.is_plain = word == "OFF";
+    header.widths = widths_of(word);
     header.vertices = count.value_or(-1);
     if (lines.line_is_done() && !lines.next_line()) lines.truncated("the counts of vertices and faces are missing");
   }
@@ -51,7 +62,7 @@ Header take_header(TextReader& lines) {
   header.faces = lines.take_count();
   // The count of edges, which may be missing.
   if (!lines.line_is_done() || (lines.next_line_is_whole_number() && lines.next_line())) (void)lines.take_count();
-  if (!lines.line_is_done()) lines.broken("unexpected numbers after the counts");
+  header.ends_its_line = lines.line_is_done();
   return header;
 }
 
@@ -59,7 +70,10 @@ bool is_size_of_colour(int numbers) { return numbers == 0 || numbers == 1 || num
 
 /// How the parts lie in a file. `Mixed`: vertices and faces are words, and the rest of a face's last line is a colour.
 /// `Lines` if no other fits.
-enum class Reading { Lines, Words, Mixed };
+struct Reading {
+  enum Kind { Lines, Words, Mixed } kind = Lines;
+  int width = 3;  ///< how many numbers a vertex has among words
+};
 
 /// Whether a reading fills the file exactly, and what it finds.
 struct Fit {
@@ -100,35 +114,47 @@ bool take_face(TextReader& words, const Header& header) {
   return corners && *corners >= 3;
 }
 
-/// The vertices end with a line: if a face began on the same line, a count would more likely be wrong.
+/// The vertices end with a line, unless all words are on one: if a face began on the same line, a count would more
+/// likely be wrong.
 Fit fit_of_words(TextReader words, const Header& header, Reading reading) {
   Fit fit;
+  if (!words.next_word()) return {};
+  const std::size_t first_line = words.place().number;
   for (std::int64_t i = 0; i < header.vertices; ++i)
-    if (!words.take_words(3)) return {};
-  if (!words.line_is_done()) return {};
+    if (!words.take_words(reading.width)) return {};
+  const bool end_with_a_line = words.line_is_done();
   for (std::int64_t i = 0; i < header.faces; ++i) {
     if (!take_face(words, header)) return {};
-    if (reading == Reading::Words) continue;
+    if (reading.kind == Reading::Words) continue;
     const int colour = words.take_numbers();
     if (!words.line_is_done() || !is_size_of_colour(colour)) return {};
     fit.is_bare &= colour == 0;
   }
-  fit.fits = !words.next_word();
+  const bool is_one_line = words.place().number == first_line;
+  fit.fits = !words.next_word() && (end_with_a_line || is_one_line);
   return fit;
 }
 
 /// Returns the only reading that fits. Reports a fault if several do that differ.
 Reading reading_of(const MeshSource& source, const Header& header, const TextReader& after_header) {
+  std::vector<Reading> found;
   const auto most = static_cast<std::int64_t>(source.bytes.size());
-  if (header.vertices > most || header.faces > most) return Reading::Lines;
-  const Fit lines = fit_of_lines(after_header, header);
-  if (!header.is_plain || (lines.fits && lines.is_bare)) return Reading::Lines;
-  const Fit words = fit_of_words(after_header, header, Reading::Words);
-  const Fit mixed = fit_of_words(after_header, header, Reading::Mixed);
-  // As lines with three numbers a vertex, a file has the same parts as mixed.
-  if (words.fits && (lines.fits || (mixed.fits && !mixed.is_bare)))
-    source.lost(after_header.place(), "the numbers after the counts can be read in two ways");
-  return lines.fits ? Reading::Lines : words.fits ? Reading::Words : mixed.fits ? Reading::Mixed : Reading::Lines;
+  if (header.vertices <= most && header.faces <= most) {
+    const Fit lines = header.ends_its_line ? fit_of_lines(after_header, header) : Fit{};
+    if (lines.fits && (!header.is_plain() || lines.is_bare)) return {};
+    if (lines.fits) found.push_back({});
+    for (const int width : header.widths) {
+      const Reading words{Reading::Words, width}, mixed{Reading::Mixed, width};
+      const Fit as_words = fit_of_words(after_header, header, words),
+                as_mixed = fit_of_words(after_header, header, mixed);
+      if (as_words.fits) found.push_back(words);
+      // Without colours the parts are those of words; as lines with three numbers a vertex, those of lines.
+      if (as_mixed.fits && !lines.fits && !(as_words.fits && as_mixed.is_bare)) found.push_back(mixed);
+    }
+  }
+  if (found.size() > 1) source.lost(after_header.place(), "the numbers after the counts can be read in two ways");
+  if (found.empty() && !header.ends_its_line) after_header.broken("unexpected numbers after the counts");
+  return found.empty() ? Reading{} : found.front();
 }
 
 /// Moves to the line of the next vertex or face.
@@ -145,6 +171,7 @@ void read_words(TextReader& words, const Header& header, Reading reading, MeshBu
     builder.add_vertex(words.place(), [&] {
       std::array<double, 3> point{};
       for (double& coordinate : point) (void)words.next_word(), coordinate = words.take_double();
+      (void)words.take_words(reading.width - 3);
       return Eigen::Vector3d(point[0], point[1], point[2]);
     });
   }
@@ -154,7 +181,7 @@ void read_words(TextReader& words, const Header& header, Reading reading, MeshBu
     const SourceLocation place = words.place();
     corners.resize(static_cast<std::size_t>(words.take_count()));
     for (std::int64_t& corner : corners) (void)words.next_word(), corner = words.take_whole("vertex number");
-    if (reading == Reading::Mixed) (void)words.take_rest_of_numbers();
+    if (reading.kind == Reading::Mixed) (void)words.take_rest_of_numbers();
     builder.attempt([&] { builder.add_face(place, corners); });
   }
 }
@@ -193,7 +220,7 @@ void read_off(const MeshSource& source, MeshBuilder& builder) {
   TextReader lines(source, kSyntax);
   const Header header = take_header(lines);
   const Reading reading = reading_of(source, header, lines);
-  if (reading == Reading::Lines)
+  if (reading.kind == Reading::Lines)
     read_lines(lines, header, builder);
   else
     read_words(lines, header, reading, builder);

@@ -96,12 +96,15 @@ Scalar take_type(TextReader& lines) {
   return found->type;
 }
 
+/// Takes a format and its version, of which there is one.
 Encoding take_encoding(TextReader& lines) {
   const std::string_view word = lines.take();
-  if (word == "ascii") return Encoding::Text;
-  if (word == "binary_little_endian") return Encoding::LittleEndian;
-  if (word == "binary_big_endian") return Encoding::BigEndian;
-  lines.broken("unknown format " + TextReader::quoted(word));
+  if (word != "ascii" && word != "binary_little_endian" && word != "binary_big_endian")
+    lines.broken("unknown format " + TextReader::quoted(word));
+  if (const std::string_view version = lines.take(); version != "1.0")
+    lines.broken("expected the version 1.0, found " +
+                 (version.empty() ? "the end of the line" : TextReader::quoted(version)));
+  return word == "ascii" ? Encoding::Text : word == "binary_big_endian" ? Encoding::BigEndian : Encoding::LittleEndian;
 }
 
 std::string take_name(TextReader& lines) {
@@ -155,17 +158,24 @@ Header take_header(TextReader& lines) {
   const auto need_line = [&] {
     if (!lines.next_line()) lines.truncated("its header has no 'end_header'");
   };
+  const auto end_line = [&] {
+    if (!lines.line_is_done())
+      lines.broken("unexpected " + TextReader::quoted(lines.peek()) + " at the end of a header line");
+  };
   need_line();
   if (const std::string_view word = lines.take(); word != "ply")
     lines.broken("expected 'ply', found " + TextReader::quoted(word));
+  end_line();
 
   Header header;
   bool has_format = false;
   for (;;) {
     need_line();
     const std::string_view keyword = lines.take();
+    if (keyword == "comment" || keyword == "obj_info") continue;
     if (keyword == "end_header") break;
     if (keyword == "format") {
+      if (has_format) lines.broken("a second line 'format'");
       header.encoding = take_encoding(lines);
       has_format = true;
     } else if (keyword == "element") {
@@ -174,10 +184,12 @@ Header take_header(TextReader& lines) {
     } else if (keyword == "property") {
       if (header.elements.empty()) lines.broken("a property comes before the first element");
       header.elements.back().properties.push_back(take_property(lines));
-    } else if (keyword != "comment" && keyword != "obj_info") {
+    } else {
       lines.broken(TextReader::quoted(keyword) + " is not a PLY header keyword");
     }
+    end_line();
   }
+  end_line();
   if (!has_format) lines.broken("the header has no line 'format'");
   check_elements(header.elements, lines);
   return header;

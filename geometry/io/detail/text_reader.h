@@ -44,7 +44,8 @@ class TextReader {
       line_number_ = lines_passed_ + 1;
       rest_ = physical_line();
       skip_blanks();
-      is_joined_ = syntax_.continues != nullptr && before_continuation(rest_) && syntax_.continues(peek_keyword());
+      is_joined_ = syntax_.continues != nullptr && ends_with_backslash() && syntax_.continues(peek_keyword());
+      joints_.clear();
       if (is_joined_) join_continuations();
       skip_blanks();
       if (!rest_.empty()) return true;
@@ -52,10 +53,18 @@ class TextReader {
     return false;
   }
 
+  /// Where the current line begins.
   [[nodiscard]] SourceLocation place() const {
     return {SourceLocation::Unit::Line, std::max<std::size_t>(line_number_, 1)};
   }
+  /// Where the last word that was taken stands: on a later line than `place` if the current line is continued.
+  [[nodiscard]] SourceLocation word_place() const {
+    SourceLocation where = place();
+    where.number += static_cast<std::size_t>(std::ranges::upper_bound(joints_, word_begin_) - joints_.begin());
+    return where;
+  }
   [[nodiscard]] bool line_is_done() const { return rest_.empty(); }
+  [[nodiscard]] bool line_is_continued() const { return is_joined_; }
   /// Returns the position of the byte after the current line. If all lines before it end with "\r" alone, so does this
   /// one: a "\n" that follows is data.
   [[nodiscard]] std::size_t position() const {
@@ -67,12 +76,13 @@ class TextReader {
   void read_words() { reads_words_ = true; }
 
   /// Reports a fault of this part. If another part may have begun within it, the rest of the file is lost.
-  [[noreturn]] void broken(const std::string& reason) const {
-    if (reads_words_ || is_joined_) lost(reason);
-    source_.broken(place(), reason);
+  [[noreturn]] void broken(const std::string& reason) const { broken(word_place(), reason); }
+  [[noreturn]] void broken(SourceLocation where, const std::string& reason) const {
+    if (reads_words_ || is_joined_) source_.lost(where, reason);
+    source_.broken(where, reason);
   }
   /// Reports a fault after which the next part cannot be found.
-  [[noreturn]] void lost(const std::string& reason) const { source_.lost(place(), reason); }
+  [[noreturn]] void lost(const std::string& reason) const { source_.lost(word_place(), reason); }
 
   /// Reports that something is missing at the end of the file. The place is the last line.
   [[noreturn]] void truncated(const std::string& reason) const { lost("the file is truncated: " + reason); }
@@ -80,6 +90,7 @@ class TextReader {
   /// Takes the next field of the line; empty at its end.
   std::string_view take() {
     const std::string_view field = peek();
+    if (is_joined_ && !field.empty()) word_begin_ = joined_.size() - rest_.size();
     rest_.remove_prefix(field.size());
     skip_blanks();
     return field;
@@ -92,6 +103,8 @@ class TextReader {
     TextReader ahead(*this);
     return ahead.next_line() && whole_number(ahead.take()) && ahead.line_is_done();
   }
+  /// Returns whether what is left of the line ends with a '\' and any blanks.
+  [[nodiscard]] bool ends_with_backslash() const { return before_continuation(rest_).has_value(); }
   /// Returns what is left of the line.
   [[nodiscard]] std::string_view rest_of_line() const { return rest_; }
   /// Takes the next words, if they are this many numbers, and returns whether they are.
@@ -187,7 +200,7 @@ class TextReader {
   /// Takes the rest of the line, and returns how many numbers it holds. Reports a fault if it holds anything else.
   int take_rest_of_numbers() {
     const int count = take_numbers();
-    if (!line_is_done()) broken(quoted(peek()) + " is not a number");
+    if (!line_is_done()) broken(quoted(take()) + " is not a number");
     return count;
   }
 
@@ -233,8 +246,10 @@ class TextReader {
 
   void join_continuations() {
     joined_.clear();
+    word_begin_ = 0;
     while (const auto part = before_continuation(rest_)) {
       joined_.append(*part).push_back(' ');
+      joints_.push_back(joined_.size());
       rest_ = position_ < text_.size() ? physical_line() : std::string_view{};
     }
     joined_.append(rest_);
@@ -246,10 +261,12 @@ class TextReader {
   TextSyntax syntax_;
   std::size_t position_ = 0;
   std::size_t lines_passed_ = 0;
-  std::size_t other_ends_ = 0;   // of the lines passed, not "\r" alone
-  std::size_t line_number_ = 0;  // where the current line begins
-  std::string_view rest_;        // the rest of the current line, from the next field on
-  std::string joined_;           // the current line, if it was continued
+  std::size_t other_ends_ = 0;       // of the lines passed, not "\r" alone
+  std::size_t line_number_ = 0;      // where the current line begins
+  std::string_view rest_;            // the rest of the current line, from the next field on
+  std::string joined_;               // the current line, if it was continued
+  std::vector<std::size_t> joints_;  // where in it each line after its first begins; empty if it was not
+  std::size_t word_begin_ = 0;       // where in it the last word taken begins
   bool reads_words_ = false, is_joined_ = false;
 };
 
