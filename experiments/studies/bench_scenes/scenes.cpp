@@ -7,9 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/cases/workloads/random.h"
 #include "geometry/bvh/box.h"
-#include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::bench_scenes {
@@ -48,13 +48,6 @@ void scale_to_one(std::vector<Triangle>& triangles) {
   const double scale = std::ldexp(1.0, -exponent);
   for (Triangle& t : triangles)
     for (Eigen::Vector3d* point : {&t.a, &t.b, &t.c}) *point = scale * (*point - all.low);
-}
-
-bool is_mesh(const std::filesystem::path& file) {
-  std::string kind = file.extension().string();
-  std::ranges::transform(kind, kind.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return kind == ".stl" || kind == ".obj" || kind == ".off" || kind == ".ply";
 }
 
 double median_size(const std::vector<Triangle>& triangles) {
@@ -110,7 +103,7 @@ Machine::Machine(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) throw std::runtime_error(folder.string() + ": is no folder");
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && is_mesh(entry.path())) files.push_back(entry.path());
+    if (entry.is_regular_file() && workloads::is_own_format(entry.path())) files.push_back(entry.path());
   std::ranges::sort(files);
   for (const auto& file : files) {
     std::vector<Triangle> part = triangles_of(read_mesh(file, OnFault::Skip).mesh);

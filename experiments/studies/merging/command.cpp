@@ -40,11 +40,8 @@ void tell_left_out(const std::string& file, const ReadMesh& mesh) {
 
 /// Faces that are not polygons, and so were not merged.
 void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vector<mesh::RejectedFace>& rejected) {
-  for (std::size_t i = 0; i < std::min(rejected.size(), kShown); ++i) {
-    const auto& [face, rejection] = rejected[i];
-    const std::string reason = fmt::format("face {}: {}: {}", face, to_string(rejection.code), rejection.message);
-    fmt::print(stderr, "touchstone: left out: {}\n", io::sentence(file, mesh.places[face], reason));
-  }
+  for (std::size_t i = 0; i < std::min(rejected.size(), kShown); ++i)
+    fmt::print(stderr, "touchstone: left out: {}\n", workloads::sentence_of_face(file, mesh, rejected[i]));
   if (rejected.size() > kShown)
     fmt::print(stderr, "touchstone: left out: {}: {} more faces\n", io::all_legible(file), rejected.size() - kShown);
 }

@@ -162,10 +162,8 @@ Object object_of(workloads::NamedFile file, bool merge) {
     rejected = std::move(faces.left_out);
   }
   object.faces_rejected = rejected.size();
-  for (const auto& [face, rejection] : std::span(rejected).first(std::min(rejected.size(), kMostSentences)))
-    object.rejected.push_back(
-        io::sentence(file.file, file.content.places[face],
-                     fmt::format("face {}: {}: {}", face, to_string(rejection.code), rejection.message)));
+  for (const mesh::RejectedFace& face : std::span(rejected).first(std::min(rejected.size(), kMostSentences)))
+    object.rejected.push_back(workloads::sentence_of_face(file.file, file.content, face));
   return object;
 }
 
