@@ -78,9 +78,11 @@ def read_point(value):
     return tuple(value)
 
 
-def read_loop(value):
+def read_loop(value, closed):
     reject_if(not isinstance(value, list), "malformed-case")
-    return [read_point(p) for p in value]
+    points = [read_point(p) for p in value]
+    reject_if(closed and (len(points) < 2 or points[0] != points[-1]), "malformed-case")
+    return points[:-1] if closed else points
 
 
 def read_case(case):
@@ -89,7 +91,8 @@ def read_case(case):
     ball, polygon = member(case, "ball", dict), member(case, "polygon", dict)
     center, radius = read_point(member(ball, "center", list)), member(ball, "radius", float)
     to = read_point(member(member(case, "motion", dict), "to", list)) if "motion" in case else None
-    loops = [read_loop(v) for v in [member(polygon, "outer", list), *member(polygon, "holes", list, [])]]
+    closed = member(polygon, "closed", bool, False)
+    loops = [read_loop(v, closed) for v in [member(polygon, "outer", list), *member(polygon, "holes", list, [])]]
     expected = member(case, "expected", dict, {})
     reject_if(not set(expected) <= {*ANSWER_KEYS, *MOVING_KEYS, "error"}, "malformed-case")
     reject_if(not all(isinstance(tag, str) for tag in member(case, "tags", list, [])), "malformed-case")

@@ -233,6 +233,16 @@ class Rejections(unittest.TestCase):
         self.assertIsNone(code(expected={"error": True}, tags=["x"]))
         self.assertIsNone(code(expected={"distance": 1, "point": [0, 0, 0]}))
 
+    def test_loops_that_are_closed(self):
+        def closed(outer, says=True):
+            case = json.loads(text(outer=outer))
+            case["polygon"]["closed"] = says
+            return checker.judge_case(json.dumps(case))
+        self.assertEqual(closed([*SQUARE, SQUARE[0]]), checker.judge_case(text(outer=SQUARE)))
+        self.assertEqual(closed([*SQUARE, SQUARE[0]], False)["error"], "repeated-vertex")
+        for outer, says in (SQUARE, True), ([], True), (SQUARE[:1], True), (SQUARE, 1), (SQUARE, None):
+            self.assertEqual(closed(outer, says)["error"], "malformed-case")
+
     def test_id_of_a_malformed_case(self):
         self.assertEqual(checker.judge_case('{"id": "x"}')["id"], "x")
         self.assertIsNone(checker.judge_case('{"id": 5}')["id"])
