@@ -20,6 +20,7 @@ set(public_headers
   "rejection" "touchstone::Rejection: why an input is not a ball or not a polygon." "geometry/shapes/rejection.h"
   "scene" "touchstone::scene::Scene: exact contact with many posed objects." "robust/scene/scene.h"
   "scene_faces" "touchstone::mesh::scene_faces: a merged mesh as an object of a scene." "robust/mesh/scene_faces.h"
+  "segment" "touchstone::Segment." "geometry/shapes/segment.h"
   "solid" "touchstone::scene::Solid: whether points and balls are in a solid, and signed distances." "robust/scene/solid.h"
   "thesis" "touchstone::thesis: the method of a 2008 thesis, errors included." "geometry/contact/thesis.h"
   "triangle" "touchstone::Triangle." "geometry/shapes/triangle.h"

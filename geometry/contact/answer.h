@@ -49,7 +49,7 @@ struct Answer {
   Eigen::Vector3d point;               ///< the closest point of the polygon
   double distance;                     ///< from the centre to the polygon
   double off_plane;                    ///< the largest displacement of a vertex onto the supporting plane
-  /// The direction from `point` to the centre, of length 1; if they coincide, that of the front.
+  /// The direction from `point` to the centre, of length 1; if they coincide, that of the front, or 0 without one.
   Eigen::Vector3d contact_normal = Eigen::Vector3d::Zero();
   double depth = 0;  ///< the radius less the distance: negative if they are separate
 
@@ -60,6 +60,19 @@ struct Answer {
            a.relation == b.relation && a.nearest == b.nearest && same_point(a.point, b.point) &&
            same_number(a.distance, b.distance) && same_point(a.contact_normal, b.contact_normal) &&
            same_number(a.depth, b.depth) && same_number(a.off_plane, b.off_plane);
+  }
+};
+
+/// The point of a polygon that is closest to a centre.
+struct ClosestPoint {
+  Feature feature;                                           ///< the feature that contains it
+  Eigen::Vector3d point;                                     ///< as in Answer
+  double distance;                                           ///< as in Answer
+  Eigen::Vector3d contact_normal = Eigen::Vector3d::Zero();  ///< as in Answer
+
+  friend bool operator==(const ClosestPoint& a, const ClosestPoint& b) {
+    return a.feature == b.feature && same_point(a.point, b.point) && same_number(a.distance, b.distance) &&
+           same_point(a.contact_normal, b.contact_normal);
   }
 };
 

@@ -29,7 +29,8 @@ inline const Motion& required(const Motion& motion) {
   return motion;
 }
 
-/// Returns the triangle. Asserts that its vertices are finite; that they are not collinear would be expensive to check.
+/// Returns the triangle. Asserts that its vertices are finite; in `fast`, that they are not collinear would be
+/// expensive to check.
 inline const Triangle& required(const Triangle& triangle) {
   assert(triangle.a.allFinite() && triangle.b.allFinite() && triangle.c.allFinite());
   return triangle;

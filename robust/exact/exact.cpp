@@ -107,7 +107,10 @@ class FootSigns {
   Number foot_v_;
 };
 
-PointLocation foot(const Query& query) { return locate(query.polygon, FootSigns(query)); }
+PointLocation foot(const Query& query) {
+  if (kernel::is_zero(query.polygon.normal_squared)) return PointLocation::Outside;  // there is no plane
+  return locate(query.polygon, FootSigns(query));
+}
 
 std::vector<std::size_t> edges_hit(const Query& query) {
   std::vector<std::size_t> hit;
@@ -195,6 +198,11 @@ PreparedPolygon::PreparedPolygon(const Polygon& polygon) {
   expect_sound_arithmetic();
   lifted_ = std::make_unique<const Lifted>(polygon);
 }
+PreparedPolygon::PreparedPolygon(const Triangle& triangle) {
+  const FloatingPointState nearest;
+  expect_sound_arithmetic();
+  lifted_ = std::make_unique<const Lifted>(required(triangle));
+}
 PreparedPolygon::PreparedPolygon(PreparedPolygon&&) noexcept = default;
 PreparedPolygon& PreparedPolygon::operator=(PreparedPolygon&&) noexcept = default;
 PreparedPolygon::~PreparedPolygon() = default;
@@ -258,6 +266,13 @@ std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
   return edges_hit(ball, PreparedPolygon(polygon));
 }
 Answer answer(const Ball& ball, const Polygon& polygon) { return answer(ball, PreparedPolygon(polygon)); }
+
+bool contact(const Ball& ball, const Triangle& triangle) { return contact(ball, PreparedPolygon(triangle)); }
+Relation relation(const Ball& ball, const Triangle& triangle) { return relation(ball, PreparedPolygon(triangle)); }
+ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) {
+  const Answer found = answer(Ball{required(center), 0}, PreparedPolygon(triangle));
+  return {found.nearest, found.point, found.distance, found.contact_normal};
+}
 
 int compare_distances(const Ball& ball, const PreparedPolygon& first, const PreparedPolygon& second) {
   const FloatingPointState nearest;

@@ -8,6 +8,7 @@
 #include "../../geometry/contact/answer.h"
 #include "../../geometry/shapes/ball.h"
 #include "../../geometry/shapes/polygon.h"
+#include "../../geometry/shapes/triangle.h"
 
 /// Exact answers, which define what is correct: the functions of `fast` over an exact kernel of CGAL.
 ///
@@ -50,6 +51,9 @@ class PreparedPolygon {
  public:
   /// Prepares the polygon.
   explicit PreparedPolygon(const Polygon& polygon);
+  /// Prepares the triangle, which may be degenerate, or a Segment: then every ball intersects the plane, the foot is
+  /// outside, and `contact_normal` is 0 where the centre is on it.
+  explicit PreparedPolygon(const Triangle& triangle);
   /// @{
   /// A moved-from object may only be assigned to or destroyed.
   PreparedPolygon(PreparedPolygon&&) noexcept;
@@ -88,6 +92,13 @@ class PreparedPolygon {
 [[nodiscard]] PointLocation foot(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
+/// @}
+
+/// @{
+/// The same for a triangle, which may be degenerate, or a Segment.
+[[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle);
+[[nodiscard]] Relation relation(const Ball& ball, const Triangle& triangle);
+[[nodiscard]] ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle);
 /// @}
 
 }  // namespace touchstone::exact

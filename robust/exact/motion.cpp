@@ -159,10 +159,11 @@ std::optional<Event> first_event(const Moving& moving) {
   return first;
 }
 
-/// Returns whether the ball moves along the plane at distance r from it.
+/// Returns whether the ball moves along the plane, if there is one, at distance r from it.
 bool slides_along_plane(const Moving& moving) {
   const auto& [s, change] = moving.height;
-  return kernel::is_zero(change) && kernel::square(s) == moving.radius_squared * moving.polygon.normal_squared;
+  return !kernel::is_zero(moving.polygon.normal_squared) && kernel::is_zero(change) &&
+         kernel::square(s) == moving.radius_squared * moving.polygon.normal_squared;
 }
 
 /// What a ball does that grazes a vertex.
@@ -306,6 +307,11 @@ int compare_times(const Motion& motion, const PreparedPolygon& first, const Prep
 bool contact(const Motion& motion, const Polygon& polygon) { return contact(motion, PreparedPolygon(polygon)); }
 FirstContact first_contact(const Motion& motion, const Polygon& polygon) {
   return first_contact(motion, PreparedPolygon(polygon));
+}
+
+bool contact(const Motion& motion, const Triangle& triangle) { return contact(motion, PreparedPolygon(triangle)); }
+FirstContact first_contact(const Motion& motion, const Triangle& triangle) {
+  return first_contact(motion, PreparedPolygon(triangle));
 }
 
 }  // namespace touchstone::exact

@@ -6,8 +6,8 @@
 #include "../../geometry/shapes/polygon.h"
 #include "exact.h"
 
-/// Moving balls. Each event on the way is the smaller root of a quadratic with exact coefficients. Signs of polynomials
-/// compare such roots, so nothing is approximated.
+/// Moving balls. Triangles may be degenerate, or a Segment. Each event on the way is the smaller root of a quadratic
+/// with exact coefficients. Signs of polynomials compare such roots, so nothing is approximated.
 ///
 /// Guarantees, for every motion and every polygon that `find_fault` and `validate` accept:
 ///  (1) a ball at rest has the contact of the static answer; its first contact is Start or None;
@@ -26,6 +26,7 @@ namespace touchstone::exact {
 /// Returns whether the ball touches the polygon at any time. This is the contact of the capsule, too.
 [[nodiscard]] bool contact(const Motion& motion, const PreparedPolygon& polygon);
 [[nodiscard]] bool contact(const Motion& motion, const Polygon& polygon);
+[[nodiscard]] bool contact(const Motion& motion, const Triangle& triangle);
 /// @}
 
 /// @{
@@ -33,6 +34,7 @@ namespace touchstone::exact {
 /// nearest to the exact numbers.
 [[nodiscard]] FirstContact first_contact(const Motion& motion, const PreparedPolygon& polygon);
 [[nodiscard]] FirstContact first_contact(const Motion& motion, const Polygon& polygon);
+[[nodiscard]] FirstContact first_contact(const Motion& motion, const Triangle& triangle);
 /// @}
 
 /// Returns which of two polygons the ball touches first: the first (-1), both at the same time or neither (0), or the

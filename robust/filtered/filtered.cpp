@@ -6,6 +6,7 @@
 
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
+#include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon/frame_query.h"
 #include "robust/filtered/detail/polygon/prepared.h"
@@ -115,6 +116,15 @@ bool contact(const Ball& ball, const Triangle& triangle) {
 }
 bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts) {
   return kernels().counted.triangle_contact(view_of(required(ball), required(triangle)), counts);
+}
+
+Relation relation(const Ball& ball, const Triangle& triangle) {
+  const FloatingPointState nearest;
+  ClosestPoint point{};
+  double depth = 0;
+  kernels().plain.triangle_closest(view_of(required(ball), required(triangle)), point, &depth, uncounted);
+  if (depth != 0) return depth > 0 ? Relation::Overlapping : Relation::Separate;  // 0 may stand for a small difference
+  return exact::relation(ball, triangle);
 }
 
 ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) {

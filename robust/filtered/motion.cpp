@@ -36,9 +36,7 @@ FirstContact first_contact_of(const KernelTable<Counts>& kernels, const Motion& 
 }
 
 const exact::PreparedPolygon& exactly(const PreparedPolygon& polygon) { return parts_of(polygon).exact(); }
-exact::PreparedPolygon exactly(const Triangle& triangle) {
-  return exact::PreparedPolygon(Polygon({triangle.a, triangle.b, triangle.c}));
-}
+exact::PreparedPolygon exactly(const Triangle& triangle) { return exact::PreparedPolygon(triangle); }
 
 /// Rounding keeps the order of times, except that they may become equal.
 template <class Face>

@@ -16,10 +16,10 @@ using namespace detail;
 
 namespace {
 
-/// Throws Rejected, naming the triangle, if `exact::validate` rejects it as a polygon.
-void expect_valid(const Triangle& triangle, std::size_t number) {
+/// Throws Rejected, naming the triangle, if it is not accepted.
+void expect_valid(const Triangle& triangle, std::size_t number, Degenerate degenerate) {
   try {
-    detail::expect_valid(triangle);
+    detail::expect_valid(triangle, degenerate);
   } catch (const Rejected& rejected) {
     const auto& [code, message] = rejected.rejection();
     throw Rejected({code, "triangle " + std::to_string(number) + ": " + message});
@@ -30,15 +30,16 @@ NoCounts uncounted;
 
 }  // namespace
 
-TriangleSet::Parts::Parts(std::span<const Triangle> given) : triangles(given.begin(), given.end()) {
-  for (std::size_t i = 0; i < given.size(); ++i) expect_valid(given[i], i);
+TriangleSet::Parts::Parts(std::span<const Triangle> given, Degenerate degenerate)
+    : triangles(given.begin(), given.end()) {
+  for (std::size_t i = 0; i < given.size(); ++i) expect_valid(given[i], i, degenerate);
   for (std::size_t first = 0; first < given.size(); first += TriangleGroup::kWidth)
     groups.push_back(group_of(given.subspan(first, std::min(TriangleGroup::kWidth, given.size() - first))));
 }
 
-TriangleSet::TriangleSet(std::span<const Triangle> triangles) {
+TriangleSet::TriangleSet(std::span<const Triangle> triangles, Degenerate degenerate) {
   const FloatingPointState nearest;
-  parts_ = std::make_unique<const Parts>(triangles);
+  parts_ = std::make_unique<const Parts>(triangles, degenerate);
 }
 TriangleSet::TriangleSet(TriangleSet&&) noexcept = default;
 TriangleSet& TriangleSet::operator=(TriangleSet&&) noexcept = default;

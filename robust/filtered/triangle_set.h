@@ -31,8 +31,9 @@ namespace touchstone::filtered {
 class TriangleSet {
  public:
   /// Prepares the triangles. Throws Rejected, with the code of `exact::validate` and a message that names the
-  /// triangle, for the first triangle that is not a valid polygon.
-  explicit TriangleSet(std::span<const Triangle> triangles);
+  /// triangle, for the first triangle that is not a valid polygon; of those that are taken as segments, for the first
+  /// that is not finite.
+  explicit TriangleSet(std::span<const Triangle> triangles, Degenerate degenerate = Degenerate::Refuse);
   /// @{
   /// A moved-from object may only be assigned to or destroyed.
   TriangleSet(TriangleSet&&) noexcept;

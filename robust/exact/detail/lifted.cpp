@@ -40,6 +40,13 @@ std::optional<int> detail::dropped_axis(const Polygon& polygon) {
 
 const PreparedPolygon::Lifted& lifted(const PreparedPolygon& polygon) { return *polygon.lifted_; }
 
+PreparedPolygon::Lifted::Lifted(const Triangle& triangle)
+    : scale(1), vertices{vector(triangle.a), vector(triangle.b), vector(triangle.c)}, next{1, 2, 0}, off_plane(0) {
+  normal = kernel::cross_product(vertices[1] - vertices[0], vertices[2] - vertices[0]);
+  normal_squared = normal.squared_length();
+  dropped_axis = largest_component(normal);
+}
+
 PreparedPolygon::Lifted::Lifted(const Polygon& polygon) : scale(1), off_plane(0) {
   normal = newell_normal(polygon);
   if (normal == kernel::NULL_VECTOR)

@@ -28,6 +28,8 @@ struct PreparedPolygon::Lifted {
 
   /// Throws Rejected with `zero-normal` if there is no supporting plane.
   explicit Lifted(const Polygon& polygon);
+  /// A degenerate triangle has the normal 0.
+  explicit Lifted(const Triangle& triangle);
 };
 
 /// Returns what the polygon holds.

@@ -29,10 +29,11 @@ double rounded_depth(const Number& radius, const Number& numerator, const Number
                                Number(denominator * scale));
 }
 
-/// Returns the vector divided by its length. Requires a vector that is not zero.
+/// Returns the vector divided by its length; zero for the vector zero.
 template <class Number>
 Eigen::Vector3d rounded_unit_vector(const Number& x, const Number& y, const Number& z) {
   const Number length_squared = kernel::square(x) + kernel::square(y) + kernel::square(z);
+  if (kernel::is_zero(length_squared)) return Eigen::Vector3d::Zero();
   const auto component = [&length_squared](const Number& of) {
     const double size = rounded(Number(kernel::square(of)), length_squared, nearest_root);
     return kernel::is_negative(of) ? 0.0 - size : size;  // never -0

@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 
+#include "geometry/shapes/segment.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/motion.h"
 #include "robust/filtered/triangle_set.h"
@@ -74,6 +75,11 @@ auto counted_moving(const Ask& ask) {
 
 std::array<Triangle, 3> three_orders(const Triangle& t) { return {{t, {t.b, t.c, t.a}, {t.c, t.b, t.a}}}; }
 
+/// The input's triangle, or one of its edges as a degenerate triangle.
+Triangle flattened(const Input& in) {
+  return in.index % 2 == 0 ? in.triangle : Triangle(Segment{in.triangle.a, in.triangle.b});
+}
+
 using Exact = exact::PreparedPolygon;
 using Filtered = filtered::PreparedPolygon;
 
@@ -100,12 +106,27 @@ std::vector<PublicFunction> exact_functions() {
             prepared_moving<Exact>([](auto& m, auto& p) { return exact::first_contact(m, p); })),
       gives("exact::contact", [](const Input& in) { return exact::contact(motion_in(in), in.polygon); }),
       gives("exact::first_contact", [](const Input& in) { return exact::first_contact(motion_in(in), in.polygon); }),
+      gives("exact::PreparedPolygon::PreparedPolygon",
+            [](const Input& in) {
+              return [triangle = std::make_shared<Exact>(flattened(in)), ball = in.ball] {
+                return answer(ball, *triangle);
+              };
+            }),
+      gives("exact::contact", [](const Input& in) { return exact::contact(in.ball, flattened(in)); }),
+      gives("exact::relation", [](const Input& in) { return exact::relation(in.ball, flattened(in)); }),
+      gives("exact::closest", [](const Input& in) { return exact::closest(in.point, flattened(in)); }),
+      gives("exact::contact", [](const Input& in) { return exact::contact(motion_in(in), flattened(in)); }),
+      gives("exact::first_contact", [](const Input& in) { return exact::first_contact(motion_in(in), flattened(in)); }),
       gives("exact::compare_times",
             prepared_moving<Exact>([](auto& m, auto& p) { return exact::compare_times(m, p, p); })),
   };
 }
 
-filtered::TriangleSet set_of(const Triangle& t) { return filtered::TriangleSet(three_orders(t)); }
+filtered::TriangleSet set_of(const Triangle& t) {
+  std::array<Triangle, 3> triangles = three_orders(t);
+  triangles[2] = Segment{t.a, t.b};
+  return filtered::TriangleSet(triangles, Degenerate::AsSegments);
+}
 template <class... Counts>
 std::array<bool, 3> touched(const Ball& ball, const filtered::TriangleSet& set, Counts&... counts) {
   std::array<bool, 3> touches{};
@@ -166,7 +187,7 @@ std::vector<PublicFunction> filtered_functions() {
       gives("filtered::foot", unprepared([](auto& b, auto& p) { return filtered::foot(b, p); })),
       gives("filtered::edges_hit", unprepared([](auto& b, auto& p) { return filtered::edges_hit(b, p); })),
       gives("filtered::answer", unprepared([](auto& b, auto& p) { return filtered::answer(b, p); })),
-      gives("filtered::contact", [](const Input& in) { return filtered::contact(in.ball, in.triangle); }),
+      gives("filtered::contact", [](const Input& in) { return filtered::contact(in.ball, flattened(in)); }),
       gives("filtered::contact", with_counts([](const Input& in, filtered::StageCounts& n) {
               return filtered::contact(in.ball, in.triangle, n);
             })),
@@ -197,7 +218,7 @@ std::vector<PublicFunction> filtered_functions() {
       gives("filtered::first_contact",
             [](const Input& in) { return filtered::first_contact(motion_in(in), in.polygon); }),
       gives("filtered::first_contact",
-            [](const Input& in) { return filtered::first_contact(motion_in(in), in.triangle); }),
+            [](const Input& in) { return filtered::first_contact(motion_in(in), flattened(in)); }),
       gives("filtered::first_contact", with_counts([](const Input& in, filtered::StageCounts& n) {
               return filtered::first_contact(motion_in(in), in.triangle, n);
             })),
@@ -208,7 +229,8 @@ std::vector<PublicFunction> filtered_functions() {
               const Triangle other{in.triangle.b, in.triangle.c, in.triangle.a};
               return filtered::compare_times(motion_in(in), in.triangle, other);
             }),
-      gives("filtered::closest", [](const Input& in) { return filtered::closest(in.point, in.triangle); }),
+      gives("filtered::relation", [](const Input& in) { return filtered::relation(in.ball, flattened(in)); }),
+      gives("filtered::closest", [](const Input& in) { return filtered::closest(in.point, flattened(in)); }),
       gives("filtered::closest", with_counts([](const Input& in, filtered::StageCounts& n) {
               return filtered::closest(in.point, in.triangle, n);
             })),

@@ -81,7 +81,7 @@ std::vector<PublicFunction> shape_functions() {
               other.point = in.ball.center;
               return std::array{first == first, first == other};
             }),
-      gives("filtered::operator==",
+      gives("operator==",
             [](const Input& in) {
               const filtered::ClosestPoint here{{}, in.point, 0}, there{{}, in.point, neighbour(0)};
               return std::array{here == here, here == there};

@@ -244,6 +244,7 @@ class CapsuleInDoubles {
   [[nodiscard]] FilterResult edge(int i) const {
     const int next = i == 2 ? 0 : i + 1;
     const Vector3<DoubleDouble> edge = exact_difference(view_.vertex[next], view_.vertex[i]);
+    if (is_zero(edge)) return FilterResult::No;  // it has no interior
     return is_edge_hit(CapsuleEdge<DoubleDouble, double>{from(i), from(next), from_end(i), edge, velocity_,
                                                          view_.radius(), signs_.center[i], signs_.edge[i],
                                                          signs_.velocity});

@@ -50,6 +50,26 @@ struct PossibleEvents {
   bool face = true;
 };
 
+/// Returns the events of a degenerate triangle: those of its ends and of the edge between them, each by the lowest
+/// number.
+inline PossibleEvents events_of_ends(const double (*vertex)[3]) {
+  const auto before = [vertex](int i, int j) {
+    return std::lexicographical_compare(vertex[i], vertex[i] + 3, vertex[j], vertex[j] + 3);
+  };
+  int low = 0, high = 0;
+  for (const int i : {1, 2}) {
+    if (before(i, low)) low = i;
+    if (before(high, i)) high = i;
+  }
+  PossibleEvents events{1U << low | 1U << high, 0, false};
+  const auto at = [&before](int i, int end) { return !before(i, end) && !before(end, i); };
+  for (int i = 2; i >= 0 && low != high; --i) {
+    const int next = i == 2 ? 0 : i + 1;
+    if ((at(i, low) && at(next, high)) || (at(i, high) && at(next, low))) events.interiors = 1U << i;
+  }
+  return events;
+}
+
 /// The events of a motion at a triangle, one edge and its start a lane. Every lane of `face` is the same event.
 struct TriangleEvents {
   Entry<Pack> start, interior, face;

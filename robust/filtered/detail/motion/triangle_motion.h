@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -103,6 +104,13 @@ class ScaledMotionDoubles {
   std::optional<TriangleMotionDoubles> doubles_;
 };
 
+/// Returns whether a lower edge of a degenerate triangle may hold the touched point, too.
+inline bool may_be_on_lower_edge(const double (*vertex)[3], const Feature& feature) {
+  for (std::size_t i = 0; i < feature.index && feature.kind == Feature::Kind::Edge; ++i)
+    if (!std::equal(vertex[i], vertex[i] + 3, vertex[i + 1])) return true;  // exact
+  return false;
+}
+
 /// Returns the first contact on the way in double-doubles; nothing if it is not certain.
 inline std::optional<FirstContact> first_contact_in_doubles(const MotionTriangleView& view,
                                                             const MotionFilterResult& known) {
@@ -113,9 +121,11 @@ inline std::optional<FirstContact> first_contact_in_doubles(const MotionTriangle
   const ScaledMotionDoubles scaled(view, known.contact == FilterResult::OutOfRange);
   const auto& doubles = scaled.doubles();
   if (!doubles) return std::nullopt;
+  const bool degenerate = is_degenerate(view.vertex);
   FirstCandidate<DoubleDouble> first;
-  switch (doubles->find_first(known.possible, first)) {
+  switch (doubles->find_first(degenerate ? events_of_ends(view.vertex) : known.possible, first)) {
     case FilterResult::Yes:
+      if (degenerate && may_be_on_lower_edge(view.vertex, first.feature())) return std::nullopt;
       return TouchedPoint(*doubles, first.feature(), {first.time(), first.error()}).rounded_contact();
     case FilterResult::No: return FirstContact{};
     default: return std::nullopt;
@@ -191,8 +201,9 @@ __attribute__((noinline)) bool later_motion_contact(const MotionTriangleView& vi
   }
   const ScaledMotionDoubles scaled(view, result == FilterResult::OutOfRange);
   FirstCandidate<DoubleDouble> first;
+  const PossibleEvents possible = is_degenerate(view.vertex) ? events_of_ends(view.vertex) : PossibleEvents{};
   const FilterResult known =
-      scaled.doubles() ? scaled.doubles()->template find_first<true>({}, first) : FilterResult::Unsure;
+      scaled.doubles() ? scaled.doubles()->template find_first<true>(possible, first) : FilterResult::Unsure;
   if (known < FilterResult::Unsure) {
     counts.count(Stage::DoubleDouble);
     return known == FilterResult::Yes;

@@ -41,7 +41,7 @@ struct TriangleGroup {
 }  // namespace detail
 
 struct TriangleSet::Parts {
-  explicit Parts(std::span<const Triangle> given);
+  Parts(std::span<const Triangle> given, Degenerate degenerate);
 
   std::vector<detail::TriangleGroup> groups;
   std::vector<Triangle> triangles;

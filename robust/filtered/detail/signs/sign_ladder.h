@@ -172,10 +172,15 @@ class IntegerView {
   return (dot(edge, edge) * to_center[axis] - dot(to_center, edge) * edge[axis]).sign() == 0;
 }
 
-/// Returns whether the sign is 0 because the centre is the edge's start, so that every product has a factor 0.
+/// Returns whether the sign is 0 because the centre is the edge's start, or because the edge has no length, so that
+/// every product has a factor 0.
 template <SignKind kind>
 bool vanishes(const EdgeOperands& operands) {
-  if (operands.lifted || !is_zero(operands.to_center)) return false;
+  if (operands.lifted) return false;
+  constexpr bool of_edge =
+      kind == SignKind::Along || kind == SignKind::Beyond || kind == SignKind::Line || kind == SignKind::Side;
+  if (of_edge && is_zero(operands.edge)) return true;
+  if (!is_zero(operands.to_center)) return false;
   constexpr bool linear =
       kind == SignKind::Along || kind == SignKind::Front || kind == SignKind::Side || kind == SignKind::Above;
   return linear || (kind != SignKind::Beyond && operands.radius == 0);

@@ -36,11 +36,7 @@ struct View {
 
 Eigen::Vector3d point(const double* p) { return {p[0], p[1], p[2]}; }
 
-template <class AnyView>
-Polygon polygon_of(const AnyView& view) {
-  return Polygon({point(view.vertex[0]), point(view.vertex[1]), point(view.vertex[2])});
-}
-Ball ball_of(const BallTriangleView& view) { return {point(view.center), view.radius()}; }
+Triangle triangle_of(const double (*vertex)[3]) { return {point(vertex[0]), point(vertex[1]), point(vertex[2])}; }
 Motion motion_of(const MotionTriangleView& view) {
   return {{point(view.motion), view.radius()}, point(view.motion + 4)};
 }
@@ -56,7 +52,27 @@ bool has_surely_normal(const Triangle& t) {
   return false;
 }
 
+/// Returns what integers find of the triangle's feature that is nearest to the ball's centre, or for a degenerate
+/// triangle, of which there are no such integers, what `exact` does.
+template <class FromIntegers, class FromExact>
+auto rounded_of(const BallTriangleView& view, double radius, const FromIntegers& integers, const FromExact& exactly) {
+  const Triangle triangle = triangle_of(view.vertex);
+  const Ball ball{point(view.center), radius};
+  if (is_degenerate(view.vertex)) return exactly(exact::answer(ball, exact::PreparedPolygon(triangle)));
+  const Polygon polygon({triangle.a, triangle.b, triangle.c});
+  return integers(BigIntPolygon(polygon), ball);
+}
+
 }  // namespace
+
+bool is_degenerate(const double (*vertex)[3]) {
+  const Triangle t = triangle_of(vertex);
+  if (has_surely_normal(t)) return false;
+  if (t.a == t.b || t.b == t.c || t.c == t.a) return true;  // exact
+  for (int axis = 0; axis < 3; ++axis)
+    if (bigint_turn(vertex[0], vertex[1], vertex[2], axis) != 0) return false;
+  return true;
+}
 
 int bigint_sign(SignKind kind, const BallTriangleView& view, int edge) {
   return expression_sign(kind, View{view, edge});
@@ -81,32 +97,39 @@ Feature bigint_nearest(const BallTriangleView& view) {
 }
 
 double bigint_point(const BallTriangleView& view, const Feature& feature, int axis) {
-  const Polygon triangle = polygon_of(view);
-  return BigIntPolygon(triangle).point(ball_of(view), feature, axis);
+  return rounded_of(
+      view, 0, [&](const BigIntPolygon& triangle, const Ball& ball) { return triangle.point(ball, feature, axis); },
+      [axis](const Answer& answer) -> double { return answer.point[axis]; });
 }
 
 double bigint_distance(const BallTriangleView& view, const Feature& feature) {
-  const Polygon triangle = polygon_of(view);
-  return BigIntPolygon(triangle).distance(ball_of(view), feature);
+  return rounded_of(
+      view, 0, [&](const BigIntPolygon& triangle, const Ball& ball) { return triangle.distance(ball, feature); },
+      [](const Answer& answer) { return answer.distance; });
 }
 
 Eigen::Vector3d bigint_normal(const BallTriangleView& view, const Feature& feature) {
-  const Polygon triangle = polygon_of(view);
-  return BigIntPolygon(triangle).contact_normal(ball_of(view), feature);
+  return rounded_of(
+      view, 0, [&](const BigIntPolygon& triangle, const Ball& ball) { return triangle.contact_normal(ball, feature); },
+      [](const Answer& answer) { return answer.contact_normal; });
 }
 
 double bigint_depth(const BallTriangleView& view, double radius, const Feature& feature) {
-  const Polygon triangle = polygon_of(view);
-  return BigIntPolygon(triangle).depth({ball_of(view).center, radius}, feature);
+  return rounded_of(
+      view, radius, [&](const BigIntPolygon& triangle, const Ball& ball) { return triangle.depth(ball, feature); },
+      [](const Answer& answer) { return answer.depth; });
 }
 
-bool exact_motion_contact(const MotionTriangleView& view) { return exact::contact(motion_of(view), polygon_of(view)); }
+bool exact_motion_contact(const MotionTriangleView& view) {
+  return exact::contact(motion_of(view), triangle_of(view.vertex));
+}
 FirstContact exact_first_contact(const MotionTriangleView& view) {
-  return exact::first_contact(motion_of(view), polygon_of(view));
+  return exact::first_contact(motion_of(view), triangle_of(view.vertex));
 }
 
-void expect_valid(const Triangle& t) {
-  if (t.a.allFinite() && t.b.allFinite() && t.c.allFinite() && has_surely_normal(t)) return;
+void expect_valid(const Triangle& t, Degenerate degenerate) {
+  const bool accepts_degenerate = degenerate == Degenerate::AsSegments;
+  if (t.a.allFinite() && t.b.allFinite() && t.c.allFinite() && (accepts_degenerate || has_surely_normal(t))) return;
   if (auto rejection = exact::validate(Polygon({t.a, t.b, t.c}))) throw Rejected(std::move(*rejection));
 }
 

@@ -14,6 +14,9 @@ namespace touchstone::filtered::detail {
 
 /// Returns the exact sign for an edge. Requires a kind other than Above. Cost: 1 to 10 us.
 [[nodiscard]] int bigint_sign(SignKind kind, const BallTriangleView& view, int edge);
+/// Returns whether the triangle is degenerate. Cost: about 10 ns if two vertices are equal or doubles find a component
+/// of the normal that is not zero, else 3 us.
+[[nodiscard]] bool is_degenerate(const double (*vertex)[3]);
 /// Returns the sign of the turn from a over b to p, seen against an axis. Cost: about 1 us.
 [[nodiscard]] int bigint_turn(const double* a, const double* b, const double* p, int axis);
 
@@ -38,8 +41,9 @@ namespace touchstone::filtered::detail {
 [[nodiscard]] FirstContact exact_first_contact(const MotionTriangleView& view);
 /// @}
 
-/// Throws Rejected if exact::validate rejects the triangle as a polygon. Requires round to nearest, without
-/// flush-to-zero. Cost: about 10 ns; 2 us if doubles do not find a component of the normal that is certainly not zero.
-void expect_valid(const Triangle& triangle);
+/// Throws Rejected if exact::validate rejects the triangle as a polygon, or, where degenerate triangles are segments,
+/// if it is not finite. Requires round to nearest, without flush-to-zero. Cost: about 10 ns; 2 us if doubles do not
+/// find a component of the normal that is certainly not zero.
+void expect_valid(const Triangle& triangle, Degenerate degenerate = Degenerate::Refuse);
 
 }  // namespace touchstone::filtered::detail

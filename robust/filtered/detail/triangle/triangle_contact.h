@@ -103,18 +103,19 @@ class UnsureTriangle {
   /// Returns whether all differences are so small that scaling by a power of two may avoid underflow.
   [[nodiscard]] bool tiny() const { return std::max(signs_.to_center[0], largest_edge()) < 0x1p-30; }
 
-  [[nodiscard]] bool contact() const { return foot_outside() ? edges_touch() : plane_sign() <= 0; }
+  [[nodiscard]] bool contact() const { return degenerate() || foot_outside() ? edges_touch() : plane_sign() <= 0; }
 
   /// Returns the feature that contains the point closest to the centre. The radius does not matter.
   [[nodiscard]] Feature nearest() const {
     const auto side = [this](int i) { return sign<SignKind::Side>(signs_.side, i); };
     const auto along = [this](int i) { return sign<SignKind::Along>(signs_.along, i); };
     const auto beyond = [this](int i) { return sign<SignKind::Beyond>(signs_.beyond, i); };
+    const bool has_face = !degenerate();
     bool inner[3];
-    for (int i = 0; i < 3; ++i) inner[i] = side(i) > 0;
+    for (int i = 0; i < 3; ++i) inner[i] = has_face && side(i) > 0;
     if (inner[0] && inner[1] && inner[2]) return {Feature::Kind::Face, 0};
-    // A triangle is convex and has one closest point. It lies on an edge if the foot is beyond the edge's line and
-    // projects between its ends; else at a vertex from which both edges lead away.
+    // A triangle is convex and has one closest point. It lies on an edge if the foot is beyond the edge's line, or the
+    // triangle degenerate, and projects between its ends; else at a vertex from which both edges lead away.
     for (int i = 0; i < 3; ++i)
       if (!inner[i] && along(i) > 0 && beyond(i) < 0) return {Feature::Kind::Edge, static_cast<std::size_t>(i)};
     for (int i = 0; i < 2; ++i)
@@ -162,6 +163,14 @@ class UnsureTriangle {
     return sign<SignKind::Plane>({}, 0);
   }
 
+  /// Returns whether the triangle is degenerate. Then the normal is 0, and with it the signs of sides and plane.
+  [[nodiscard]] bool degenerate() const {
+    const unsigned certain =
+        signs_.side.positive | signs_.side.negative | signs_.plane.positive | signs_.plane.negative;
+    if (certain != 0 || !is_degenerate(view_.vertex)) return false;
+    counts_.count(Stage::Permanent);
+    return true;
+  }
   [[nodiscard]] bool foot_outside() const {
     if (signs_.side.negative != 0) return true;
     for (int i = 0; i < 3; ++i)
@@ -193,9 +202,12 @@ bool contact_by(const TriangleSigns& signs, const ExactSign& exact) {
     const int known = certain.of(i);
     return known != 0 ? known : exact(kind, i);
   };
-  bool outside = signs.side.negative != 0;
-  for (int i = 0; i < 3 && !outside; ++i) outside = sign(SignKind::Side, signs.side, i) < 0;
-  if (!outside) return sign(SignKind::Plane, signs.plane, 0) <= 0;
+  bool outside = signs.side.negative != 0, has_face = false;
+  for (int i = 0; i < 3 && !outside; ++i) {
+    const int side = sign(SignKind::Side, signs.side, i);
+    outside = side < 0, has_face = has_face || side > 0;
+  }
+  if (!outside && has_face) return sign(SignKind::Plane, signs.plane, 0) <= 0;  // without a face all sides are 0
   for (int i = 0; i < 3; ++i) {
     if (sign(SignKind::Vertex, signs.vertex, i) <= 0) return true;
     if (signs.line.of(i) > 0) continue;
