@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mesh/scene_faces.h"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "geometry/detail/floating_point_state.h"
 #include "robust/exact/validate.h"
+#include "robust/filtered/detail/triangle/exact_triangle.h"
 #include "robust/scene/posing.h"
 
 namespace touchstone::mesh {
@@ -21,6 +25,27 @@ Loop loop_of(const Mesh& mesh, std::size_t face) {
     loop.push_back(mesh.vertices[vertex]);
   }
   return loop;
+}
+
+/// Returns the corners that are the vertices of the degenerate triangle of a loop; nothing if its corners do not all
+/// lie on one line, or are not finite. Ends are the first corners there.
+std::optional<std::array<std::uint32_t, 3>> corners_on_line(const Loop& loop) {
+  const auto before = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  const auto is_finite = [](const Eigen::Vector3d& corner) { return corner.allFinite(); };
+  if (loop.size() < 3 || !std::ranges::all_of(loop, is_finite)) return std::nullopt;
+  const auto low = std::ranges::min_element(loop, before);
+  const auto high =
+      std::ranges::find_if(loop, [last = std::ranges::max(loop, before)](const auto& p) { return p == last; });
+  for (const Eigen::Vector3d& corner : loop) {
+    const double triangle[3][3] = {
+        {low->x(), low->y(), low->z()}, {high->x(), high->y(), high->z()}, {corner.x(), corner.y(), corner.z()}};
+    if (!filtered::detail::is_degenerate(triangle)) return std::nullopt;
+  }
+  if (loop.size() == 3) return {{0, 1, 2}};
+  const auto [first, last] = std::minmax({low - loop.begin(), high - loop.begin()});
+  return {{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), static_cast<std::uint32_t>(last)}};
 }
 
 /// Faces as scenes number them, triangles before polygons, and a number for each.
@@ -55,8 +80,10 @@ Polygon face_polygon(const Mesh& mesh, std::size_t face) {
 }
 
 MeshFaces scene_faces(const Mesh& mesh, OnBadFace on_bad_face) {
+  const FloatingPointState nearest;
   NumberedFaces valid;
   std::vector<RejectedFace> left_out;
+  std::vector<SegmentFace> segments;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
     try {
       if (mesh.faces[face].size() != 3) {
@@ -69,12 +96,22 @@ MeshFaces scene_faces(const Mesh& mesh, OnBadFace on_bad_face) {
       valid.add(triangle, face);
     } catch (const Rejected& rejected) {
       const auto& [code, message] = rejected.rejection();
-      if (on_bad_face == OnBadFace::Refuse)
+      if (on_bad_face == OnBadFace::AsSegments && code != RejectionCode::MalformedCase) {
+        const Loop loop = loop_of(mesh, face);
+        if (const auto corners = corners_on_line(loop)) {
+          const auto& [i, j, k] = *corners;
+          valid.add(Triangle{loop[i], loop[j], loop[k]}, face);
+          segments.push_back({face, *corners});
+          continue;
+        }
+      }
+      if (on_bad_face != OnBadFace::LeaveOut)
         throw Rejected({code, "face " + std::to_string(face) + " of the mesh: " + message});
       left_out.push_back({face, rejected.rejection()});
     }
   }
-  return {std::move(valid.faces()), std::move(valid.numbers()), std::move(left_out)};
+  if (on_bad_face == OnBadFace::AsSegments) valid.faces().degenerate = Degenerate::AsSegments;
+  return {std::move(valid.faces()), std::move(valid.numbers()), std::move(left_out), std::move(segments)};
 }
 
 SceneFaces scene_faces(const Mesh& mesh, const MergedMesh& merged, std::size_t least) {

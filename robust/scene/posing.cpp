@@ -105,9 +105,9 @@ bool is_finite(const Pose& pose) {
   return pinned(pose.rotation.allFinite() && pose.translation.allFinite());
 }
 
-void expect_valid(const Triangle& t) {
+void expect_valid(const Triangle& t, Degenerate degenerate) {
   const FloatingPointState nearest;
-  filtered::detail::expect_valid(t);
+  filtered::detail::expect_valid(t, degenerate);
 }
 
 Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point) {
@@ -124,12 +124,12 @@ Triangle detail::posed_vertices(const Pose& pose, const Triangle& triangle) {
   return {place(triangle.a), place(triangle.b), place(triangle.c)};
 }
 
-Triangle posed(const Pose& pose, const Triangle& triangle) {
+Triangle posed(const Pose& pose, const Triangle& triangle, Degenerate degenerate) {
   const FloatingPointState nearest;
   const Posing place(pose);
   if (!is_finite(triangle)) expect_valid(triangle);
   const Triangle result{place(triangle.a), place(triangle.b), place(triangle.c)};
-  expect_valid(result);
+  expect_valid(result, degenerate);
   return pinned(result);
 }
 

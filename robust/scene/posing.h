@@ -28,13 +28,15 @@ namespace touchstone::scene {
 /// The same; `counts` also receives, for every coordinate, whether double-doubles or integers of any size rounded it.
 [[nodiscard]] Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point, filtered::StageCounts& counts);
 
-/// Throws Rejected, with the code of `exact::validate`, if that rejects the triangle as a polygon. Cost: about 10 ns.
-void expect_valid(const Triangle& triangle);
+/// Throws Rejected, with the code of `exact::validate`, if that rejects the triangle as a polygon, or, where degenerate
+/// triangles are segments, if it is not finite. Cost: about 10 ns.
+void expect_valid(const Triangle& triangle, Degenerate degenerate = Degenerate::Refuse);
 
-/// Returns the face with its vertices posed. Throws Rejected, with the code of `exact::validate`, if that rejects the
-/// result: rounding may make vertices equal or collinear, and may let loops touch.
-[[nodiscard]] Triangle posed(const Pose& pose, const Triangle& triangle);
-/// The same. Cost: about 1 us per vertex, most of it to validate the loops again.
+/// Returns the face with its vertices posed. Throws what expect_valid throws about the result: rounding may make
+/// vertices equal or collinear. It may also part vertices that were collinear.
+[[nodiscard]] Triangle posed(const Pose& pose, const Triangle& triangle, Degenerate degenerate = Degenerate::Refuse);
+/// The same. Throws Rejected if exact::validate rejects the result, also where rounding lets loops touch. Cost: about 1
+/// us per vertex, most of it to validate the loops again.
 [[nodiscard]] Polygon posed(const Pose& pose, const Polygon& polygon);
 
 }  // namespace touchstone::scene

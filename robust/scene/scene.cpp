@@ -40,7 +40,7 @@ const ContactWalks<Motion>& walks_for(const Motion&) { return fastest_walks().mo
 struct Scene::Object {
   Object(std::string name_, Faces faces)
       : name(std::move(name_)),
-        triangles(made(name, 0, [&] { return TriangleSet(faces.triangles); })),
+        triangles(made(name, 0, [&] { return TriangleSet(faces.triangles, faces.degenerate); })),
         polygons(made(name, triangle_count(), [&] { return PolygonSet(std::move(faces.polygons)); })) {}
   Object(const Object& other, const Pose& pose_)
       : name(other.name),

@@ -21,7 +21,8 @@
 
 /// Exact contact with many faces under poses. The cost of a query grows with the number of faces near the ball.
 ///
-/// Guarantees, for every ball that `find_fault` accepts and faces that `exact::validate` accepts:
+/// Guarantees, for every ball that `find_fault` accepts and faces that `exact::validate` accepts, or degenerate
+/// triangles where Faces says so:
 ///  (1) a face is reported as touched if and only if `exact::contact` of the ball and that face is true, whatever the
 ///      caller's rounding mode and flush-to-zero setting, and however many threads run a batch. The faces of a posed
 ///      object have posed vertices: each coordinate of R p + t is rounded once, to the nearest double (posing.h);
@@ -42,6 +43,9 @@ struct TriangleSet;
 struct Faces {
   std::vector<Triangle> triangles;  ///< faces 0, 1, ...
   std::vector<Polygon> polygons;    ///< the faces after the triangles
+  /// Whether triangles may be degenerate, as they are added and under every pose: they are then segments and points,
+  /// whose features have the numbers of the triangle.
+  Degenerate degenerate = Degenerate::Refuse;
 };
 
 /// A face of an object of a scene. Ordered by object, then by face.
@@ -84,7 +88,7 @@ class Scene {
   /// Adds an object and returns its number; objects are numbered from 0 in the order in which they are added.
   ///
   /// Throws std::invalid_argument if the name is taken; Rejected, naming the object and the face, for a triangle that
-  /// exact::validate rejects as a polygon and for a polygon without a normal; and whatever set_pose throws. Cost: about
+  /// expect_valid (posing.h) rejects and for a polygon without a normal; and whatever set_pose throws. Cost: about
   /// 1 us per triangle; 0.1 us per vertex of a polygon, and 1 to 3 us more in the first query whose ball comes near it.
   /// Memory: about 52 bytes per triangle of a closed mesh, 60 more where no two triangles share a vertex, and more if
   /// the triangles lie so that leaves hold few.
@@ -93,8 +97,8 @@ class Scene {
   /// Sets the pose of an object. Its vertices are computed from those that were added, not from their current
   /// positions, so errors do not accumulate. Triangles are posed only when a ball comes so near that their exact
   /// positions matter, if R is within 2^-20 of a multiple of a rotation or reflection, and if a bound shows that
-  /// rounding makes no triangle invalid. Else all are posed at once. Polygons always are, and are prepared again when a
-  /// ball comes near.
+  /// rounding makes no triangle invalid, or degenerate triangles are valid. Else all are posed at once. Polygons always
+  /// are, and are prepared again when a ball comes near.
   ///
   /// Throws std::out_of_range if there is no object with this number; Rejected, naming the object, if the pose is not
   /// finite (`not-finite`) or if exact::validate rejects the posed vertices of a face (the lowest such face). The

@@ -60,9 +60,9 @@ void for_each_face(std::size_t count, const Number& number, const F& f) {
   if (reason) throw FaceRejected{lowest, *reason};
 }
 
-void expect_valid(const std::vector<Triangle>& triangles) {
+void expect_valid(const std::vector<Triangle>& triangles, Degenerate degenerate) {
   const auto number = [](std::size_t i) { return i; };
-  for_each_face(triangles.size(), number, [&](std::size_t i) { scene::expect_valid(triangles[i]); });
+  for_each_face(triangles.size(), number, [&](std::size_t i) { scene::expect_valid(triangles[i], degenerate); });
 }
 
 std::vector<Box> boxes_of(const std::vector<Triangle>& triangles) {
@@ -99,13 +99,14 @@ Lengths lengths_of(const std::vector<Triangle>& triangles) {
 }
 
 /// Returns all triangles of the model posed, in a tree of the same shape if its boxes do not grow too much.
-PlacedTriangles posed(const PlacedTriangles& model, const Pose& pose) {
+PlacedTriangles posed(const PlacedTriangles& model, const Pose& pose, Degenerate degenerate) {
   const std::vector<std::uint32_t>& order = model.tree.order();
   std::vector<Triangle> by_number(model.tree.size());
   for_each_face(
       order.size(), [&](std::size_t place) { return order[place]; },
       [&](std::size_t place) {
-        if (order[place] != BoxTree::kNone) by_number[order[place]] = scene::posed(pose, model.triangles[place].copy());
+        if (order[place] != BoxTree::kNone)
+          by_number[order[place]] = scene::posed(pose, model.triangles[place].copy(), degenerate);
       });
   const std::vector<Box> boxes = boxes_of(by_number);
   BoxTree tree = model.tree;
@@ -147,21 +148,26 @@ PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_
   });
 }
 
-TriangleSet::TriangleSet(const std::vector<Triangle>& by_number) {
+TriangleSet::TriangleSet(const std::vector<Triangle>& by_number, Degenerate degenerate_) : degenerate(degenerate_) {
   const FloatingPointState nearest;
-  expect_valid(by_number);
+  expect_valid(by_number, degenerate);
   model = std::make_shared<const PlacedTriangles>(BoxTree(boxes_of(by_number)), by_number);
   placed = model;
   const Lengths lengths = lengths_of(by_number);
-  reach = lengths.reach, thinnest = lengths.thinnest;
+  reach = lengths.reach;
+  thinnest = degenerate == Degenerate::Refuse ? lengths.thinnest : std::numeric_limits<double>::infinity();
 }
 
 TriangleSet::TriangleSet(const TriangleSet& other, const Pose& pose)
-    : model(other.model), placed(other.model), reach(other.reach), thinnest(other.thinnest) {
+    : model(other.model),
+      placed(other.model),
+      reach(other.reach),
+      thinnest(other.thinnest),
+      degenerate(other.degenerate) {
   if (pose == Pose()) return;
   const FloatingPointState nearest;
   frame = OwnFrame::of(pose, reach, thinnest);
-  if (!frame) placed = std::make_shared<const PlacedTriangles>(posed(*model, pose));
+  if (!frame) placed = std::make_shared<const PlacedTriangles>(posed(*model, pose, degenerate));
 }
 
 Triangle TriangleSet::triangle(std::uint32_t place) const {

@@ -54,9 +54,14 @@ struct PlacedTriangles {
 
 /// Triangles under a pose. They stay in their own frame, so that a new pose costs the same for any number of them, or
 /// are posed all, if OwnFrame cannot hold them.
+///
+/// Degenerate triangles need no lists of their own. What floats and doubles decide first is the distance of points of
+/// the triangle, and the certain signs of edges and corners, which are as true of a segment. The certain signs of a
+/// face are not zero, and those of a degenerate triangle are: no first stage finds it inside, missed by its plane or
+/// pierced.
 struct TriangleSet {
   /// Throws FaceRejected for the lowest invalid triangle.
-  explicit TriangleSet(const std::vector<Triangle>& by_number);
+  explicit TriangleSet(const std::vector<Triangle>& by_number, Degenerate degenerate = Degenerate::Refuse);
   /// Makes the set of the same triangles under another pose. Throws FaceRejected for the lowest triangle that becomes
   /// invalid.
   TriangleSet(const TriangleSet& other, const Pose& pose);
@@ -74,7 +79,8 @@ struct TriangleSet {
   std::shared_ptr<const PlacedTriangles> placed;  ///< the model, or all triangles posed
   std::optional<OwnFrame> frame;                  ///< the pose, if `placed` is the model and it is not the identity
   double reach = 0;                               ///< no vertex of the model is farther from the origin
-  double thinnest = 0;                            ///< no altitude of the model is less
+  double thinnest = 0;                            ///< no altitude of the model is less, if that matters
+  Degenerate degenerate = Degenerate::Refuse;     ///< what to do with degenerate triangles, also under a pose
 };
 
 /// Polygons under a pose, by number. The box of a polygon contains its lifted vertices.

@@ -29,8 +29,7 @@ std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> MetFace::place(const 
 }
 
 exact::PreparedPolygon MetFace::exactly() const {
-  return exact::PreparedPolygon(triangle ? Polygon({triangle->a, triangle->b, triangle->c})
-                                         : parts_of(*polygon).polygon);
+  return triangle ? exact::PreparedPolygon(*triangle) : exact::PreparedPolygon(parts_of(*polygon).polygon);
 }
 
 namespace {

@@ -137,9 +137,9 @@ struct SeenMotion {
 class OwnFrame {
  public:
   /// Returns the frame for triangles none of whose vertices is farther than `reach` from the origin and none of whose
-  /// altitudes is less than `thinnest`; nothing if this pose and these lengths are beyond the limits above, or if the
-  /// rounding of vertices may make a triangle degenerate. Requires round to nearest, without flush-to-zero, as do all
-  /// functions here.
+  /// altitudes is less than `thinnest`, infinite if they may become degenerate; nothing if this pose and these lengths
+  /// are beyond the limits above, or if the rounding of vertices may make a triangle degenerate. Requires round to
+  /// nearest, without flush-to-zero, as do all functions here.
   ///
   /// No triangle becomes degenerate if 2 e |A| < (1 - h) `thinnest`. If one did, one of its posed vertices would be
   /// between the other two. Then, before rounding, that vertex would be within 2 e of the opposite side. But an

@@ -81,7 +81,8 @@ class Bytes {
   void add(const ReadMesh& m) { add(m.mesh), add(m.left_out), add(m.parts_left_out), add(m.warnings); }
   void add(const mesh::MergedFace& f) { add(f.polygon), add(f.faces), add(f.off_plane); }
   void add(const scene::Faces& f) { add(f.triangles), add(f.polygons); }
-  void add(const mesh::MeshFaces& f) { add(f.faces), add(f.numbers), add(f.left_out); }
+  void add(const mesh::MeshFaces& f) { add(f.faces), add(f.numbers), add(f.left_out), add(f.segments); }
+  void add(const mesh::SegmentFace& f) { add(f.face), add(f.corners); }
   void add(const mesh::RejectedFace& f) { add(f.face), add(f.rejection); }
   void add(const mesh::MergedMesh& m) { add(m.faces), add(m.rejected), add(m.edges.merged), add(m.splits); }
   void add(const mesh::SceneFaces& f) { add(f.faces.triangles), add(f.faces.polygons), add(f.merged); }

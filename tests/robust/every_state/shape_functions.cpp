@@ -141,7 +141,12 @@ std::vector<PublicFunction> shape_functions() {
                  return mesh::merge_faces(in.mesh, in.any_tolerance, stop);
                }),
       hands_on("mesh::scene_faces",
-               [](const Input& in) { return mesh::scene_faces(in.mesh, mesh::OnBadFace::LeaveOut); }),
+               [](const Input& in) {
+                 Mesh with_segment = in.mesh;
+                 with_segment.faces.push_back({0, 1, 0});
+                 return std::pair(mesh::scene_faces(in.mesh, mesh::OnBadFace::LeaveOut),
+                                  mesh::scene_faces(with_segment, mesh::OnBadFace::AsSegments));
+               }),
       hands_on("mesh::face_polygon", [](const Input& in) { return mesh::face_polygon(in.mesh, 0); }),
       hands_on("mesh::scene_faces",
                [](const Input& in) { return mesh::scene_faces(in.mesh, mesh::merge_faces(in.mesh)); }),
@@ -154,7 +159,11 @@ std::vector<PublicFunction> shape_functions() {
       gives("scene::posed", [](const Input& in) { return scene::posed(in.pose, in.point); }),
       gives("scene::posed",
             with_counts([](const Input& in, filtered::StageCounts& n) { return scene::posed(in.pose, in.point, n); })),
-      gives("scene::posed", [](const Input& in) { return scene::posed(in.any_pose, in.any_triangle); }),
+      gives("scene::posed",
+            [](const Input& in) {
+              const Degenerate degenerate = in.index % 2 == 0 ? Degenerate::Refuse : Degenerate::AsSegments;
+              return scene::posed(in.any_pose, in.any_triangle, degenerate);
+            }),
       gives("scene::posed", [](const Input& in) { return scene::posed(in.any_pose, in.polygon); }),
   };
 }

@@ -381,6 +381,36 @@ TEST(SceneFaces, LeaveOutEveryFaceThatIsBadAndNameIt) {
                                                                             {6, RejectionCode::NotFinite}}));
 }
 
+TEST(SceneFaces, TakeFacesWhoseCornersLieOnALineAsSegments) {
+  const Mesh mesh{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 0, 0}, {1, 0, 0}, {0, 4, 0}},
+                  {{0, 1, 2}, {0, 3, 1}, {3, 4, 1, 0, 3}, {2, 2, 2}, {4, 4, 0, 0}, {2, 2, 2, 2}, {0, 1, 2, 5}}};
+  const auto taken = mesh::scene_faces(mesh, mesh::OnBadFace::AsSegments);
+  EXPECT_EQ(taken.numbers, (Numbers{0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_TRUE(taken.left_out.empty());
+  std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 3>>> segments;
+  for (const auto& [face, corners] : taken.segments) {
+    segments.emplace_back(face, corners);
+    const auto& loop = mesh.faces[face];
+    EXPECT_EQ(taken.faces.triangles[face].a, mesh.vertices[loop[corners[0]]]);
+    EXPECT_EQ(taken.faces.triangles[face].b, mesh.vertices[loop[corners[1]]]);
+    EXPECT_EQ(taken.faces.triangles[face].c, mesh.vertices[loop[corners[2]]]);
+  }
+  EXPECT_EQ(segments, (std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 3>>>{
+                          {1, {0, 1, 2}}, {2, {2, 3, 3}}, {3, {0, 1, 2}}, {4, {0, 2, 2}}, {5, {0, 0, 0}}}));
+  scene::Scene built;
+  built.add("mesh", taken.faces);
+  EXPECT_EQ(built.touched(Ball{{1, -1, 0}, 1}).size(), 5U);
+}
+
+// Crossing loops with a normal of 0, too few corners, vertices that there are not or that are not finite.
+TEST(SceneFaces, RefuseOtherBadFacesWhereTheyTakeSegments) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Eigen::Vector3d> vertices{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}, {kNan, 0, 0}};
+  for (const std::vector<std::uint32_t>& face :
+       {std::vector<std::uint32_t>{0, 1, 2, 3}, {0, 1, 1, 2}, {0, 1}, {}, {0, 0, 9}, {0, 4, 0}})
+    EXPECT_THROW((void)mesh::scene_faces({vertices, {face}}, mesh::OnBadFace::AsSegments), Rejected);
+}
+
 TEST(SceneFaces, AreRefusedForTheFirstBadFaceUnlessTheyAreLeftOut) {
   Mesh mesh = with_bad_faces();
   std::uint32_t first = 2;
