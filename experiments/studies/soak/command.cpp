@@ -36,7 +36,7 @@ class Announcer {
 };
 
 // Raised when case i of a seed changes, or the form of the tally.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 int run_cases(run::StudyRun& run, const Options& options) {
   const Settings settings{options.samples, options.seed, options.from, options.threads, options.moving};

@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <memory>
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/adversarial/case.h"
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
+#include "robust/exact/validate.h"
 
 namespace touchstone::soak {
 namespace {
@@ -19,6 +23,26 @@ namespace adversarial = workloads::adversarial;
 using filtered::StageCounts;
 
 constexpr std::uint64_t kWholeOneIn = 16;
+
+/// Returns the polygon with a notch at a corner: a hole that has the corner as a vertex, or the outline visits the
+/// corner again after it. Returns nothing if that is not a polygon, as where the corner is not convex.
+std::optional<Polygon> with_touching_loops(const Polygon& polygon, std::uint64_t index) {
+  std::vector<Loop> loops = workloads::loops_of(polygon);
+  Loop& outer = loops.front();
+  const std::size_t n = outer.size(), i = index / 2 % n;
+  const Eigen::Vector3d at = outer[i], back = outer[(i + n - 1) % n] - at, ahead = outer[(i + 1) % n] - at;
+  const Eigen::Vector3d p = at + back / 4 + ahead / 8, q = at + back / 8 + ahead / 4;
+  if (index % 2 == 0)
+    loops.push_back({at, p, q});
+  else
+    outer.insert(outer.begin() + static_cast<std::ptrdiff_t>(i) + 1, {p, q, at});
+  try {
+    Polygon result = workloads::polygon_of(loops);
+    if (!exact::validate(result)) return result;
+  } catch (const Rejected&) {  // neighbouring vertices are equal, or a number is not finite
+  }
+  return std::nullopt;
+}
 
 /// All questions about one case.
 class Comparison {
@@ -36,9 +60,17 @@ class Comparison {
       prepared.emplace(case_.polygon);
       ask_prepared(*prepared, touches, counts);
     });
-    // A multiplier spreads the share over all families, which go by the index.
-    if (prepared && index_ * 0x9e3779b97f4a7c15 >> 60 == 0)
+    if (prepared && is_asked_whole()) {
       ask(Way::Answer, [&](auto& counts) { ask_whole(*prepared, truth, counts); });
+      const PlaneSide side = exact::plane_side({case_.ball.center, 0}, truth);
+      if (const auto triangle = case_.triangle(); triangle && side != PlaneSide::Intersects)
+        ask(Way::Solid, [&](auto&) { ask_solid(*triangle, side, exact::answer(case_.ball, truth).point); });
+      ask_touching(Way::Touching, [&](const filtered::PreparedPolygon& touching, auto& counts) {
+        const exact::PreparedPolygon touching_truth(case_.polygon);
+        ask_prepared(touching, exact::contact(case_.ball, touching_truth), counts);
+        ask_whole(touching, touching_truth, counts);
+      });
+    }
     tally_.add_case(std::move(differences_));
   }
 
@@ -53,11 +85,18 @@ class Comparison {
       const filtered::PreparedPolygon prepared(case_.polygon);
       ask_moving(motion, prepared, truth, counts);
     });
+    if (is_asked_whole())
+      ask_touching(Way::MovingTouching, [&](const filtered::PreparedPolygon& touching, auto& counts) {
+        ask_moving(motion, touching, exact::first_contact(motion, case_.polygon), counts);
+      });
     tally_.add_case(std::move(differences_));
   }
 
  private:
   static_assert(kWholeOneIn == std::uint64_t{1} << (64 - 60));
+
+  /// A multiplier spreads the share over all families, which go by the index.
+  [[nodiscard]] bool is_asked_whole() const { return index_ * 0x9e3779b97f4a7c15 >> 60 == 0; }
 
   /// Counts the case for one way of asking.
   template <class Questions>
@@ -73,6 +112,15 @@ class Comparison {
     ++outcomes.cases;
     ++outcomes.by_stage[static_cast<std::size_t>(counts.last())];
     outcomes.differences += differences_.size() > before ? 1 : 0;
+  }
+
+  /// Goes over to a polygon whose loops touch, if there is one.
+  template <class Questions>
+  void ask_touching(Way way, const Questions& questions) {
+    std::optional<Polygon> touching = with_touching_loops(case_.polygon, index_);
+    if (!touching) return;
+    case_.polygon = *std::move(touching);
+    ask(way, [&](auto& counts) { questions(filtered::PreparedPolygon(case_.polygon), counts); });
   }
 
   /// Compares by ==, not by cases::differing_keys: every function of `filtered` returns the very type that `exact`
@@ -139,6 +187,39 @@ class Comparison {
       if (found[i] != exact::contact(balls[i], truth)) differs("contact, in a batch", balls[i], case_.polygon);
   }
 
+  /// About the tetrahedron of the triangle and the ball's centre, which lies on this side of it: at the closest point
+  /// of the triangle, at its neighbours among the doubles, and farther inside and outside.
+  void ask_solid(const Triangle& t, PlaneSide side, const Eigen::Vector3d& closest) {
+    const Eigen::Vector3d& apex = case_.ball.center;
+    const auto [a, b, c] = side == PlaneSide::Behind ? Triangle{t.a, t.b, t.c} : Triangle{t.a, t.c, t.b};
+    const std::array<Triangle, 4> faces{{{a, b, c}, {b, a, apex}, {c, b, apex}, {a, c, apex}}};
+    const scene::Solid solid(faces);
+    std::vector<exact::PreparedPolygon> truths;
+    for (const Triangle& face : faces) truths.emplace_back(Polygon({face.a, face.b, face.c}));
+
+    std::vector<Eigen::Vector3d> points{closest, apex, 0.5 * (closest + apex), 2 * closest - apex};
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double to : {-1.0, 1.0}) {
+        points.push_back(closest);
+        points.back()[axis] = std::nextafter(closest[axis], to * std::numeric_limits<double>::infinity());
+      }
+    for (const Eigen::Vector3d& point : points) {
+      if (!point.allFinite()) continue;
+      bool inside = true, touches = false;
+      double distance = std::numeric_limits<double>::infinity();
+      for (const exact::PreparedPolygon& face : truths) {
+        const Answer answer = exact::answer({point, 0}, face);
+        inside &= answer.plane == PlaneSide::Behind, touches |= answer.contact();
+        distance = std::min(distance, answer.distance);
+      }
+      const PointLocation where = touches  ? PointLocation::Boundary
+                                  : inside ? PointLocation::Inside
+                                           : PointLocation::Outside;
+      expect(tested_.locate(solid, point) == where, "solid, location");
+      expect(tested_.signed_distance(solid, point) == (inside && !touches ? -distance : distance), "solid, distance");
+    }
+  }
+
   /// Of a triangle or a prepared polygon.
   template <class Asked>
   void ask_moving(const Motion& motion, const Asked& asked, const FirstContact& truth, StageCounts& counts) {
@@ -198,10 +279,13 @@ std::string_view to_string(Way way) {
     case Way::Triangle: return "triangle";
     case Way::Prepared: return "prepared";
     case Way::Answer: return "answer";
+    case Way::Solid: return "solid";
+    case Way::Touching: return "touching";
     case Way::MovingTriangle: return "moving-triangle";
-    case Way::MovingPrepared: break;
+    case Way::MovingPrepared: return "moving-prepared";
+    case Way::MovingTouching: break;
   }
-  return "moving-prepared";
+  return "moving-touching";
 }
 
 void Tally::add_case(std::vector<Difference> differences) {

@@ -22,12 +22,16 @@ enum class Way {
   Triangle,        ///< contact with a triangle, nothing prepared
   Prepared,        ///< contact with a prepared polygon
   Answer,          ///< every key of the contract
+  Solid,           ///< points near a triangle and the tetrahedron on it whose fourth corner is the ball's centre
+  Touching,        ///< contact and every key of the contract with a prepared polygon whose loops touch
   MovingTriangle,  ///< contact and first contact of a moving ball with a triangle, nothing prepared
   MovingPrepared,  ///< the same with a prepared polygon
+  MovingTouching,  ///< the same with a prepared polygon whose loops touch
 };
 
 [[nodiscard]] std::string_view to_string(Way way);
-inline constexpr std::array kWays{Way::Triangle, Way::Prepared, Way::Answer, Way::MovingTriangle, Way::MovingPrepared};
+inline constexpr std::array kWays{Way::Triangle, Way::Prepared,       Way::Answer,         Way::Solid,
+                                  Way::Touching, Way::MovingTriangle, Way::MovingPrepared, Way::MovingTouching};
 
 /// The results of the cases of one family asked in one way.
 struct Outcomes {
@@ -89,8 +93,8 @@ class Tally {
 ///
 /// Every case: contact with the polygon, prepared, with and without counts and vector instructions; with a triangle
 /// also unprepared, and in a batch of all orders of its vertices. One case in 16: every question and the whole answer,
-/// the closest point of a triangle, and a batch of balls of neighbouring radii. Compares all answers with `exact`; an
-/// exception counts as a difference.
+/// the closest point of a triangle, a batch of balls of neighbouring radii, a polygon whose loops touch, and a
+/// tetrahedron as a solid. Compares all answers with `exact`; an exception counts as a difference.
 void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
 
 /// Asks about the ball of case `index` as it moves: contact and first contact with the polygon, prepared, with and

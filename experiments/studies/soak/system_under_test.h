@@ -8,6 +8,7 @@
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/motion.h"
 #include "robust/filtered/triangle_set.h"
+#include "robust/scene/solid.h"
 
 namespace touchstone::soak {
 
@@ -84,6 +85,13 @@ class SystemUnderTest {
   }
   [[nodiscard]] virtual filtered::ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) const {
     return filtered::closest(center, triangle);
+  }
+
+  [[nodiscard]] virtual PointLocation locate(const scene::Solid& solid, const Eigen::Vector3d& point) const {
+    return solid.locate(point);
+  }
+  [[nodiscard]] virtual double signed_distance(const scene::Solid& solid, const Eigen::Vector3d& point) const {
+    return solid.signed_distance(point);
   }
 
   // Of moving balls.

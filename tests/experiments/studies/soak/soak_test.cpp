@@ -104,7 +104,7 @@ TEST(SoakCases, StandAtTheirThresholds) {
 
 TEST(Soak, CountsEveryCaseOnceEachWay) {
   const Tally tally = whole({.cases = 2000, .seed = 4});
-  std::uint64_t triangles = 0, prepared = 0, answers = 0;
+  std::uint64_t triangles = 0, prepared = 0, answers = 0, solids = 0, touching = 0;
   for (const adversarial::Family family : adversarial::all_families()) {
     for (const Way way : kWays) {
       const Outcomes& o = tally.at(family, way);
@@ -115,12 +115,16 @@ TEST(Soak, CountsEveryCaseOnceEachWay) {
     triangles += tally.at(family, Way::Triangle).cases;
     prepared += tally.at(family, Way::Prepared).cases;
     answers += tally.at(family, Way::Answer).cases;
+    solids += tally.at(family, Way::Solid).cases;
+    touching += tally.at(family, Way::Touching).cases;
   }
   EXPECT_EQ(tally.cases(), 2000U);
   EXPECT_EQ(prepared, 2000U);
   EXPECT_GE(triangles, 1800U);
   EXPECT_GT(answers, 60U);
   EXPECT_LT(answers, 240U);
+  EXPECT_GT(solids, 50U);
+  EXPECT_GT(touching, 50U);
   EXPECT_EQ(tally.differing(), 0U);
 }
 
@@ -187,11 +191,25 @@ class FirstEdgeOnly : public SystemUnderTest {
   }
 };
 
+/// Points of the surface are inside.
+class OpenSolid : public SystemUnderTest {
+  PointLocation locate(const scene::Solid& solid, const Eigen::Vector3d& point) const override {
+    const PointLocation where = SystemUnderTest::locate(solid, point);
+    return where == PointLocation::Boundary ? PointLocation::Inside : where;
+  }
+};
+
+class UnsignedDistance : public SystemUnderTest {
+  double signed_distance(const scene::Solid& solid, const Eigen::Vector3d& point) const override {
+    return std::abs(SystemUnderTest::signed_distance(solid, point));
+  }
+};
+
 class Throwing : public SystemUnderTest {
   using SystemUnderTest::contact;
-  bool contact(const Ball& ball, const Prepared& polygon) const override {
+  bool contact(const Ball& ball, const Triangle& triangle) const override {
     if (ball.radius == 0) throw std::length_error("no points, please");
-    return SystemUnderTest::contact(ball, polygon);
+    return SystemUnderTest::contact(ball, triangle);
   }
 };
 
@@ -262,7 +280,9 @@ TEST(Soak, FindsPlantedErrors) {
   expect_found(FarthestVertex(), "closest");
   expect_found(NoBoundary(), "foot");
   expect_found(FirstEdgeOnly(), "edges_hit");
-  expect_found(Throwing(), "prepared: no points, please");
+  expect_found(OpenSolid(), "solid, location");
+  expect_found(UnsignedDistance(), "solid, distance");
+  expect_found(Throwing(), "triangle: no points, please");
 }
 
 TEST(Soak, FindsPlantedErrorsOfMovingBalls) {
