@@ -189,10 +189,12 @@ bool has(py::handle object, const char* points, const char* faces) {
 
 }  // namespace
 
-mesh::OnBadFace bad_faces_policy(const std::string& name) {
+mesh::OnBadFace bad_faces_policy(const std::string& name, bool may_be_segments) {
   if (name == "refuse") return mesh::OnBadFace::Refuse;
   if (name == "leave out") return mesh::OnBadFace::LeaveOut;
-  throw py::value_error("bad_faces must be 'refuse' or 'leave out', not " +
+  if (may_be_segments && name == "as segments") return mesh::OnBadFace::AsSegments;
+  throw py::value_error(std::string("bad_faces must be 'refuse'") +
+                        (may_be_segments ? ", 'leave out' or 'as segments', not " : " or 'leave out', not ") +
                         py::repr(py::str(name)).cast<std::string>());
 }
 

@@ -31,8 +31,9 @@ struct HeldMesh : Mesh {
 /// Throws what doubles_of throws, and Rejected, which names the vertex or face.
 [[nodiscard]] HeldMesh mesh_of(pybind11::handle vertices, pybind11::handle faces);
 
-/// Returns the policy of this name, 'refuse' or 'leave out'. Throws pybind11::value_error for another one.
-[[nodiscard]] mesh::OnBadFace bad_faces_policy(const std::string& name);
+/// Returns the policy of this name: 'refuse', 'leave out' or, where it is one, 'as segments'. Throws
+/// pybind11::value_error for another one.
+[[nodiscard]] mesh::OnBadFace bad_faces_policy(const std::string& name, bool may_be_segments = false);
 
 /// Returns the faces as a list of dicts with the keys `face`, `code` and `message`.
 [[nodiscard]] pybind11::object named_faces(const std::vector<mesh::RejectedFace>& faces);

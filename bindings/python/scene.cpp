@@ -45,11 +45,12 @@ scene::Scene::Objects objects_of(const scene::Scene& scene, const ObjectKeys& ke
 
 std::uint32_t add(SharedScene& scene, const Name& name, const py::object& faces, const py::object& pose,
                   const std::string& bad_faces) {
-  mesh::MeshFaces converted = scene_faces_of(faces, bad_faces_policy(bad_faces));
+  mesh::MeshFaces converted = scene_faces_of(faces, bad_faces_policy(bad_faces, true));
   const Pose at = pose_of(pose);
   return scene.change([&](HeldScene& held) {
     const std::uint32_t number = held.add(name.utf8, std::move(converted.faces), at);
-    held.sources.push_back({std::move(converted.numbers), std::move(converted.left_out)});
+    held.sources.push_back(
+        {std::move(converted.numbers), std::move(converted.left_out), std::move(converted.segments)});
     return number;
   });
 }
@@ -66,6 +67,13 @@ HeldScene::Source source_of(const SharedScene& scene, const ObjectKey& object) {
 py::array_t<std::uint32_t> face_numbers(const SharedScene& scene, const ObjectKey& object) {
   const std::vector<std::uint32_t> numbers = source_of(scene, object).numbers;
   return py::array_t<std::uint32_t>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+}
+
+py::list segments(const SharedScene& scene, const ObjectKey& object) {
+  py::list named;
+  for (const auto& [face, corners] : source_of(scene, object).segments)
+    named.append(py::dict(py::arg("face") = face, py::arg("corners") = corners));
+  return named;
 }
 
 void set_pose(SharedScene& scene, const ObjectKey& object, const py::object& matrix) {
@@ -236,7 +244,8 @@ void add_scene(py::module_& module) {
            "of n x 3 x 3, a Polygon or a list of them. Faces are numbered from 0: of a mesh first those of three\n"
            "vertices, then the others. `pose` is [R t], an array of 3 x 4 or 4 x 4. Raises ValueError if the name is\n"
            "taken, and Rejected, which names the face, for what the contract rejects; with bad_faces='leave out'\n"
-           "such faces are left out, and `left_out` names them.")
+           "such faces are left out, and `left_out` names them; with bad_faces='as segments' faces whose corners lie\n"
+           "on one line are segments or points, `segments` names them, and other bad faces are refused.")
       .def("face_numbers", face_numbers, py::arg("object"),
            "Returns for each face of an object its number in the mesh, array or list that was added: (k,).")
       .def(
@@ -247,6 +256,9 @@ void add_scene(py::module_& module) {
           py::arg("object"),
           "Returns the faces that were left out of an object, ascending: a list of dicts with `face`, the number in\n"
           "what was added, `code` and `message`.")
+      .def("segments", segments, py::arg("object"),
+           "Returns the faces that are segments or points, ascending: a list of dicts with `face`, the number in what\n"
+           "was added, and `corners`, the corners of that face that are vertex 0, 1 and 2 of its degenerate triangle.")
       .def("set_pose", set_pose, py::arg("object"), py::arg("pose"),
            "Sets the pose [R t] of an object, by number or name. Each coordinate of a posed vertex is rounded once.\n"
            "A scene that is moved and moved back answers as before. Raises Rejected, and keeps the pose, if rounding\n"

@@ -29,11 +29,13 @@ Mesh mesh_of_triangles(std::span<const Triangle> triangles) {
 mesh::MeshFaces numbered(scene::Faces faces) {
   std::vector<std::uint32_t> numbers(faces.triangles.size() + faces.polygons.size());
   std::iota(numbers.begin(), numbers.end(), 0U);
-  return {std::move(faces), std::move(numbers), {}};
+  return {std::move(faces), std::move(numbers), {}, {}};
 }
 
-mesh::MeshFaces faces_of(std::span<const Triangle> triangles) {
-  return numbered({{triangles.begin(), triangles.end()}, {}});
+mesh::MeshFaces faces_of(std::span<const Triangle> triangles, mesh::OnBadFace on_bad_face) {
+  if (on_bad_face == mesh::OnBadFace::Refuse)  // the scene validates them
+    return numbered({{triangles.begin(), triangles.end()}, {}});
+  return mesh::scene_faces(mesh_of_triangles(triangles), on_bad_face);
 }
 
 /// Returns the polygons of a list. Throws std::invalid_argument if the list holds something else.
@@ -54,7 +56,7 @@ bool holds_polygons(py::handle object) {
 
 mesh::MeshFaces scene_faces_of(py::handle object, mesh::OnBadFace on_bad_face) {
   if (py::isinstance<filtered::TriangleSet>(object))
-    return faces_of(object.cast<const filtered::TriangleSet&>().triangles());
+    return faces_of(object.cast<const filtered::TriangleSet&>().triangles(), on_bad_face);
   if (py::isinstance<ValidPolygon>(object)) return numbered({{}, {object.cast<const ValidPolygon&>().polygon()}});
   if (holds_polygons(object)) return faces_of(py::reinterpret_borrow<py::sequence>(object));
   if (py::isinstance(object, py::module_::import("touchstone").attr("MergedMesh")))
@@ -64,9 +66,7 @@ mesh::MeshFaces scene_faces_of(py::handle object, mesh::OnBadFace on_bad_face) {
     const py::gil_scoped_release release;
     return mesh::scene_faces(mesh, on_bad_face);
   }
-  const Triangles triangles(object);
-  if (on_bad_face == mesh::OnBadFace::Refuse) return faces_of(triangles.all());  // the scene validates them
-  return mesh::scene_faces(mesh_of_triangles(triangles.all()), on_bad_face);
+  return faces_of(Triangles(object).all(), on_bad_face);
 }
 
 Pose pose_of(py::handle matrix) {

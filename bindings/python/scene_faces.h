@@ -10,7 +10,7 @@
 namespace touchstone::python {
 
 /// Returns the faces of whatever may be added to a scene: a mesh (mesh.h), a MergedMesh, a TriangleSet, an array of n x
-/// 3 x 3, a Polygon, or a list of polygons. Those of a mesh, and bad triangles to be left out, come as
+/// 3 x 3, a Polygon, or a list of polygons. Those of a mesh, and triangles that are not refused, come as
 /// mesh::scene_faces returns them; the others as they are, each with its number.
 ///
 /// Throws pybind11::type_error for other objects, and what the conversions of those throw.

@@ -19,6 +19,7 @@ struct HeldScene : scene::Scene {
   struct Source {
     std::vector<std::uint32_t> numbers;        ///< for each face of the object, its number in what was added
     std::vector<mesh::RejectedFace> left_out;  ///< the faces of what was added that are not in the object
+    std::vector<mesh::SegmentFace> segments;   ///< those that are taken as segments
   };
   std::vector<Source> sources;
 };

@@ -59,6 +59,13 @@ py::object ask_triangles_hit(const TriangleSet& set, const py::object& rows) {
   return all;
 }
 
+Degenerate degenerate_policy(const std::string& name) {
+  if (name == "refuse") return Degenerate::Refuse;
+  if (name == "as segments") return Degenerate::AsSegments;
+  throw py::value_error("bad_faces must be 'refuse' or 'as segments', not " +
+                        py::repr(py::str(name)).cast<std::string>());
+}
+
 bool same_triangle(const Triangle& a, const Triangle& b) {
   return same_point(a.a, b.a) && same_point(a.b, b.b) && same_point(a.c, b.c);
 }
@@ -66,20 +73,24 @@ bool same_triangle(const Triangle& a, const Triangle& b) {
 }  // namespace
 
 void add_triangle_set(py::module_& module) {
-  py::class_<TriangleSet> type(module, "TriangleSet",
-                               "Triangles, an array of n x 3 x 3, prepared for exact questions about one ball and all "
-                               "of them: eight at once in\n"
-                               "floats with a proved error bound, and those that floats leave open one by one. Raises "
-                               "Rejected, which names the\n"
-                               "triangle, if the contract rejects one. Two sets are equal if their triangles are.");
-  make_picklable(type, [](const TriangleSet& set) { return py::make_tuple(array_of(set.triangles())); });
+  py::class_<TriangleSet> type(
+      module, "TriangleSet",
+      "Triangles, an array of n x 3 x 3, prepared for exact questions about one ball and all "
+      "of them: eight at once in\n"
+      "floats with a proved error bound, and those that floats leave open one by one. Raises "
+      "Rejected, which names the\n"
+      "triangle, if the contract rejects one; with bad_faces='as segments' degenerate triangles are segments "
+      "and points. Two\n"
+      "sets are equal if their triangles are.");
+  make_picklable(type, [](const TriangleSet& set) { return py::make_tuple(array_of(set.triangles()), "as segments"); });
   const py::arg balls("balls");
-  type.def(py::init([](const py::object& rows) {
+  type.def(py::init([](const py::object& rows, const std::string& bad_faces) {
              const Triangles triangles(rows);
+             const Degenerate degenerate = degenerate_policy(bad_faces);
              const py::gil_scoped_release release;
-             return TriangleSet(triangles.all());
+             return TriangleSet(triangles.all(), degenerate);
            }),
-           py::arg("triangles"))
+           py::arg("triangles"), py::arg("bad_faces") = "refuse")
       .def("contact", ask_contact, balls,
            "Returns whether the ball touches each triangle: an array of n bools; for m balls an array of m x n.")
       .def("any_contact", ask_any_contact, balls,

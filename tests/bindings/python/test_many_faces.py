@@ -358,6 +358,42 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "bad_faces must be"):
             self.scene.add("other", mesh, bad_faces="as they are")
 
+    def test_take_degenerate_faces_of_an_stl_file_as_segments(self):
+        corners = [[[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 0, 1], [4, 0, 1], [4, 0, 1]], [[9, 9, 9]] * 3, [[0, 0, 2], [4, 0, 2], [1, 0, 2]]]
+        facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex {} {} {}\n".format(*corner) for corner in facet)
+                         + "endloop\nendfacet\n" for facet in corners)
+        mesh = touchstone.Mesh.read(f"solid part\n{facets}endsolid part\n".encode(), "stl")
+        with self.assertRaises(touchstone.Rejected):
+            self.scene.add("part", mesh)
+        self.scene.add("part", mesh, bad_faces="as segments")
+        self.assertEqual([bad["face"] for bad in self.scene.segments("part")], [1, 2, 3])
+        self.assertEqual((self.scene.left_out("part"), self.scene.segments("cube")), ([], []))
+        self.assertEqual(self.scene.touched([[3, 0, 1.5, 0.5], [9, 9, 8, 1], [2, 0.5, 3, 0.5]], ["part"])[0].tolist(), [[2, 1], [2, 3]])
+        nearest = self.scene.nearest([9, 9, 9, 1], ["part"])
+        self.assertEqual((nearest.face, nearest.feature, nearest.depth), (2, {"kind": "vertex", "index": 0}, 1))
+        self.assertEqual(nearest.contact_normal.tolist(), [0, 0, 0])
+        first = self.scene.first_contact([2, 0, 5, 0.5, 2, 0, 0], ["part"])
+        self.assertEqual((first.face, first.contact.feature), (3, {"kind": "edge", "index": 0}))
+        self.scene.set_pose("part", TURN)
+        self.assertTrue(self.scene.touches(posed(np.array([[[3, 0, 1]] * 3]), TURN)[0, 0].tolist() + [1e-9], ["part"]))
+        triangles = np.array([facet for facet in corners if len(facet) == 3], dtype=float)
+        with self.assertRaises(touchstone.Rejected):
+            touchstone.TriangleSet(triangles)
+        triangle_set = touchstone.TriangleSet(triangles, bad_faces="as segments")
+        self.assertEqual(triangle_set.triangles_hit([3, 0, 1.5, 0.5]).tolist(), [1, 3])
+        self.assertEqual(pickle.loads(pickle.dumps(triangle_set)), triangle_set)
+        self.scene.add("set", triangle_set, bad_faces="as segments")
+        quad = touchstone.Mesh([[0, 0, 0], [1, 0, 0], [3, 0, 0], [2, 0, 0], [0, 2, 0]], [[1, 2, 0, 3], [0, 1, 4]])
+        self.scene.add("quad", quad, bad_faces="as segments")
+        self.assertEqual(self.scene.segments("quad"), [{"face": 0, "corners": [1, 2, 2]}])
+        with self.assertRaisesRegex(touchstone.Rejected, "^face 0 of the mesh"):
+            self.scene.add("bow", touchstone.Mesh([[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0]], [[0, 1, 2, 3]]), bad_faces="as segments")
+        for refuse in (touchstone.Mesh.read, touchstone.merge_faces):
+            with self.assertRaisesRegex(ValueError, "bad_faces must be 'refuse' or 'leave out', not 'as segments'"):
+                refuse(mesh, bad_faces="as segments")
+        with self.assertRaisesRegex(ValueError, "bad_faces must be 'refuse', 'leave out' or 'as segments', not 'skip'"):
+            self.scene.add("other", mesh, bad_faces="skip")
+
     def test_ask_some_objects_by_number_or_name(self):
         only = touchstone.Scene()
         only.add("turned", CUBE_TRIANGLES, TURN)
