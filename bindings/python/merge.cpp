@@ -16,7 +16,7 @@ namespace py = pybind11;
 
 py::object merge_faces(const py::object& object, double tolerance, const std::string& bad_faces) {
   const mesh::OnBadFace on_bad_face = bad_faces_policy(bad_faces);
-  const HeldMesh mesh = mesh_of(object);
+  const HeldMesh mesh = mesh_of(object, on_bad_face);
   mesh::MergedMesh merged;
   {
     const py::gil_scoped_release release;

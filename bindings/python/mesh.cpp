@@ -9,6 +9,7 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -42,6 +43,18 @@ Indices indices_of(py::handle numbers, const std::string& name) {
       py::int_(array.attr("max")()) > py::int_(std::numeric_limits<std::int64_t>::max()))
     reject(name + ": a vertex number is 2**63 or more");
   return Indices(array);
+}
+
+/// Returns a face with these vertex numbers, bad or not.
+Face unchecked_face_of(const std::int64_t* numbers, py::ssize_t count, std::size_t face) {
+  Face loop;
+  for (const std::int64_t number : std::span(numbers, static_cast<std::size_t>(count))) {
+    if (number < 0 || number > std::numeric_limits<std::uint32_t>::max())
+      reject("face " + std::to_string(face) + " has vertex " + std::to_string(number) +
+             ", which is not a number of 32 bits");
+    loop.push_back(static_cast<std::uint32_t>(number));
+  }
+  return loop;
 }
 
 /// Returns a face with these vertex numbers.
@@ -206,7 +219,7 @@ py::object named_faces(const std::vector<mesh::RejectedFace>& faces) {
   return named;
 }
 
-HeldMesh mesh_of(py::handle vertices, py::handle faces) {
+HeldMesh mesh_of(py::handle vertices, py::handle faces, mesh::OnBadFace on_bad_face) {
   const Doubles rows = doubles_of(vertices);
   if (rows.size() > 0 && (rows.ndim() != 2 || rows.shape(1) != 3)) reject("vertices must be an array of n x 3 numbers");
   HeldMesh mesh;
@@ -215,7 +228,9 @@ HeldMesh mesh_of(py::handle vertices, py::handle faces) {
     mesh.vertices.emplace_back(v[0], v[1], v[2]);
   }
   const auto add = [&](const std::int64_t* numbers, py::ssize_t count) {
-    mesh.faces.push_back(face_of(numbers, count, mesh.vertices, mesh.faces.size()));
+    const std::size_t face = mesh.faces.size();
+    mesh.faces.push_back(on_bad_face == mesh::OnBadFace::Refuse ? face_of(numbers, count, mesh.vertices, face)
+                                                                : unchecked_face_of(numbers, count, face));
   };
   if (py::isinstance<py::list>(faces) || py::isinstance<py::tuple>(faces)) {
     for (const py::handle face : faces) {
@@ -237,16 +252,17 @@ bool is_mesh(py::handle object) {
          has(object, "points", "cells");
 }
 
-HeldMesh mesh_of(py::handle object) {
+HeldMesh mesh_of(py::handle object, mesh::OnBadFace on_bad_face) {
+  const auto made = [&](py::handle vertices, py::handle faces) { return mesh_of(vertices, faces, on_bad_face); };
   if (py::isinstance<HeldMesh>(object)) return object.cast<const HeldMesh&>();
-  if (has(object, "vertices", "faces")) return mesh_of(object.attr("vertices"), object.attr("faces"));
-  if (has(object, "vertices", "triangles")) return mesh_of(object.attr("vertices"), object.attr("triangles"));
+  if (has(object, "vertices", "faces")) return made(object.attr("vertices"), object.attr("faces"));
+  if (has(object, "vertices", "triangles")) return made(object.attr("vertices"), object.attr("triangles"));
   if (has(object, "points", "faces")) {
     if (py::hasattr(object, "strips") && py::len(object.attr("strips")) > 0)
       throw py::type_error("a mesh with strips is not supported: triangulate it");
-    return mesh_of(object.attr("points"), faces_of_counts(object.attr("faces")));
+    return made(object.attr("points"), faces_of_counts(object.attr("faces")));
   }
-  if (has(object, "points", "cells")) return mesh_of(object.attr("points"), faces_of_blocks(object.attr("cells")));
+  if (has(object, "points", "cells")) return made(object.attr("points"), faces_of_blocks(object.attr("cells")));
   throw py::type_error(
       "expected a mesh: an object with `vertices` and `faces` or `triangles`, or with `points` and "
       "`faces` or `cells`, got " +

@@ -25,11 +25,14 @@ struct HeldMesh : Mesh {
 /// (Open3D), `points` and flat `faces` with counts (PyVista), or `points` and blocks of `cells` (meshio).
 ///
 /// Throws pybind11::type_error for other objects, and what mesh_of throws.
-[[nodiscard]] HeldMesh mesh_of(pybind11::handle object);
+[[nodiscard]] HeldMesh mesh_of(pybind11::handle object, mesh::OnBadFace on_bad_face = mesh::OnBadFace::Refuse);
 
 /// Returns the mesh with these vertices, m x 3, and faces, an array of n x k or a list of lists of vertex numbers.
-/// Throws what doubles_of throws, and Rejected, which names the vertex or face.
-[[nodiscard]] HeldMesh mesh_of(pybind11::handle vertices, pybind11::handle faces);
+/// Throws what doubles_of throws, and Rejected, which names the vertex or face. With another policy than `Refuse`, faces
+/// of fewer than three vertices, and of vertices that are not finite or that there are not, are kept: mesh::scene_faces
+/// and mesh::merge_faces treat them as bad.
+[[nodiscard]] HeldMesh mesh_of(pybind11::handle vertices, pybind11::handle faces,
+                               mesh::OnBadFace on_bad_face = mesh::OnBadFace::Refuse);
 
 /// Returns the policy of this name: 'refuse', 'leave out' or, where it is one, 'as segments'. Throws
 /// pybind11::value_error for another one.

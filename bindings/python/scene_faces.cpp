@@ -62,7 +62,7 @@ mesh::MeshFaces scene_faces_of(py::handle object, mesh::OnBadFace on_bad_face) {
   if (py::isinstance(object, py::module_::import("touchstone").attr("MergedMesh")))
     return scene_faces_of(object.attr("polygons"), on_bad_face);
   if (is_mesh(object)) {
-    const HeldMesh mesh = mesh_of(object);
+    const HeldMesh mesh = mesh_of(object, on_bad_face);
     const py::gil_scoped_release release;
     return mesh::scene_faces(mesh, on_bad_face);
   }

@@ -350,6 +350,14 @@ class Scenes(unittest.TestCase):
         self.scene.add("triangles", triangles, bad_faces="leave out")
         self.assertEqual(self.scene.face_numbers("triangles").tolist(), [i for i in range(12) if i != 3])
         self.assertEqual([bad["face"] for bad in self.scene.left_out("triangles")], [3])
+        other = types.SimpleNamespace(vertices=[*vertices, [np.nan, 0, 0]], faces=[[0, 1, 6], [0, 1, 2], [0, 1, 9], [0, 1]])
+        self.scene.add("of another library", other, bad_faces="leave out")
+        bad = [(0, "not-finite"), (2, "malformed-case"), (3, "too-few-vertices")]
+        for left_out in (self.scene.left_out("of another library"), touchstone.merge_faces(other, bad_faces="leave out").left_out):
+            self.assertEqual([(face["face"], face["code"]) for face in left_out], bad)
+        other.faces = [[0, 1, -1]]
+        with self.assertRaisesRegex(touchstone.Rejected, "face 0 has vertex -1"):
+            self.scene.add("with a wrong number", other, bad_faces="leave out")
         for use in (self.scene.face_numbers, self.scene.left_out):
             with self.assertRaises(IndexError):
                 use(9)
