@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <utility>
+
 #include "geometry/shapes/segment.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/motion.h"
@@ -133,6 +135,21 @@ TEST(DegenerateMotion, SegmentsSeldomNeedExact) {
   EXPECT_FALSE(filtered::contact(passes, segment, counts));
   EXPECT_FALSE(filtered::first_contact(passes, segment, counts).contact());
   EXPECT_EQ(counts.decided_by(filtered::Stage::BigInteger), 0U);
+}
+
+// Where a corner lies between the others, the edge from end to end and a lower one may both hold the touched point.
+TEST(DegenerateMotion, NamesTheLowestEdgeOfAFold) {
+  const Triangle fold{{1, 0, 0}, {0, 0, 0}, {3, 0, 0}};
+  for (const auto& [x, edge] : {std::pair(0.5, std::size_t{0}), std::pair(2.0, std::size_t{1})}) {
+    const Motion falls({{x, 0, 4}, 1}, {x, 0, 0});
+    EXPECT_EQ(exact::first_contact(falls, fold).feature, (Feature{Feature::Kind::Edge, edge}));
+    for (const auto* kernels : all_kernels()) {
+      filtered::NoCounts none;
+      FirstContact found;
+      kernels->plain.triangle_first_contact(filtered::detail::view_of(falls, fold), found, none);
+      EXPECT_EQ(found.feature, (Feature{Feature::Kind::Edge, edge}));
+    }
+  }
 }
 
 // A point that slides into a segment along its line stays; one that crosses it does not; and a ball that grazes the end
