@@ -38,9 +38,9 @@ struct NamedFiles {
 /// BrokenMesh, as `read_mesh` does; what assimp reports as an error, or as dropped, is a fault of a part.
 ///
 /// Coordinates are floats, to which assimp rounds, and are transformed in doubles by the nodes that place a mesh; a
-/// mesh is there as often as it is placed. Numbers keep the unit and the axes of the file. Points and lines are left out;
-/// nothing is joined, split or repaired. Warnings say which numbers are rounded, which unit a DAE file gives, and what
-/// assimp warns of. assimp is not made for files of unknown origin.
+/// mesh is there as often as it is placed. Numbers keep the unit and the axes of the file. Points and lines are left
+/// out; nothing is joined, split or repaired. Warnings say which numbers are rounded, which unit a DAE file gives, and
+/// what assimp warns of. assimp is not made for files of unknown origin.
 [[nodiscard]] ReadMesh read_other_mesh(const std::filesystem::path& file, OnFault on_fault);
 
 /// Reads a file of either kind.
