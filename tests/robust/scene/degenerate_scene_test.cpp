@@ -50,7 +50,7 @@ Faces draw_faces(Random& random, int size, double scale) {
 }
 
 /// Turns of a quarter keep all on the lattice; others round vertices, so that lines bend.
-Pose draw_pose(Random& random) {
+Pose draw_turn_and_shift(Random& random) {
   Pose pose;
   if (random.integer(0, 2) == 0) return pose;
   const Vector3d axis = Vector3d::Unit(static_cast<int>(random.integer(0, 2)));
@@ -130,7 +130,7 @@ TEST(DegenerateScene, AnswersAreThoseOfExactWhereverItsObjectsAre) {
     for (int move = 0; move < 2; ++move) {
       Truth truth;
       for (std::uint32_t object = 0; object < objects.size(); ++object) {
-        Pose pose = move == 0 ? Pose() : draw_pose(random);
+        Pose pose = move == 0 ? Pose() : draw_turn_and_shift(random);
         pose.translation *= scale;
         built.set_pose(object, pose);
         truth.add(object, objects[object], pose);
