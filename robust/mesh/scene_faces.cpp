@@ -28,8 +28,9 @@ Loop loop_of(const Mesh& mesh, std::size_t face) {
 }
 
 /// Returns the corners that are the vertices of the degenerate triangle of a loop; nothing if its corners do not all
-/// lie on one line, or are not finite. Ends are the first corners there.
-std::optional<std::array<std::uint32_t, 3>> corners_on_line(const Loop& loop) {
+/// lie on one line, or are not finite. Ends are the first corners there. Not inlined into a handler of exceptions,
+/// where the object code does not show that the floating-point state is set.
+__attribute__((noinline)) std::optional<std::array<std::uint32_t, 3>> corners_on_line(const Loop& loop) {
   const auto before = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
   };
