@@ -107,7 +107,7 @@ class EveryState(unittest.TestCase):
         attributes = {kind: {name for name in dir(kind) if name[0] != "_"} for kind in (touchstone.TriangleSet, touchstone.Scene, touchstone.Solid)}
         self.assertEqual(attributes, {touchstone.TriangleSet: {"contact", "any_contact", "triangles_hit", "triangles"},
                                       touchstone.Scene: {"add", "set_pose", "pose", "names", "face_count", "face_numbers", "left_out",
-                                                         "touches", "touched", "touched_in_order", "first_contact", "nearest",
+                                                         "segments", "touches", "touched", "touched_in_order", "first_contact", "nearest",
                                                          "closest"},
                                       touchstone.Solid: {"locate", "touches", "signed_distance"}})
         turn = np.array([[0.6, -0.8, 0, 1], [0.8, 0.6, 0, 0], [0, 0, 1, 0]])
@@ -129,6 +129,13 @@ class EveryState(unittest.TestCase):
             self.assert_same_in_every_state(lambda: [(n.object, n.face, n.feature, n.point, n.distance, n.contact_normal,
                                                       n.depth)
                                                      for n in scene().nearest(balls)], ("nearest", unit))
+
+            def segment():
+                made = touchstone.Scene()
+                made.add("segment", SQUARE[[[0, 1, 1]]] * unit, bad_faces="as segments")
+                return made
+
+            self.assert_same_in_every_state(lambda: (segment().segments(0), segment().touches(balls)), ("segment", unit))
             motions = MOTIONS * unit
             self.assert_same_in_every_state(lambda: [f and (f.object, f.face, as_bytes(f.contact))
                                                      for f in scene().first_contact(motions)], ("first_contact", unit))
