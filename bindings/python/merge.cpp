@@ -16,7 +16,7 @@ namespace py = pybind11;
 
 py::object merge_faces(const py::object& object, double tolerance, const std::string& bad_faces) {
   const mesh::OnBadFace on_bad_face = bad_faces_policy(bad_faces);
-  const HeldMesh mesh = mesh_of(object, on_bad_face);
+  const HeldMesh mesh = mesh_of(object);
   mesh::MergedMesh merged;
   {
     const py::gil_scoped_release release;
@@ -45,7 +45,7 @@ void add_merge_faces(py::module_& module) {
       "Merges neighbouring coplanar faces of a Mesh, or of what Mesh.of takes, into polygons with holes, each as\n"
       "large as possible: a MergedMesh. With a tolerance, faces are coplanar whose vertices are no farther than\n"
       "it from one plane. Raises Rejected, which names the face, for what the contract rejects, unless\n"
-      "bad_faces='leave out'.");
+      "bad_faces='leave out', and always for what a Mesh cannot hold.");
 }
 
 }  // namespace touchstone::python

@@ -29,8 +29,8 @@ struct HeldMesh : Mesh {
 
 /// Returns the mesh with these vertices, m x 3, and faces, an array of n x k or a list of lists of vertex numbers.
 /// Throws what doubles_of throws, and Rejected, which names the vertex or face. With another policy than `Refuse`, bad
-/// faces are kept, for mesh::scene_faces and mesh::merge_faces: those of fewer than three vertices, and of vertices
-/// that are not finite or that there are not.
+/// faces are kept, for mesh::scene_faces: those of fewer than three vertices, and of vertices that are not finite or
+/// that there are not.
 [[nodiscard]] HeldMesh mesh_of(pybind11::handle vertices, pybind11::handle faces,
                                mesh::OnBadFace on_bad_face = mesh::OnBadFace::Refuse);
 

@@ -353,8 +353,9 @@ class Scenes(unittest.TestCase):
         other = types.SimpleNamespace(vertices=[*vertices, [np.nan, 0, 0]], faces=[[0, 1, 6], [0, 1, 2], [0, 1, 9], [0, 1]])
         self.scene.add("of another library", other, bad_faces="leave out")
         bad = [(0, "not-finite"), (2, "malformed-case"), (3, "too-few-vertices")]
-        for left_out in (self.scene.left_out("of another library"), touchstone.merge_faces(other, bad_faces="leave out").left_out):
-            self.assertEqual([(face["face"], face["code"]) for face in left_out], bad)
+        self.assertEqual([(face["face"], face["code"]) for face in self.scene.left_out("of another library")], bad)
+        with self.assertRaisesRegex(touchstone.Rejected, "face 0 has vertex 6"):
+            touchstone.merge_faces(other, bad_faces="leave out")
         other.faces = [[0, 1, -1]]
         with self.assertRaisesRegex(touchstone.Rejected, "face 0 has vertex -1"):
             self.scene.add("with a wrong number", other, bad_faces="leave out")
