@@ -6,9 +6,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#endif
 
 #include "geometry/detail/floating_point_state.h"
-#endif
 
 namespace touchstone {
 
