@@ -18,6 +18,7 @@ struct Segment {
   Eigen::Vector3d a, b;
   /// @}
 
+  /// Returns the triangle (a, b, b).
   operator Triangle() const { return {a, b, b}; }  // NOLINT: it is a triangle
 };
 

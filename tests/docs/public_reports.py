@@ -71,7 +71,7 @@ def verdict(folder, record):
         place, word = record["refused"]["place"], record["refused"]["word"]
         begin = f"touchstone: {file.name}: " + (f"{place}: " if place else "")
         right = run.returncode == 2 and not answers and said.startswith(begin) and word in said and "\n" not in said
-        text = said.removeprefix(f"touchstone: {file.name}: ") if place else "the extension, or what it holds"
+        text = "``" + said.removeprefix(f"touchstone: {file.name}: ") + "``" if place else "the extension, or what it holds"
         return f"refused: {text}", "" if right else f"exit status {run.returncode}, '{said}', {len(answers)} answers"
     warning = f"touchstone: warning: {file.name}: " + record["warning"] if "warning" in record else ""
     wrong = "" if run.returncode == 0 and said.startswith(warning) and bool(said) == bool(warning) else f"'{said}'"
