@@ -7,6 +7,7 @@
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/parts_in_parallel.h"
 #include "geometry/detail/required.h"
+#include "robust/scene/detail/object.h"
 #include "robust/scene/detail/walks.h"
 #include "robust/scene/posing.h"
 
@@ -16,19 +17,6 @@ using namespace detail;
 
 namespace {
 
-/// Returns make(). If that throws FaceRejected, throws Rejected for the face of the object; its set starts at face
-/// `first`.
-template <class Make>
-auto made(const std::string& object, std::size_t first, const Make& make) {
-  try {
-    return make();
-  } catch (const FaceRejected& rejected) {
-    const auto& [code, message] = rejected.rejection;
-    throw Rejected(
-        {code, "object \"" + object + "\", face " + std::to_string(first + rejected.number) + ": " + message});
-  }
-}
-
 /// @{
 /// Returns the walks of this machine for contact with a ball or a motion.
 const ContactWalks<Ball>& walks_for(const Ball&) { return fastest_walks().ball; }
@@ -36,30 +24,6 @@ const ContactWalks<Motion>& walks_for(const Motion&) { return fastest_walks().mo
 /// @}
 
 }  // namespace
-
-struct Scene::Object {
-  Object(std::string name_, Faces faces)
-      : name(std::move(name_)),
-        triangles(made(name, 0, [&] { return TriangleSet(faces.triangles, faces.degenerate); })),
-        polygons(made(name, triangle_count(), [&] { return PolygonSet(std::move(faces.polygons)); })) {}
-  Object(const Object& other, const Pose& pose_)
-      : name(other.name),
-        pose(pose_),
-        triangles(made(name, 0, [&] { return TriangleSet(other.triangles, pose); })),
-        polygons(made(name, triangle_count(), [&] { return PolygonSet(other.polygons, pose); })) {}
-
-  [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size()); }
-
-  static FaceId first_triangle(std::uint32_t number) { return {number, 0}; }
-  [[nodiscard]] bool has_triangles() const { return triangles.size() > 0; }
-  [[nodiscard]] bool has_polygons() const { return !polygons.polygons.empty(); }
-  [[nodiscard]] FaceId first_polygon(std::uint32_t number) const { return {number, triangle_count()}; }
-
-  std::string name;
-  Pose pose;
-  TriangleSet triangles;
-  PolygonSet polygons;
-};
 
 Scene::Objects::Objects(std::vector<std::uint32_t> numbers) : some_(std::move(numbers)) {
   std::sort(some_->begin(), some_->end());
@@ -123,18 +87,6 @@ std::size_t Scene::face_count(std::uint32_t object) const {
 
 std::size_t Scene::triangle_memory(std::uint32_t object) const { return at(object).triangles.memory(); }
 
-template <class F>
-bool Scene::any_of(const Objects& objects, const F& f) const {
-  if (objects.some_) {
-    for (const std::uint32_t number : *objects.some_)
-      if (f(number, *objects_[number])) return true;
-    return false;
-  }
-  for (std::uint32_t number = 0; number < objects_.size(); ++number)
-    if (f(number, *objects_[number])) return true;
-  return false;
-}
-
 template <class Query>
 bool Scene::touches_any(const Query& query, const Objects& objects) const {
   const FloatingPointState nearest;
@@ -168,10 +120,7 @@ std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) con
   expect(objects);
   return all_touched(required(ball), objects);
 }
-std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
-  expect(objects);
-  const FloatingPointState nearest;
-  NearestSearch search(required(ball));
+void Scene::search_nearest(NearestSearch& search, const Objects& objects) const {
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
     fastest_walks().nearest_triangle(object.triangles, search);
@@ -179,7 +128,7 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
     fastest_walks().nearest_polygon(object.polygons, search);
     return false;
   });
-  if (search.has_shrunk()) return search.nearest();
+  if (search.has_shrunk()) return;
   // All faces are farther than the largest double or nearly so: balls cannot tell which matter.
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
@@ -190,7 +139,20 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
     for (std::uint32_t i = 0; i < object.polygons.polygons.size(); ++i) search.meet(object.polygons.prepared[i], i);
     return false;
   });
+}
+std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
+  expect(objects);
+  const FloatingPointState nearest;
+  NearestSearch search(required(ball));
+  search_nearest(search, objects);
   return search.nearest();
+}
+std::optional<FaceId> Scene::nearest_face(const Eigen::Vector3d& center, const Objects& objects) const {
+  expect(objects);
+  const FloatingPointState nearest;
+  NearestSearch search(required(Ball{center, 0}));
+  search_nearest(search, objects);
+  return search.nearest_face();
 }
 
 bool Scene::touches(const Motion& motion, const Objects& objects) const {
@@ -233,51 +195,35 @@ std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Object
   return search.first();
 }
 
-template <class Query>
-void Scene::touches_each(std::span<const Query> queries, std::span<bool> answers, const char* name,
-                         const Objects& objects) const {
+void Scene::touches(std::span<const Motion> motions, std::span<bool> answers, const Objects& objects) const {
   const FloatingPointState state;  // TBB clears the exception flags where it changes the rounding mode
   expect(objects);
-  expect_equal_lengths(name, queries.size(), "answers", answers.size());
-  parts_in_parallel(queries.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) answers[i] = touches(queries[i], objects);
+  expect_equal_lengths("motions", motions.size(), "answers", answers.size());
+  parts_in_parallel(motions.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) answers[i] = touches(motions[i], objects);
   });
 }
-
-template <class Query, class Answer>
-std::vector<Answer> Scene::answers_to(std::span<const Query> queries, const Objects& objects,
-                                      Answer (Scene::*answer)(const Query&, const Objects&) const) const {
+template <class Answer>
+std::vector<Answer> Scene::answers_to(std::span<const Motion> motions, const Objects& objects,
+                                      Answer (Scene::*answer)(const Motion&, const Objects&) const) const {
   const FloatingPointState state;
   expect(objects);
-  std::vector<Answer> answers(queries.size());
-  parts_in_parallel(queries.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) answers[i] = (this->*answer)(queries[i], objects);
+  std::vector<Answer> answers(motions.size());
+  parts_in_parallel(motions.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) answers[i] = (this->*answer)(motions[i], objects);
   });
   return answers;
 }
-
-void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
-  touches_each(balls, answers, "balls", objects);
-}
-std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, const Objects& objects) const {
-  return answers_to<Ball, std::vector<FaceId>>(balls, objects, &Scene::touched);
-}
-std::vector<std::optional<NearestFace>> Scene::nearest(std::span<const Ball> balls, const Objects& objects) const {
-  return answers_to<Ball, std::optional<NearestFace>>(balls, objects, &Scene::nearest);
-}
-void Scene::touches(std::span<const Motion> motions, std::span<bool> answers, const Objects& objects) const {
-  touches_each(motions, answers, "motions", objects);
-}
 std::vector<std::vector<FaceId>> Scene::touched(std::span<const Motion> motions, const Objects& objects) const {
-  return answers_to<Motion, std::vector<FaceId>>(motions, objects, &Scene::touched);
+  return answers_to<std::vector<FaceId>>(motions, objects, &Scene::touched);
 }
 std::vector<std::vector<FirstFace>> Scene::touched_in_order(std::span<const Motion> motions,
                                                             const Objects& objects) const {
-  return answers_to<Motion, std::vector<FirstFace>>(motions, objects, &Scene::touched_in_order);
+  return answers_to<std::vector<FirstFace>>(motions, objects, &Scene::touched_in_order);
 }
 std::vector<std::optional<FirstFace>> Scene::first_contact(std::span<const Motion> motions,
                                                            const Objects& objects) const {
-  return answers_to<Motion, std::optional<FirstFace>>(motions, objects, &Scene::first_contact);
+  return answers_to<std::optional<FirstFace>>(motions, objects, &Scene::first_contact);
 }
 
 }  // namespace touchstone::scene

@@ -82,6 +82,75 @@ TOUCHSTONE_INLINE Sides sides(const BoxTree::Node& node, int axis) {
           multiply_add(filtered::detail::load(node.high[axis]), step, origin)};  // exact
 }
 
+/// A ball in the units of a tree, in floats.
+struct FloatReach {
+  float first[3], last[3];  ///< between which the centre is
+  float limit;              ///< for the squares of the distances of boxes that the ball may touch
+
+  /// Sets a ball. Returns false if it is beyond floats. Requires round to nearest, without flush-to-zero.
+  TOUCHSTONE_INLINE bool set(const Ball& ball, const BoxTree& tree) {
+    double largest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double coordinate = scaled(ball.center[axis], tree);
+      largest = std::max(largest, std::abs(coordinate));
+      set_center(axis, coordinate);
+    }
+    const double reach = scaled(ball.radius, tree) + culling::kTiny;
+    set_reach(reach);
+    return largest <= culling::kLargestFloat && reach <= culling::kLargestFloat;
+  }
+  /// Sets the radius, which may be beyond floats: the ball then touches all boxes.
+  TOUCHSTONE_INLINE void set_radius(double radius, const BoxTree& tree) {
+    const double reach = scaled(radius, tree) + culling::kTiny;
+    set_reach(reach);
+    if (!(reach <= culling::kLargestFloat)) limit = std::numeric_limits<float>::infinity();
+  }
+
+  /// Requires a coordinate of the centre that is at most kLargestFloat in magnitude.
+  TOUCHSTONE_INLINE void set_center(int axis, double coordinate) {
+    const auto nearest = static_cast<float>(coordinate);
+    const float apart = culling::apart(nearest);
+    first[axis] = nearest - apart, last[axis] = nearest + apart;
+  }
+  /// Requires a reach that is at most kLargestFloat.
+  TOUCHSTONE_INLINE void set_reach(double reach) {
+    limit = static_cast<float>(culling::squared_reach(reach, culling::kWideFloat) + culling::kTinyFloat);
+  }
+};
+
+/// The boxes of a node's children.
+class NodeBoxes {
+ public:
+  explicit TOUCHSTONE_INLINE NodeBoxes(const BoxTree::Node& node)
+      : sides_{sides(node, 0), sides(node, 1), sides(node, 2)}, all_(all_children(node)), count_(node.child_count) {}
+
+  /// Returns the squares of their distances.
+  [[nodiscard]] TOUCHSTONE_INLINE FloatPack squares(const FloatReach& ball) const {
+    const FloatPack zero = filtered::detail::all_float_lanes(0);
+    const auto gap = [&](int axis) {
+      return culling::gap(sides_[axis].low, sides_[axis].high, filtered::detail::all_float_lanes(ball.first[axis]),
+                          filtered::detail::all_float_lanes(ball.last[axis]), zero);
+    };
+    return culling::squared_distance(gap(0), gap(1), gap(2));
+  }
+  /// Returns one bit for each box at the distances of these squares that the ball may touch.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned met_by(const FloatReach& ball, const FloatPack& squares) const {
+    return ~negative_lanes(filtered::detail::all_float_lanes(ball.limit) - squares) & all_;
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned met_by(const FloatReach& ball) const { return met_by(ball, squares(ball)); }
+  /// Returns one bit for the box whose distance is least, or none if the ball does not touch it.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned nearest_met_by(const FloatReach& ball) const {
+    const FloatPack here = squares(ball);
+    const FloatPack least = filtered::detail::all_float_lanes(least_of_first(here, count_));
+    const unsigned nearest = ~negative_lanes(least - here) & met_by(ball, here);
+    return nearest & -nearest;
+  }
+
+ private:
+  Sides sides_[3];
+  unsigned all_, count_;
+};
+
 /// A ball in the units of a tree, to test it against boxes.
 ///
 /// Culling is conservative: a box that the ball touches is never culled. Squares do not overflow, because all numbers
@@ -95,12 +164,7 @@ class CullingBall {
     everywhere_ = !(largest_ < 0x1p500);
     if (everywhere_) center_[0] = center_[1] = center_[2] = 0;
     if (largest_ <= culling::kLargestFloat)
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto nearest = static_cast<float>(center_[axis]);
-        const float apart = culling::apart(nearest);
-        first_[axis] = filtered::detail::all_float_lanes(nearest - apart);
-        last_[axis] = filtered::detail::all_float_lanes(nearest + apart);
-      }
+      for (int axis = 0; axis < 3; ++axis) floats_.set_center(axis, center_[axis]);
     set_radius(ball.radius, tree);
   }
 
@@ -109,9 +173,8 @@ class CullingBall {
     const double reach = scaled(radius, tree) + culling::kTiny;
     in_floats_ = largest_ <= culling::kLargestFloat && reach <= culling::kLargestFloat;
     if (in_floats_) {
-      const auto limit = static_cast<float>(culling::squared_reach(reach, culling::kWideFloat) + culling::kTinyFloat);
-      squared_ = static_cast<double>(limit);
-      limit_ = filtered::detail::all_float_lanes(limit);
+      floats_.set_reach(reach);
+      squared_ = static_cast<double>(floats_.limit);
     } else {
       squared_ = everywhere_ || !(reach < 0x1p500) ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
     }
@@ -120,7 +183,7 @@ class CullingBall {
   /// Returns one bit for each child of a node whose box the ball may touch.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node) const {
     if (in_floats_) [[likely]]
-      return ~negative_lanes(limit_ - float_squares(node)) & all_children(node);
+      return NodeBoxes(node).met_by(floats_);
     double squares[BoxTree::kWidth];
     return may_touch_in_doubles(node, squares);
   }
@@ -129,27 +192,19 @@ class CullingBall {
                                                      double (&squares)[BoxTree::kWidth]) const {
     if (!in_floats_) [[unlikely]]
       return may_touch_in_doubles(node, squares);
-    const FloatPack here = float_squares(node);
+    const NodeBoxes boxes(node);
+    const FloatPack here = boxes.squares(floats_);
     float floats[BoxTree::kWidth];
     store(floats, here);
     for (std::size_t first = 0; first < BoxTree::kWidth; first += filtered::detail::kLanes)
       store(squares + first, filtered::detail::load(floats + first));
-    return ~negative_lanes(limit_ - here) & all_children(node);
+    return boxes.met_by(floats_, here);
   }
 
   /// Returns whether the ball may touch a box with this key, the square of its distance.
   [[nodiscard]] bool may_touch(double square) const { return square <= squared_; }
 
  private:
-  /// Returns the squares of the distances of the children's boxes.
-  [[nodiscard]] TOUCHSTONE_INLINE FloatPack float_squares(const BoxTree::Node& node) const {
-    const FloatPack zero = filtered::detail::all_float_lanes(0);
-    const auto gap = [&](int axis) {
-      const Sides box = sides(node, axis);
-      return culling::gap(box.low, box.high, first_[axis], last_[axis], zero);
-    };
-    return culling::squared_distance(gap(0), gap(1), gap(2));
-  }
   [[nodiscard]] __attribute__((noinline)) unsigned may_touch_in_doubles(const BoxTree::Node& node,
                                                                         double (&squares)[BoxTree::kWidth]) const {
     const Pack zero = filtered::detail::all_lanes(0), limit = filtered::detail::all_lanes(squared_);
@@ -168,7 +223,7 @@ class CullingBall {
   }
 
   double center_[3], largest_, squared_;
-  FloatPack first_[3], last_[3], limit_;  ///< if in_floats_: between which the centre is, and squared_
+  FloatReach floats_;  ///< if in_floats_
   bool everywhere_, in_floats_;
 };
 

@@ -107,7 +107,7 @@ int NearestSearch::compare(const Met& first, double first_distance, const Met& s
   return exact::compare_distances(ball_, first.face.exactly(), second.face.exactly());
 }
 
-std::optional<NearestFace> NearestSearch::nearest() {
+NearestSearch::Met* NearestSearch::best() {
   Met* best = nullptr;
   std::optional<double> least;  // the distance of the best face
   // A face that the ball does not touch is farther than some other that it touches.
@@ -127,6 +127,16 @@ std::optional<NearestFace> NearestSearch::nearest() {
     }
     if (order < 0 || (order == 0 && met.face.id < best->face.id)) best = &met, least = here;
   }
+  return best;
+}
+
+std::optional<FaceId> NearestSearch::nearest_face() {
+  const Met* const found = best();
+  return found == nullptr ? std::nullopt : std::optional(found->face.id);
+}
+
+std::optional<NearestFace> NearestSearch::nearest() {
+  const Met* const best = this->best();
   if (best == nullptr) return std::nullopt;
   const Ball given{ball_.center, given_radius_};
   filtered::ClosestPoint closest{};

@@ -3,10 +3,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "geometry/contact/answer.h"
 #include "geometry/shapes/ball.h"
@@ -62,6 +62,8 @@ class NearestSearch {
   /// each face but one, and 20 us for each pair of faces with equal rounded distances that do not share the nearest
   /// vertex or edge.
   [[nodiscard]] std::optional<NearestFace> nearest();
+  /// Returns that face alone. Cost: nothing for a single face.
+  [[nodiscard]] std::optional<FaceId> nearest_face();
 
  private:
   struct Met {
@@ -69,6 +71,8 @@ class NearestSearch {
     std::optional<Feature> feature;                 ///< that contains the closest point; of triangles, if it is known
     std::optional<filtered::ClosestPoint> closest;  ///< for polygons only
   };
+  /// Returns the face that `nearest` names; null if there is none.
+  [[nodiscard]] Met* best();
   [[nodiscard]] bool touched(const Met& met) const;
   /// Shrinks the ball to a distance that was rounded to the nearest double.
   void shrink_to(double distance);
@@ -82,7 +86,7 @@ class NearestSearch {
   double given_radius_;
   Ball ball_;
   FaceId first_{0, 0};
-  std::vector<Met> met_;
+  boost::container::small_vector<Met, 2> met_;
 };
 
 }  // namespace touchstone::scene::detail

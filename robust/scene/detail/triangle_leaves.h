@@ -45,6 +45,16 @@ TOUCHSTONE_INLINE bool any_of_leaves(std::span<const Leaf> leaves, const Contact
   return false;
 }
 
+/// Returns a radius with which a ball touches a triangle, a little more than its distance; infinite if none is known.
+/// Takes LaneDistances::most and ::size, and the factor that turns lengths into the units of the group.
+TOUCHSTONE_INLINE double touching_radius(float most, double size, double scale) {
+  constexpr double wide = 1 + 0x1p-20, steps = filtered::detail::TriangleGroup::kSteps;
+  const double distance = static_cast<double>(most) / steps;
+  const double radius = (distance + filtered::detail::lane::distance_error(size, distance)) * wide / scale;
+  const filtered::detail::lane::Limits<double> limits(radius * scale, size, steps);
+  return most < static_cast<float>(limits.inner) ? radius : std::numeric_limits<double>::infinity();
+}
+
 /// The distances of a leaf's triangles, as floats know them.
 class LeafDistances {
  public:
@@ -63,17 +73,11 @@ class LeafDistances {
   [[nodiscard]] TOUCHSTONE_INLINE unsigned within(double radius) const {
     return all_triangles(leaf_) & ~(known() ? lanes().missed(radius * scale_) : 0);
   }
-  /// Returns a radius with which a ball touches one of the triangles, a little more than the least; infinite if none is
-  /// known.
+  /// Returns a radius with which a ball touches one of the triangles; infinite if none is known.
   [[nodiscard]] TOUCHSTONE_INLINE double radius() const {
-    constexpr double wide = 1 + 0x1p-20, unknown = std::numeric_limits<double>::infinity();
     if (!known()) [[unlikely]]
-      return unknown;
-    const filtered::detail::LaneDistances here = lanes();
-    const double least =
-        static_cast<double>(least_of_first(here.most, leaf_.count)) / filtered::detail::TriangleGroup::kSteps;
-    const double radius = (least + here.error(least)) * wide / scale_;
-    return (here.touched(radius * scale_) & all_triangles(leaf_)) != 0 ? radius : unknown;
+      return std::numeric_limits<double>::infinity();
+    return touching_radius(least_of_first(lanes().most, leaf_.count), size_, scale_);
   }
 
  private:
@@ -99,17 +103,17 @@ class TriangleLeaves {
                                                                          const Leaf& leaf) const {
     if (!filtered::detail::in_reach_of_groups(ball)) [[unlikely]]
       return {0, all_triangles(leaf)};
-    return filtered::detail::lanes_contact(ball, inner, groups_[leaf.number], all_triangles(leaf));
+    return filtered::detail::lanes_contact(ball, inner, group(leaf), all_triangles(leaf));
   }
 
   /// Returns what floats know of the distances from a ball's centre: nothing if the ball is beyond the group's reach.
   [[nodiscard]] TOUCHSTONE_INLINE LeafDistances distances(const Ball& ball, const Leaf& leaf) const {
-    const filtered::detail::TriangleGroup& group = groups_[leaf.number];
     double seen[4];
-    if (!filtered::detail::in_reach_of_groups(ball) || !filtered::detail::see(ball, group, seen)) [[unlikely]]
+    if (!filtered::detail::in_reach_of_groups(ball) || !filtered::detail::see(ball, group(leaf), seen)) [[unlikely]]
       return LeafDistances(leaf);
-    return {leaf, filtered::detail::lane_distances(group, seen), group.scale};
+    return {leaf, filtered::detail::LaneTriangles(group(leaf)).distances(seen), group(leaf).scale};
   }
+  [[nodiscard]] const filtered::detail::TriangleGroup& group(const Leaf& leaf) const { return groups_[leaf.number]; }
 
  private:
   const filtered::detail::TriangleGroup* groups_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/shapes/ball.h"
@@ -14,6 +15,29 @@
 #include "robust/scene/scene.h"
 
 namespace touchstone::scene::detail {
+
+/// A face that a ball of a crowd touches.
+struct TouchedFace {
+  std::uint32_t ball;
+  FaceId face;
+};
+/// A triangle, by its place in the tree of an object, that may be the nearest to a ball of a crowd.
+struct PlaceOfBall {
+  std::uint32_t ball, object, place;
+};
+
+/// The walks of many balls together through the triangles of an object. Balls have their numbers in the crowd.
+struct CrowdWalks {
+  /// Sets touches[i] to 1 for each ball i that touches a triangle. Leaves out balls for which it is 1.
+  void (*touches_triangle)(std::span<const Ball>, const TriangleSet&, std::span<std::uint8_t> touches);
+  /// Adds the triangles that the balls touch, in no particular order. `first` is the first face of the set.
+  void (*touched_triangles)(std::span<const Ball>, const TriangleSet&, FaceId first, std::vector<TouchedFace>&);
+  /// Adds the triangles of this object that may be nearest to the balls' centres; radii[i] shrinks to a radius with
+  /// which ball i touches one that was found so far, or becomes NaN for a ball that has to search alone. Leaves out
+  /// balls for which it is NaN.
+  void (*nearest_triangles)(std::span<const Ball>, const TriangleSet&, std::uint32_t object, std::span<double> radii,
+                            std::vector<PlaceOfBall>&);
+};
 
 /// The walks through an object for contact with a ball or a motion.
 template <class Query>
@@ -41,6 +65,7 @@ struct Walks {
   /// Returns how often the ray leaves through the triangles, less how often it enters; nothing if its point is on one.
   /// Requires triangles without a pose.
   std::optional<int> (*crossings)(const TriangleSet&, const filtered::detail::AxisRay&);
+  CrowdWalks crowd;
 };
 
 // Compiled once for each instruction set; all give the same answers.

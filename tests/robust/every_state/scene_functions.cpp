@@ -15,6 +15,15 @@ std::vector<Ball> balls_of(const Input& in) {
   return {in.ball, {in.ball.center, -0.0}, {in.point, 0}, {in.triangle.b, 0}, {in.polygon.vertex(2), -0.0}};
 }
 
+/// Enough balls to walk through a scene together.
+constexpr std::size_t kCrowd = 70;
+std::vector<Ball> crowd_of(const Input& in) {
+  const std::vector<Ball> balls = balls_of(in);
+  std::vector<Ball> crowd;
+  while (crowd.size() < kCrowd) crowd.push_back(balls[crowd.size() % balls.size()]);
+  return crowd;
+}
+
 /// Whatever a scene says about the input's balls.
 auto described(std::shared_ptr<const Scene> scene, const Input& in) {
   return [scene = std::move(scene), balls = balls_of(in)] {
@@ -114,15 +123,25 @@ std::vector<PublicFunction> static_functions() {
               return nearest;
             })),
       gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {
-              const std::vector<Ball> balls = balls_of(in);
-              std::array<bool, 5> touches{};
+              const std::vector<Ball> balls = crowd_of(in);
+              std::array<bool, kCrowd> touches{};
               scene.touches(balls, touches);
               return touches;
             })),
       gives("scene::Scene::touched",
-            of_scene([](const Scene& scene, const Input& in) { return scene.touched(balls_of(in)); })),
+            of_scene([](const Scene& scene, const Input& in) { return scene.touched(crowd_of(in)); })),
       gives("scene::Scene::nearest",
-            of_scene([](const Scene& scene, const Input& in) { return scene.nearest(balls_of(in)); })),
+            of_scene([](const Scene& scene, const Input& in) { return scene.nearest(crowd_of(in)); })),
+      gives("scene::Scene::nearest_face", of_scene([](const Scene& scene, const Input& in) {
+              std::vector<std::optional<scene::FaceId>> nearest;
+              for (const Ball& ball : balls_of(in)) nearest.push_back(scene.nearest_face(ball.center));
+              return nearest;
+            })),
+      gives("scene::Scene::nearest_face", of_scene([](const Scene& scene, const Input& in) {
+              std::vector<Eigen::Vector3d> centers;
+              for (const Ball& ball : crowd_of(in)) centers.push_back(ball.center);
+              return scene.nearest_face(centers);
+            })),
   };
 }
 

@@ -60,6 +60,7 @@ TEST(WrongArguments, NumbersOfNoObjectAreNamed) {
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touches(far, some); }), expected);
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touched(far, some); }), expected);
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.nearest(far, some); }), expected);
+  EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.nearest_face(far.center, some); }), expected);
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touches(kBall, some); }), expected);  // object 0 is touched
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touched(std::vector<Ball>(), some); }), expected);
   const Motion near(kBall, far.center);
@@ -121,6 +122,7 @@ TEST(WrongArgumentsDeathTest, BallsThatAreNoneAreAsserted) {
   const filtered::PreparedPolygon filtered_polygon(polygon);
   const scene::Scene scene = scene_of_one();
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_DEATH((void)scene.nearest_face({nan, 0, 0}), "find_fault");
   for (const Ball& wrong : {Ball{{nan, 0, 0}, 1}, Ball{{0, 0, 0}, -1}}) {
     EXPECT_DEATH((void)fast::contact(wrong, fast_polygon), "find_fault");
     EXPECT_DEATH((void)fast::contact(wrong, kTriangle), "find_fault");
@@ -131,6 +133,7 @@ TEST(WrongArgumentsDeathTest, BallsThatAreNoneAreAsserted) {
     EXPECT_DEATH((void)filtered::contact(wrong, kTriangle), "find_fault");
     EXPECT_DEATH((void)scene.touches(wrong), "find_fault");
     EXPECT_DEATH((void)scene.nearest(wrong), "find_fault");
+    EXPECT_DEATH((void)scene.touched(std::vector<Ball>(100, wrong)), "find_fault");
     EXPECT_DEATH((void)scene.first_contact(Motion{wrong, {0, 0, 0}}), "find_fault");
     EXPECT_DEATH((void)fast::contact(Motion{wrong, {0, 0, 0}}, fast_polygon), "find_fault");
     EXPECT_DEATH((void)fast::first_contact(Motion{wrong, {0, 0, 0}}, kTriangle), "find_fault");

@@ -92,7 +92,7 @@ TEST(TightBounds, FloatsAreRightWhereTheyBeginToBeCertain) {
       {
         const Environment changed(mode, Environment::kKeep);
         if (!see(center, group, seen)) continue;
-        const LaneDistances distances = lane_distances(group, seen);
+        const LaneDistances distances = LaneTriangles(group).distances(seen);
         float most[kFloatLanes];
         store(most, distances.most);
         for (unsigned lane = 0; lane < triangles.size(); ++lane) {

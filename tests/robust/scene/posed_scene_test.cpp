@@ -75,9 +75,10 @@ std::uint64_t queries_asked() {
   return asked == nullptr ? 100 * TOUCHSTONE_SAMPLES : std::stoull(asked);
 }
 
-// Every query is compared with contact with each face by `filtered`, a part of them also by `exact`.
+// Every query is compared with contact with each face by `filtered`, a part of them also by `exact`. Balls are asked
+// one by one and together.
 TEST(PosedScene, NeverDiffersFromBruteForce) {
-  constexpr std::uint64_t kSteps = 8, kBalls = 25;
+  constexpr std::uint64_t kSteps = 8, kBalls = 75;
   const std::uint64_t asked = queries_asked();
   ASSERT_TRUE(asked > 0 && asked <= 1'000'000'000) << asked;
   std::uint64_t queries = 0, differences = 0, moves = 0, touching = 0;
@@ -86,11 +87,20 @@ TEST(PosedScene, NeverDiffersFromBruteForce) {
       MovingScene subject(kind, index, index % 10 == 9 ? 5 : 1);
       for (std::uint64_t step = 0; step < kSteps; ++step) {
         if (step > 0) subject.move(step);
+        std::vector<Ball> balls;
+        std::vector<Eigen::Vector3d> centers;
+        for (std::uint64_t i = 0; i < kBalls; ++i) {
+          balls.push_back(subject.ball(kBalls * step + i));
+          centers.push_back(balls.back().center);
+        }
+        const auto touched = subject.scene().touched(balls);
+        const auto nearest = subject.scene().nearest_face(centers);
         for (std::uint64_t i = 0; i < kBalls; ++i, ++queries) {
           const std::uint64_t number = kBalls * step + i;
-          const Ball ball = subject.ball(number);
+          const Ball& ball = balls[i];
           const auto expected = subject.faces().touched(ball);
           bool same = subject.scene().touched(ball) == expected && subject.scene().touches(ball) == !expected.empty();
+          same = same && touched[i] == expected && nearest[i] == subject.scene().nearest_face(ball.center);
           if (number % 50 == 7) {
             same = same && subject.faces().touched_by_exact(ball) == expected;
             same = same && subject.scene().nearest(ball) == subject.faces().nearest_by_exact(ball);

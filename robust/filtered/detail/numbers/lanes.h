@@ -221,6 +221,9 @@ TOUCHSTONE_INLINE FloatPack load_eight(const float* eight) { return FloatPack::l
 // `load_three_points` loads the coordinates of three points: lanes 0, 1, 2 of x, y, z belong to points 0, 1, 2; lane 3
 // holds any coordinate. Integers are loaded from addresses that are multiples of 16.
 //
+// transpose(a, b, c, d) makes packs of the lanes 0, 1, 2 and 3 of four packs. nearest_floats(a, b) has the floats
+// nearest to the lanes of a and, after them, to those of b.
+//
 // select(condition, a, b) is a where `condition` is true, and b elsewhere. least_of_first(a, count) is the least number
 // of the first `count` lanes, which is from 1 to 8; requires numbers.
 #if defined(__AVX2__)
@@ -239,6 +242,19 @@ TOUCHSTONE_INLINE void load_three_points(const double* nine, Pack& x, Pack& y, P
   const __m128d yz = _mm_loadu_pd(nine + 7);
   y = {{_mm256_insertf128_pd(y_only, yz, 1)}};
   z = {{_mm256_permute2f128_pd(xz, _mm256_castpd128_pd256(_mm_permute_pd(yz, 0b01)), 0x21)}};
+}
+TOUCHSTONE_INLINE void transpose(Pack& a, Pack& b, Pack& c, Pack& d) {
+  const __m256d ab_even = _mm256_unpacklo_pd(a.parts[0], b.parts[0]),
+                ab_odd = _mm256_unpackhi_pd(a.parts[0], b.parts[0]);
+  const __m256d cd_even = _mm256_unpacklo_pd(c.parts[0], d.parts[0]),
+                cd_odd = _mm256_unpackhi_pd(c.parts[0], d.parts[0]);
+  a = {{_mm256_permute2f128_pd(ab_even, cd_even, 0x20)}};
+  b = {{_mm256_permute2f128_pd(ab_odd, cd_odd, 0x20)}};
+  c = {{_mm256_permute2f128_pd(ab_even, cd_even, 0x31)}};
+  d = {{_mm256_permute2f128_pd(ab_odd, cd_odd, 0x31)}};
+}
+TOUCHSTONE_INLINE FloatPack nearest_floats(const Pack& a, const Pack& b) {
+  return {{_mm256_set_m128(_mm256_cvtpd_ps(b.parts[0]), _mm256_cvtpd_ps(a.parts[0]))}};
 }
 TOUCHSTONE_INLINE FloatPack load(const std::int16_t* eight) {
   return {{_mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(eight))))}};
@@ -322,6 +338,19 @@ TOUCHSTONE_INLINE FloatPack select(const FloatPack& condition, const FloatPack& 
 #endif
 
 #if !defined(__AVX2__)
+TOUCHSTONE_INLINE void transpose(Pack& a, Pack& b, Pack& c, Pack& d) {
+  double rows[kLanes][kLanes];
+  store(rows[0], a), store(rows[1], b), store(rows[2], c), store(rows[3], d);
+  const auto column = [&rows](int i) { return pack(rows[0][i], rows[1][i], rows[2][i], rows[3][i]); };
+  a = column(0), b = column(1), c = column(2), d = column(3);
+}
+TOUCHSTONE_INLINE FloatPack nearest_floats(const Pack& a, const Pack& b) {
+  double given[kFloatLanes];
+  store(given, a), store(given + kLanes, b);
+  float nearest[kFloatLanes];
+  for (int i = 0; i < kFloatLanes; ++i) nearest[i] = static_cast<float>(given[i]);
+  return load_eight(nearest);
+}
 TOUCHSTONE_INLINE float least_of_first(const FloatPack& a, unsigned count) {
   float lanes[kFloatLanes];
   store(lanes, a);

@@ -44,33 +44,56 @@ struct LaneDistances {
   }
 };
 
-/// Returns the distances from a centre in the group's units. Requires that its coordinates are at most kReach. Lengths
-/// in lanes are in steps.
-TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const double* center_of_ball) {
-  const auto in_steps = [](double number) {
-    return all_float_lanes(static_cast<float>(lane::in_steps<double>(number, TriangleGroup::kSteps)));
-  };
+/// The distance of one of these triangles.
+struct LaneDistance {
+  float most, support;
+  double size;
+
+  /// Returns whether a ball of this radius certainly misses it.
+  [[nodiscard]] TOUCHSTONE_INLINE bool missed(double radius) const {
+    const lane::Limits<double> limits(radius, size, TriangleGroup::kSteps);
+    return static_cast<float>(limits.outer) * most < support;
+  }
+};
+
+/// The triangles of a group, in steps.
+class LaneTriangles {
+ public:
+  explicit TOUCHSTONE_INLINE LaneTriangles(const TriangleGroup& group)
+      : vertex_(stored(group, 0)),
+        first_(difference(stored(group, 1), vertex_)),
+        second_(difference(stored(group, 2), vertex_)) {}
+
+  [[nodiscard]] const Vector3<FloatPack>& vertex() const { return vertex_; }  ///< the first
+  /// @{
+  /// The edges that begin there.
+  [[nodiscard]] const Vector3<FloatPack>& first() const { return first_; }
+  [[nodiscard]] const Vector3<FloatPack>& second() const { return second_; }
+  /// @}
+
+  /// Returns the distances from a centre in the group's units. Requires that its coordinates are at most kReach.
+  [[nodiscard]] TOUCHSTONE_INLINE LaneDistances distances(const double* center_of_ball) const {
+    const auto in_steps = [](double number) {
+      return all_float_lanes(static_cast<float>(lane::in_steps<double>(number, TriangleGroup::kSteps)));
+    };
+    const Vector center{in_steps(center_of_ball[0]), in_steps(center_of_ball[1]), in_steps(center_of_ball[2])};
+    const FloatPack zero = all_float_lanes(0), one = all_float_lanes(1);
+    const lane::Corner<FloatPack> corner{difference(vertex_, center), first_, second_};
+    const lane::Weights<FloatPack> weights = lane::nearly_closest(corner, zero, one);
+    const Vector point = lane::point(weights, corner);
+    const double size = std::max(std::max(1.0, std::abs(center_of_ball[0])),
+                                 std::max(std::abs(center_of_ball[1]), std::abs(center_of_ball[2])));
+    return {lane::length(point, all_float_lanes(bounds::kLaneTiny)), lane::support(point, corner, zero), size};
+  }
+
+ private:
   using Vector = Vector3<FloatPack>;
-  const auto stored = [&](int i) -> Vector {
+  static TOUCHSTONE_INLINE Vector stored(const TriangleGroup& group, int i) {
     return {load(group.vertices[i][0]), load(group.vertices[i][1]), load(group.vertices[i][2])};
-  };
-  const auto difference = [](const Vector& p, const Vector& q) -> Vector { return {p.x - q.x, p.y - q.y, p.z - q.z}; };
-  const Vector center{in_steps(center_of_ball[0]), in_steps(center_of_ball[1]), in_steps(center_of_ball[2])},
-      first = stored(0);
-  const FloatPack zero = all_float_lanes(0), one = all_float_lanes(1);
-  const lane::Corner<FloatPack> corner{difference(first, center), difference(stored(1), first),
-                                       difference(stored(2), first)};
-  const lane::Weights<FloatPack> weights = lane::nearly_closest(corner, zero, one);
-  const auto coordinate = [&](const FloatPack& vertex, const FloatPack& u, const FloatPack& v) {
-    return lane::coordinate(weights.s, weights.t, vertex, u, v);
-  };
-  const Vector point{coordinate(corner.vertex.x, corner.first.x, corner.second.x),
-                     coordinate(corner.vertex.y, corner.first.y, corner.second.y),
-                     coordinate(corner.vertex.z, corner.first.z, corner.second.z)};
-  const double size = std::max(std::max(1.0, std::abs(center_of_ball[0])),
-                               std::max(std::abs(center_of_ball[1]), std::abs(center_of_ball[2])));
-  return {lane::length(point, all_float_lanes(bounds::kLaneTiny)), lane::support(point, corner, zero), size};
-}
+  }
+
+  Vector vertex_, first_, second_;
+};
 
 /// Returns which of the triangles in `lanes` the ball touches, asking about each alone.
 template <class Counts>
@@ -93,7 +116,7 @@ TOUCHSTONE_INLINE bool in_reach_of_groups(const Ball& ball) {
   return negative_lanes(all_lanes(TriangleGroup::kLargest) - magnitude(load(numbers_of(ball)))) == 0;
 }
 
-/// Writes a ball in the group's units, as lane_distances takes it. Returns false if that is beyond the group's reach.
+/// Writes a ball in the group's units, as LaneTriangles takes it. Returns false if that is beyond the group's reach.
 /// Requires in_reach_of_groups(ball).
 TOUCHSTONE_INLINE bool see(const Ball& ball, const TriangleGroup& group, double (&seen)[4]) {
   const lane::Seen<Pack> numbers(load(numbers_of(ball)), load(group.origin), all_lanes(group.scale));
@@ -132,7 +155,7 @@ TOUCHSTONE_INLINE GroupAnswers group_contact(const Ball& ball, double inner, con
     count_sure(lanes, counts);
     return {misses_all ? 0 : lanes, 0};
   }
-  const LaneDistances distances = lane_distances(group, scaled);
+  const LaneDistances distances = LaneTriangles(group).distances(scaled);
   const unsigned touched = distances.touched(inner * group.scale), missed = distances.missed(scaled[3]);
   const unsigned sure = (touched | missed) & lanes;
   count_sure(sure, counts);
@@ -145,7 +168,7 @@ TOUCHSTONE_INLINE GroupAnswers lanes_contact(const Ball& ball, double inner, con
   double scaled[4];
   if (!see(ball, group, scaled)) [[unlikely]]
     return {0, lanes};
-  const LaneDistances distances = lane_distances(group, scaled);
+  const LaneDistances distances = LaneTriangles(group).distances(scaled);
   const unsigned touched = distances.touched(inner * group.scale), missed = distances.missed(scaled[3]);
   return {touched & lanes, lanes & ~(touched | missed)};
 }

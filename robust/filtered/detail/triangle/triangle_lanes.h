@@ -57,6 +57,37 @@ constexpr auto product(const Vector3<A>& direction, const Vector3<B>& other) {
   return multiply_add(direction.x, other.x, multiply_add(direction.y, other.y, direction.z * other.z));
 }
 
+/// The products of a triangle's two edges that find the point nearest to any centre.
+template <class T>
+struct Shape {
+  T uu, vv, uv;  ///< products of the first edge and the second
+  T ww;          ///< the square of the third edge's length
+  T all;         ///< the square of twice the area
+  T inverse;     ///< 1 / `all`, or 1
+
+  __attribute__((always_inline)) constexpr Shape(const Vector3<T>& u, const Vector3<T>& v, const T& one)
+      : uu(product(u, u)),
+        vv(product(v, v)),
+        uv(product(u, v)),
+        ww((uu - uv) + (vv - uv)),
+        all(multiply_subtract(uu, vv, uv * uv)),
+        inverse(one / maximum(all, one)) {}
+  /// Takes the numbers of another shape.
+  __attribute__((always_inline)) constexpr Shape(const T& uu_, const T& vv_, const T& uv_, const T& ww_, const T& all_,
+                                                 const T& inverse_)
+      : uu(uu_), vv(vv_), uv(uv_), ww(ww_), all(all_), inverse(inverse_) {}
+};
+
+/// Returns the point with these weights.
+template <class T>
+__attribute__((always_inline)) constexpr Vector3<T> point(const Weights<T>& weights, const Corner<T>& corner) {
+  const auto at = [&](const T& vertex, const T& first, const T& second) {
+    return coordinate(weights.s, weights.t, vertex, first, second);
+  };
+  return {at(corner.vertex.x, corner.first.x, corner.second.x), at(corner.vertex.y, corner.first.y, corner.second.y),
+          at(corner.vertex.z, corner.first.z, corner.second.z)};
+}
+
 /// Returns the length of a vector; `tiny`, bounds::kLaneTiny, is added to its square, which may underflow.
 template <class T>
 __attribute__((always_inline)) constexpr T length(const Vector3<T>& vector, const T& tiny) {
@@ -96,16 +127,16 @@ struct Limits {
 /// edge that the foot lies beyond. Lengths are in steps. The weights are at least 0, their sum is at most 1 up to one
 /// rounding, whatever the numbers are; also for a triangle without an area.
 template <class T>
-constexpr Weights<T> nearly_closest(const Corner<T>& corner, const T& zero, const T& one) {
+__attribute__((always_inline)) constexpr Weights<T> nearly_closest(const Corner<T>& corner, const Shape<T>& shape,
+                                                                   const T& zero, const T& one) {
   const auto within = [&](const T& weight, const T& most) { return maximum(minimum(weight, most), zero); };
   const Vector3<T>&u = corner.first, &v = corner.second;
-  const T uu = product(u, u), vv = product(v, v), uv = product(u, v);
+  const T &uu = shape.uu, &vv = shape.vv, &uv = shape.uv, &ww = shape.ww, &all = shape.all;
   // How far the centre lies along an edge from its first vertex, times the edge's length. The third edge runs from the
   // second vertex to the third.
   const T along_u = zero - product(u, corner.vertex), along_v = zero - product(v, corner.vertex);
-  const T along_w = (along_v - along_u) + (uu - uv), ww = (uu - uv) + (vv - uv);
+  const T along_w = (along_v - along_u) + (uu - uv);
   // The foot's weights, times a positive number.
-  const T all = multiply_subtract(uu, vv, uv * uv);
   const T s = multiply_subtract(vv, along_u, uv * along_v), t = multiply_subtract(uu, along_v, uv * along_u);
   const T rest = (all - s) - t;
   // Of two edges that the foot lies beyond, the closest point is on the one along which the foot comes after their
@@ -118,10 +149,25 @@ constexpr Weights<T> nearly_closest(const Corner<T>& corner, const T& zero, cons
   // Squares of steps are integers: only those of lengths and areas that are zero, up to rounding, are less than 1.
   const T part = within(along / maximum(length_sq, one), one);
   const T outside = minimum(minimum(s, t), rest);
-  const T inverse = one / maximum(all, one), inside_s = within(s * inverse, one);
+  const T inside_s = within(s * shape.inverse, one);
   return {select(outside, select(on_w, one - part, select(on_v, zero, part)), inside_s),
-          select(outside, select(minimum(on_w, on_v), part, zero), within(t * inverse, one - inside_s))};
+          select(outside, select(minimum(on_w, on_v), part, zero), within(t * shape.inverse, one - inside_s))};
 }
+
+// Out of line without AVX2, so that object_code_test.py can tell its roundings, which may be anything, from others.
+#if defined(__AVX2__)
+#define TOUCHSTONE_OF_WEIGHTS
+#else
+#define TOUCHSTONE_OF_WEIGHTS __attribute__((noinline))
+#endif
+
+/// The same where the shape is not known yet.
+template <class T>
+TOUCHSTONE_OF_WEIGHTS constexpr Weights<T> nearly_closest(const Corner<T>& corner, const T& zero, const T& one) {
+  return nearly_closest(corner, Shape<T>(corner.first, corner.second, one), zero, one);
+}
+
+#undef TOUCHSTONE_OF_WEIGHTS
 
 }  // namespace lane
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

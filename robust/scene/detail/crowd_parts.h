@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
+#include "geometry/detail/required.h"
+#include "geometry/shapes/ball.h"
+
+/// The parts in which the balls of a batch walk together.
+namespace touchstone::scene::detail {
+
+/// Fewer balls than this are asked one by one: a crowd costs more than it saves.
+inline constexpr std::size_t kFewestInCrowd = 64;
+
+/// Returns the numbers of balls along a curve through space, on which neighbours are near each other (Morton's: the
+/// bits of the coordinates alternate).
+[[nodiscard]] std::vector<std::uint32_t> along_curve(std::span<const Ball> balls);
+
+/// Calls f(numbers, balls) for parts of a batch, on all cores: the numbers in the batch, and these balls. Balls of a
+/// part are near each other. Runs f in round to nearest, without flush-to-zero; the caller must have set that, too.
+template <class F>
+void each_crowd(std::span<const Ball> batch, const F& f) {
+  constexpr std::size_t kSmallest = 256, kLargest = 4096, kParts = 8;
+  const std::size_t size = std::clamp(batch.size() / kParts, kSmallest, kLargest);
+  const std::vector<std::uint32_t> order = along_curve(batch);
+  parts_in_parallel((batch.size() + size - 1) / size, 1, [&](std::size_t begin, std::size_t end) {
+    const FloatingPointState nearest;
+    std::vector<Ball> balls;
+    for (std::size_t first = begin * size; first < std::min(end * size, batch.size()); first += size) {
+      const auto numbers = std::span(order).subspan(first, std::min(size, batch.size() - first));
+      balls.clear();
+      for (const std::uint32_t number : numbers) balls.push_back(required(batch[number]));
+      f(numbers, std::span<const Ball>(balls));
+    }
+  });
+}
+
+}  // namespace touchstone::scene::detail

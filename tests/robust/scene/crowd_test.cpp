@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many balls that walk through a scene together get the answers of single ones.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+#include "robust/filtered/detail/sets/eight_balls.h"
+#include "robust/scene/detail/crowd_parts.h"
+#include "tests/robust/scene/brute_force.h"
+#include "tests/robust/support/printing.h"
+
+namespace touchstone::scene_tests {
+namespace {
+
+using scene::Scene;
+
+std::vector<Ball> draw_balls(const std::vector<Polygon>& all, std::uint64_t count, std::uint64_t seed) {
+  std::vector<Ball> balls;
+  for (std::uint64_t i = 0; i < count; ++i) balls.push_back(draw_ball(all, seed, i));
+  return balls;
+}
+
+void expect_single_answers(const Scene& scene, const std::vector<Ball>& balls, const std::string& what,
+                           const Scene::Objects& objects = {}) {
+  const std::unique_ptr<bool[]> touches(new bool[balls.size()]);
+  scene.touches(balls, {touches.get(), balls.size()}, objects);
+  const auto touched = scene.touched(balls, objects);
+  const auto nearest = scene.nearest(balls, objects);
+  std::vector<Eigen::Vector3d> centers;
+  for (const Ball& ball : balls) centers.push_back(ball.center);
+  const auto faces = scene.nearest_face(centers, objects);
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const std::string ball = what + ", ball " + std::to_string(i) + " of " + std::to_string(balls.size());
+    EXPECT_EQ(touches[i], scene.touches(balls[i], objects)) << ball;
+    EXPECT_EQ(touched[i], scene.touched(balls[i], objects)) << ball;
+    const auto expected = scene.nearest(balls[i], objects);
+    EXPECT_EQ(nearest[i], expected) << ball;
+    EXPECT_EQ(faces[i], expected ? std::optional(expected->face) : std::nullopt) << ball;
+    EXPECT_EQ(scene.nearest_face(centers[i], objects), faces[i]) << ball;
+  }
+}
+
+TEST(Crowd, GetsTheAnswersOfSingleBalls) {
+  for (const Kind kind : all_kinds())
+    for (std::uint64_t index = 0; index < 2; ++index) {
+      const int times = index == 1 ? 4 : 1;
+      const Subject subject(draw_objects(kind, 2027, index, times), name(kind) + " " + std::to_string(index));
+      const std::vector<Ball> balls = draw_balls(subject.faces.polygons(), 200, 100 + index);
+      expect_single_answers(subject.built, balls, subject.what);
+      if (index == 0)
+        expect_single_answers(subject.built, balls, subject.what + ", some", std::vector<std::uint32_t>{0, 2});
+    }
+}
+
+TEST(Crowd, GetsTheAnswersOfSingleBallsWhatItsNumber) {
+  const Subject subject(draw_objects(Kind::Soup, 2027, 7), "soup");
+  const std::vector<Ball> balls = draw_balls(subject.faces.polygons(), 1100, 7);
+  for (const std::size_t count : {0, 1, 63, 64, 65, 255, 256, 257, 1100})
+    expect_single_answers(subject.built, {balls.begin(), balls.begin() + static_cast<std::ptrdiff_t>(count)}, "soup");
+}
+
+TEST(Crowd, GetsTheAnswersOfSingleBallsAboutPosedObjects) {
+  for (const Kind kind : all_kinds())
+    for (std::uint64_t index = 0; index < 2; ++index) {
+      const auto models = draw_objects(kind, 2027, index);
+      Scene scene;
+      std::vector<scene::Faces> standing;
+      for (std::uint32_t i = 0; i < models.size(); ++i) {
+        const std::uint32_t object = scene.add(std::to_string(i), models[i]);
+        standing.push_back(models[i]);
+        for (std::uint64_t step = 0; step < 3; ++step) try {
+            const Pose pose = draw_pose({models[i]}, 2027, 100 * index + 10 * step + i);
+            scene.set_pose(object, pose);
+            standing.back() = posed(pose, models[i]);
+          } catch (const Rejected&) {
+          }
+      }
+      expect_single_answers(scene, draw_balls(all_polygons(standing), 200, 200 + index), name(kind));
+    }
+}
+
+// Beyond what floats cull by, beyond the reach of groups, and both in one crowd with balls that are not.
+TEST(Crowd, HoldsBallsOfAllSizes) {
+  const Subject subject(draw_objects(Kind::Soup, 2027, 3), "soup");
+  std::vector<Ball> balls = draw_balls(subject.faces.polygons(), 64, 3);
+  for (const double far : {0x1p30, 0x1p60, 0x1p500, 0x1p1000, 0x1p1023})
+    for (int axis = 0; axis < 3; ++axis) {
+      Ball ball = balls[static_cast<std::size_t>(axis)];
+      ball.center[axis] = far;
+      balls.push_back(ball);
+      ball.radius = far;
+      balls.push_back(ball);
+      ball.center = balls[static_cast<std::size_t>(axis)].center;
+      balls.push_back(ball);
+    }
+  expect_single_answers(subject.built, balls, "soup");
+  Scene turned;  // in its own frame, which sees no centre that is too far away
+  scene::Faces soup = draw_objects(Kind::Soup, 2027, 3)[0];
+  Pose pose;
+  pose.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  turned.add("soup", std::move(soup), pose);
+  expect_single_answers(turned, balls, "turned soup");
+}
+
+TEST(Crowd, OfAnEmptySceneTouchesNothing) {
+  Scene scene;
+  expect_single_answers(scene, std::vector<Ball>(100, Ball{{0, 0, 0}, 1}), "no object");
+  scene.add("nothing", {});
+  expect_single_answers(scene, std::vector<Ball>(100, Ball{{0, 0, 0}, 1}), "an object without faces");
+}
+
+// 100 centres at one place, above the vertex that six triangles share: all are nearest.
+TEST(Crowd, NamesTheLowestOfEquals) {
+  Scene scene;
+  scene::Faces fan;
+  const Eigen::Vector3d around[] = {{2, 0, 0}, {1, 2, 0}, {-1, 2, 0}, {-2, 0, 0}, {-1, -2, 0}, {1, -2, 0}};
+  for (std::size_t i = 0; i < 6; ++i) fan.triangles.push_back({{0, 0, 1}, around[i], around[(i + 1) % 6]});
+  scene.add("fan", fan);
+  scene.add("again", fan);
+  const std::vector<Eigen::Vector3d> centers(100, {0, 0, 3});
+  for (const auto& face : scene.nearest_face(centers)) EXPECT_EQ(face, (scene::FaceId{0, 0}));
+}
+
+TEST(Crowd, FindsThePolygonsOfEveryObject) {
+  Scene scene;
+  scene.add("square", {{}, {Polygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}})}});
+  scene.add("triangle", {{{{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}}}, {}});
+  for (const auto& face : scene.nearest_face(std::vector<Eigen::Vector3d>(100, {0, 0, 1})))
+    EXPECT_EQ(face, (scene::FaceId{0, 0}));
+}
+
+TEST(AlongCurve, IsAPermutationOfAnyBalls) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const Subject subject(draw_objects(Kind::MixedSizes, 2027, 1), "mixed");
+  for (std::vector<Ball> balls :
+       {draw_balls(subject.faces.polygons(), 500, 1), std::vector<Ball>(50, Ball{{1, 2, 3}, 1}),
+        std::vector<Ball>{{{-kLargest, 0, 0}, 0}, {{kLargest, 0, 0}, 0}, {{0, 0, 0}, 0}}, std::vector<Ball>{}}) {
+    std::vector<std::uint32_t> order = scene::detail::along_curve(balls), expected(balls.size());
+    std::iota(expected.begin(), expected.end(), 0U);
+    std::ranges::sort(order);
+    EXPECT_EQ(order, expected);
+  }
+}
+
+// The eight corners of a cube come octant by octant.
+TEST(AlongCurve, KeepsNeighboursTogether) {
+  std::vector<Ball> balls;
+  for (std::uint32_t i = 0; i < 64; ++i) balls.push_back({{i % 4 / 4.0, i / 4 % 4 / 4.0, i / 16 / 4.0}, 0});
+  const std::vector<std::uint32_t> order = scene::detail::along_curve(balls);
+  for (std::size_t i = 0; i < 64; ++i) {
+    const Eigen::Vector3d place = balls[order[i]].center, first = balls[order[i / 8 * 8]].center;
+    EXPECT_LE((place - first).lpNorm<Eigen::Infinity>(), 0.25) << i;
+  }
+}
+
+TEST(EightMasks, TurnBytesOfTrianglesIntoBytesOfBalls) {
+  for (unsigned triangle = 0; triangle < 8; ++triangle)
+    for (unsigned ball = 0; ball < 8; ++ball) {
+      filtered::detail::EightMasks masks;
+      masks.set(triangle, 1U << ball);
+      masks.turn();
+      for (unsigned other = 0; other < 8; ++other)
+        EXPECT_EQ(masks.of(other), other == ball ? 1U << triangle : 0U) << triangle << ' ' << ball;
+    }
+}
+
+}  // namespace
+}  // namespace touchstone::scene_tests
