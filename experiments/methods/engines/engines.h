@@ -18,6 +18,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
+#include "robust/scene/scene.h"
 
 namespace touchstone::methods {
 
@@ -40,6 +41,8 @@ class BuiltScene {
   [[nodiscard]] virtual std::uint32_t nearest(const Eigen::Vector3d& center) const;
   /// Returns the time at which the moving ball first touches any triangle; nothing if it never does.
   [[nodiscard]] virtual std::optional<double> first_contact(const Motion& motion) const;
+  /// Returns the scene of this project that it is; null for a library's.
+  [[nodiscard]] virtual const scene::Scene* own_scene() const { return nullptr; }
   /// Returns the memory that it holds, in bytes, if the library knows that better than `malloc`.
   [[nodiscard]] virtual std::optional<std::size_t> bytes() const { return std::nullopt; }
 };

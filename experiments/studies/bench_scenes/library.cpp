@@ -61,13 +61,15 @@ class ExactScene : public BuiltScene {
   }
 
   [[nodiscard]] std::uint32_t nearest(const Eigen::Vector3d& center) const override {
-    return scene_.nearest({center, 0})->face.face;
+    return scene_.nearest_face(center)->face;
   }
 
   [[nodiscard]] std::optional<double> first_contact(const Motion& motion) const override {
     const auto first = scene_.first_contact(motion);
     return first ? std::optional(first->contact.time) : std::nullopt;
   }
+
+  [[nodiscard]] const scene::Scene* own_scene() const override { return &scene_; }
 
  private:
   scene::Scene scene_;

@@ -177,6 +177,11 @@ timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>
     }
     benchmark.candidates.push_back(std::move(candidate));
   }
+  if (const scene::Scene* const own = exact.scene->own_scene())
+    for (timing::Candidate& candidate : many_ball_candidates(*own, question, balls)) {
+      if (!embree && candidate.comparison->base == methods::kEmbree) candidate.comparison.reset();
+      benchmark.candidates.push_back(std::move(candidate));
+    }
   return benchmark;
 }
 

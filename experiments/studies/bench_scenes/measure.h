@@ -18,6 +18,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
+#include "robust/scene/scene.h"
 
 /// The study of query time against the number of triangles: `touchstone bench-scenes`.
 namespace touchstone::bench_scenes {
@@ -139,6 +140,20 @@ struct SceneSettings {
 /// the triangles are not closed.
 [[nodiscard]] std::optional<timing::Benchmark> point_benchmark(const std::vector<Triangle>& triangles,
                                                                const SceneSettings& settings);
+
+/// A way to ask a scene about many balls together, and the goal.
+struct ManyBalls {
+  const char* name;
+  std::size_t at_once;  ///< balls, at most
+  int cores;
+  timing::Comparison goal;
+};
+/// On one core against Embree; on two against one.
+extern const std::vector<ManyBalls> kManyBalls;
+/// The candidates that ask a scene about many balls together. An answer is wrong if it differs from that about the
+/// single ball.
+[[nodiscard]] std::vector<timing::Candidate> many_ball_candidates(
+    const scene::Scene& scene, SceneQuestion question, const std::shared_ptr<const std::vector<Ball>>& balls);
 
 /// The goals for a million triangles: build seconds, and bytes per triangle.
 inline constexpr timing::Goal kBuildGoal{0.5}, kMemoryGoal{64};
