@@ -6,11 +6,21 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include "geometry/detail/floating_point_state.h"
 
 namespace touchstone {
+
+/// Returns how many parts may run at once.
+[[nodiscard]] inline std::size_t parts_at_once() {
+#if defined(TOUCHSTONE_WITHOUT_TBB)
+  return 1;
+#else
+  return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#endif
+}
 
 /// Calls f(begin, end) for parts of [0, count) of about `at_once` numbers or more, on all cores. Each core has the
 /// rounding mode with which TBB started it, so `f` must set its own. Without TBB (TOUCHSTONE_TBB=OFF) there is one

@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
 #include "geometry/detail/required.h"
 #include "robust/scene/detail/crowd_parts.h"
+#include "robust/scene/detail/each_ball.h"
 #include "robust/scene/detail/nearest_search.h"
 #include "robust/scene/detail/object.h"
 #include "robust/scene/detail/walks.h"
@@ -46,20 +48,6 @@ void sort_faces(std::span<const TouchedFace> faces, std::vector<FaceId>& sorted)
   std::sort(sorted.begin(), sorted.end());
 }
 
-/// Calls f(ball, items) for each of `count` balls, and the items of that ball.
-template <class Item, class F>
-void each_ball(std::size_t count, const std::vector<Item>& items, const F& f) {
-  std::vector<std::size_t> end(count + 1, 0);
-  for (const Item& item : items) ++end[item.ball + 1];
-  for (std::size_t i = 1; i <= count; ++i) end[i] += end[i - 1];
-  std::vector<Item> sorted(items.size());
-  for (const Item& item : items) sorted[end[item.ball]++] = item;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t first = i == 0 ? 0 : end[i - 1];
-    f(i, std::span(sorted).subspan(first, end[i] - first));
-  }
-}
-
 }  // namespace
 
 void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
@@ -67,7 +55,7 @@ void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const 
   expect(objects);
   expect_equal_lengths("balls", balls.size(), "answers", answers.size());
   if (balls.size() < kFewestInCrowd) {
-    for (std::size_t i = 0; i < balls.size(); ++i) answers[i] = touches(balls[i], objects);
+    each_in_parallel(balls.size(), 1, [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
     return;
   }
   each_crowd(balls, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
@@ -88,7 +76,7 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
   expect(objects);
   std::vector<std::vector<FaceId>> answers(balls.size());
   if (balls.size() < kFewestInCrowd) {
-    for (std::size_t i = 0; i < balls.size(); ++i) answers[i] = touched(balls[i], objects);
+    each_in_parallel(balls.size(), 1, [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
     return answers;
   }
   each_crowd(balls, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
@@ -105,8 +93,8 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
         }
       return false;
     });
-    each_ball(crowd.size(), faces,
-              [&](std::size_t i, std::span<TouchedFace> of_ball) { sort_faces(of_ball, answers[numbers[i]]); });
+    each_ball(crowd.size(), std::span<const TouchedFace>(faces),
+              [&](std::size_t i, std::span<const TouchedFace> of_ball) { sort_faces(of_ball, answers[numbers[i]]); });
   });
   return answers;
 }
@@ -115,11 +103,11 @@ template <class OnlyOne, class Answer>
 void Scene::nearest_each(std::span<const Ball> balls, const Objects& objects, const OnlyOne& only_one,
                          const Answer& answer) const {
   if (balls.size() < kFewestInCrowd) {
-    for (std::size_t i = 0; i < balls.size(); ++i) {
+    each_in_parallel(balls.size(), 1, [&](std::size_t i) {
       NearestSearch search(required(balls[i]));
       search_nearest(search, objects);
       answer(i, search);
-    }
+    });
     return;
   }
   each_crowd(balls, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
@@ -135,27 +123,28 @@ void Scene::nearest_each(std::span<const Ball> balls, const Objects& objects, co
     const auto face = [&](const PlaceOfBall& of_ball) {
       return FaceId{of_ball.object, objects_[of_ball.object]->triangles.placed->tree.order()[of_ball.place]};
     };
-    each_ball(crowd.size(), places, [&](std::size_t i, std::span<PlaceOfBall> of_ball) {
-      if (of_ball.size() == 1 && !polygons && !std::isnan(radii[i]) && only_one(numbers[i], face(of_ball.front())))
-        return;
-      NearestSearch search(crowd[i]);
-      if (std::isnan(radii[i]) || of_ball.empty()) {
-        search_nearest(search, objects);
-      } else {
-        search.shrink(radii[i]);
-        for (const PlaceOfBall& here : of_ball) {
-          search.enter(Object::first_triangle(here.object));
-          search.meet(objects_[here.object]->triangles.triangle(here.place), face(here).face);
-        }
-        if (polygons)
-          any_of(objects, [&](std::uint32_t number, const Object& object) {
-            search.enter(object.first_polygon(number));
-            fastest_walks().nearest_polygon(object.polygons, search);
-            return false;
-          });
-      }
-      answer(numbers[i], search);
-    });
+    each_ball(
+        crowd.size(), std::span<const PlaceOfBall>(places), [&](std::size_t i, std::span<const PlaceOfBall> of_ball) {
+          if (of_ball.size() == 1 && !polygons && !std::isnan(radii[i]) && only_one(numbers[i], face(of_ball.front())))
+            return;
+          NearestSearch search(crowd[i]);
+          if (std::isnan(radii[i]) || of_ball.empty()) {
+            search_nearest(search, objects);
+          } else {
+            search.shrink(radii[i]);
+            for (const PlaceOfBall& here : of_ball) {
+              search.enter(Object::first_triangle(here.object));
+              search.meet(objects_[here.object]->triangles.triangle(here.place), face(here).face);
+            }
+            if (polygons)
+              any_of(objects, [&](std::uint32_t number, const Object& object) {
+                search.enter(object.first_polygon(number));
+                fastest_walks().nearest_polygon(object.polygons, search);
+                return false;
+              });
+          }
+          answer(numbers[i], search);
+        });
   });
 }
 

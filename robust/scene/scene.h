@@ -165,8 +165,8 @@ class Scene {
   /// @{
   /// The same for many balls or motions, on all cores of the machine: answer i is that of number i. Throws
   /// std::invalid_argument if the spans differ in length. Cost: 64 balls or more walk together through the triangles
-  /// of each object, in a fifth to three quarters of the time of single ones on one core, the less the more balls are
-  /// near each other. The order of the balls does not matter. Fewer walk one by one, on one core.
+  /// of each object, in any order. In scenes of a thousand to a million triangles, 100,000 balls take 0.4 to 0.9 of the
+  /// time of single ones on one core, and a few hundred about as much: the less the nearer the balls are to each other.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
                                                          const Objects& objects = {}) const;

@@ -117,6 +117,7 @@ def draw_lines(axes, rows, value):
 
 
 def draw_queries(rows, scene, folder):
+    rows = [row for row in rows if row["library"] in LIBRARIES]  # of balls together, only all on one core
     balls, questions = distinct(rows, "balls"), distinct(rows, "question")
     figure, grid = plt.subplots(len(balls), len(questions), figsize=(3.1 * len(questions) + 0.5, 2.5 * len(balls) + 0.8),
                                 sharex=True, sharey=True, squeeze=False, layout="constrained")

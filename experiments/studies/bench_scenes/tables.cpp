@@ -230,8 +230,8 @@ Balls: near, within two radii along each axis of a random point of a random tria
 touching, as near, but with the double that is nearest to the exact distance as the radius.
 Embree and the R-tree find boxes; fast, careful plain doubles, then tests the triangles, and Ericson's closest point
 decides which is nearest. Embree is asked by rtcPointQuery, about each ball alone; it can be asked about 4, 8 or 16 at
-once. Together: one call asks Scene about 64, 1024 or all balls, on one core if no number of cores is named; answers that
-differ from those about single balls are wrong. CGAL, FCL and Bullet use their own tests; CGAL (EPICK) takes the ball as its surface, Bullet does not support
+once. Together: one call asks Scene about 64, 1024 or all balls, on one core; two cores: about all. Answers that differ from
+those about single balls are wrong. CGAL, FCL and Bullet use their own tests; CGAL (EPICK) takes the ball as its surface, Bullet does not support
 nearest.
 Wrong: answers that differ from those of Scene; for Scene, from exact, asked triangle by triangle. A nearest triangle is
 right if its distance, correctly rounded, is the least. These checks are not timed.

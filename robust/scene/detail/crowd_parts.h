@@ -26,8 +26,8 @@ inline constexpr std::size_t kFewestInCrowd = 64;
 /// part are near each other. Runs f in round to nearest, without flush-to-zero; the caller must have set that, too.
 template <class F>
 void each_crowd(std::span<const Ball> batch, const F& f) {
-  constexpr std::size_t kSmallest = 256, kLargest = 4096, kParts = 8;
-  const std::size_t size = std::clamp(batch.size() / kParts, kSmallest, kLargest);
+  constexpr std::size_t kLargest = 4096, kPartsOfCore = 2;  // so that no core waits long for the last part
+  const std::size_t size = std::clamp(batch.size() / (kPartsOfCore * parts_at_once()), kFewestInCrowd, kLargest);
   const std::vector<std::uint32_t> order = along_curve(batch);
   parts_in_parallel((batch.size() + size - 1) / size, 1, [&](std::size_t begin, std::size_t end) {
     const FloatingPointState nearest;

@@ -61,6 +61,9 @@ TOUCHSTONE_INLINE double scaled(double length, const BoxTree& tree) {
   return length * tree.scale()[0] * tree.scale()[1];
 }
 
+/// Returns the reach of a ball in the units of a tree.
+TOUCHSTONE_INLINE double reach_of(double radius, const BoxTree& tree) { return scaled(radius, tree) + culling::kTiny; }
+
 /// Returns one bit for each child of a node.
 TOUCHSTONE_INLINE unsigned all_children(const BoxTree::Node& node) { return (1U << node.child_count) - 1; }
 
@@ -95,13 +98,13 @@ struct FloatReach {
       largest = std::max(largest, std::abs(coordinate));
       set_center(axis, coordinate);
     }
-    const double reach = scaled(ball.radius, tree) + culling::kTiny;
+    const double reach = reach_of(ball.radius, tree);
     set_reach(reach);
     return largest <= culling::kLargestFloat && reach <= culling::kLargestFloat;
   }
   /// Sets the radius, which may be beyond floats: the ball then touches all boxes.
   TOUCHSTONE_INLINE void set_radius(double radius, const BoxTree& tree) {
-    const double reach = scaled(radius, tree) + culling::kTiny;
+    const double reach = reach_of(radius, tree);
     set_reach(reach);
     if (!(reach <= culling::kLargestFloat)) limit = std::numeric_limits<float>::infinity();
   }
@@ -170,7 +173,7 @@ class CullingBall {
 
   /// Sets the radius, to shrink the ball.
   void set_radius(double radius, const BoxTree& tree) {
-    const double reach = scaled(radius, tree) + culling::kTiny;
+    const double reach = reach_of(radius, tree);
     in_floats_ = largest_ <= culling::kLargestFloat && reach <= culling::kLargestFloat;
     if (in_floats_) {
       floats_.set_reach(reach);

@@ -14,6 +14,7 @@
 #include "robust/filtered/detail/sets/eight_balls.h"
 #include "robust/scene/detail/asked_triangles.h"
 #include "robust/scene/detail/culling_ball.h"
+#include "robust/scene/detail/each_ball.h"
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/triangle_leaves.h"
 #include "robust/scene/detail/walk_together.h"
@@ -186,32 +187,26 @@ class NearestInCrowd {
       return !(radii_[met.ball] >= 0) || met.distance.missed(seen_[met.ball].radius * met.scale);
     };
     std::erase_if(met_, missed);
-    std::vector<std::uint32_t> first(balls_.size() + 1, 0);  // of each ball's in `sorted`
-    for (const Met& met : met_) ++first[met.ball + 1];
-    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-    std::vector<PlaceOfBall> sorted(met_.size());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (const Met& met : met_) sorted[next[met.ball]++] = {met.ball, object, met.place};
-    for (const std::uint32_t ball : together_) {
-      const auto of_ball = std::span(sorted).subspan(first[ball], first[ball + 1] - first[ball]);
+    each_ball(balls_.size(), std::span<const Met>(met_), [&](std::size_t ball, std::span<const Met> of_ball) {
       if (of_ball.size() == 1) {
-        places.push_back(of_ball.front());
+        places.push_back({of_ball.front().ball, object, of_ball.front().place});
       } else if (of_ball.size() > 1) {
         const Ball now{balls_[ball].center, radii_[ball]};
         if (set_.frame)
-          add_of_several(TrianglesInOwnFrame(set_, now), of_ball, places);
+          add_of_several(TrianglesInOwnFrame(set_, now), of_ball, object, places);
         else
-          add_of_several(StandingTriangles(set_, now), of_ball, places);
+          add_of_several(StandingTriangles(set_, now), of_ball, object, places);
       }
-    }
+    });
   }
   template <class Triangles>
-  void add_of_several(Triangles triangles, std::span<const PlaceOfBall> of_ball, std::vector<PlaceOfBall>& places) {
+  void add_of_several(Triangles triangles, std::span<const Met> of_ball, std::uint32_t object,
+                      std::vector<PlaceOfBall>& places) {
     double& radius = radii_[of_ball.front().ball];
-    for (const PlaceOfBall& here : of_ball) radius = std::min(radius, triangles.distance_at_most(here.place));
+    for (const Met& here : of_ball) radius = std::min(radius, triangles.distance_at_most(here.place));
     triangles.set_radius(radius);
-    for (const PlaceOfBall& here : of_ball)
-      if (triangles.may_touch(here.place)) places.push_back(here);
+    for (const Met& here : of_ball)
+      if (triangles.may_touch(here.place)) places.push_back({here.ball, object, here.place});
   }
 
   std::span<const Ball> balls_;
