@@ -132,6 +132,16 @@ TEST(Crowd, FindsThePolygonsOfEveryObject) {
     EXPECT_EQ(face, (scene::FaceId{0, 0}));
 }
 
+// Its triangle is a quarter as far in its own frame.
+TEST(Crowd, FindsTheNearestTriangleOfAnObjectThatItsPoseEnlarges) {
+  Scene scene;
+  const Triangle triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  scene.add("below", {{triangle}, {}}, Pose{Eigen::Matrix3d::Identity(), {0, 0, -10}});
+  scene.add("enlarged", {{triangle}, {}}, Pose{4 * Eigen::Matrix3d::Identity(), {0, 0, 9}});
+  for (const auto& face : scene.nearest_face(std::vector<Eigen::Vector3d>(100, {0, 0, 0})))
+    EXPECT_EQ(face, (scene::FaceId{1, 0}));
+}
+
 TEST(AlongCurve, IsAPermutationOfAnyBalls) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   const Subject subject(draw_objects(Kind::MixedSizes, 2027, 1), "mixed");
