@@ -3,7 +3,7 @@
 
 # How many numbers a rule is given besides bounds, and how many bounds: the last one is the result.
 RULES = {"sum": (0, 3), "difference": (0, 3), "product": (0, 3), "square": (0, 3), "maximum": (0, 3),
-         "division": (0, 3), "root": (0, 2), "magnitude": (0, 2), "quotient": (1, 2), "rounded": (2, 2), "off": (1, 2)}
+         "division": (0, 3), "root": (0, 2), "magnitude": (0, 2), "quotient": (1, 2), "rounded": (2, 2), "total": (4, 2), "off": (1, 2)}
 
 
 def rational(text):

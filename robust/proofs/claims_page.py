@@ -28,7 +28,6 @@ OTHER_HEADERS = ["robust/filtered/detail/motion/polygon_events.h",
 # What is left to trust of the constants of bounds.h that no claim is about.
 AFTER_STEPS = "Coq checks the steps of the calculus; roots, powers and the comparison are C++ over GMP"
 RATIOS = "ratios of computed numbers to exact ones, over the operations that run, in C++ over GMP"
-COUNTED = "roundings are counted by hand, and compared in C++ over GMP"
 BY_DEFINITION = "part of the model or of what callers ensure"
 LEFT = {
     **dict.fromkeys(("kUnit", "kDoubleDoubleUnit", "kFloatUnit", "kFloatTiny", "kLargest", "kLongestMotion"),
@@ -36,7 +35,7 @@ LEFT = {
     **dict.fromkeys(("kTiny", "kSmallest", "kFramePoint", "kFrameDirection", "kFrameLength", "kExtent", "kHeight", "kGivenHeight",
                      "kDistance", "kNear", "kBoxReach", "kBoxRounding", "kLaneDistance", "kLaneVertex", "kLift", "kSlope",
                      "kLiftedEdge", "kLiftedMaximum", "kPerSquare", "kClosest"), AFTER_STEPS),
-    **dict.fromkeys(("kWide", "kNarrow"), RATIOS + "; where they cover other roundings than those of a disc, counted by hand"),
+    **dict.fromkeys(("kWide", "kNarrow"), RATIOS),
     "kWideError": AFTER_STEPS + ". The roundings of errors: " + RATIOS,
     **dict.fromkeys(("kLaneCentre", "kLaneStored"), RATIOS), "kLaneTiny": AFTER_STEPS,
     "kNormalUnderflow": "an argument about underflow, in rationals; measured, against rationals",
@@ -44,10 +43,9 @@ LEFT = {
 LEFT_OF_OTHERS = {
     "polygon_events": AFTER_STEPS + ". Times, reaches and boxes: by hand, what they contain if numbers are off by so much",
     "rounded_sum": "what `Permanent` guarantees, and C++ over GMP", "culling_ball": AFTER_STEPS,
-    "own_frame": "that the constants cover the roundings, which `Permanent` and ratios count: C++ over GMP. Of altitudes and of"
-                 " distances from the origin they are counted by hand", "distance_bound": AFTER_STEPS + ". `kWide`: " + COUNTED,
-    "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP. `kTiny`: " + COUNTED,
-    "held_vertex": RATIOS, "lifted_box": AFTER_STEPS + ". Above 64 vertices, sums are bounded as a whole, by hand",
+    "own_frame": "that the constants cover the roundings, which `Permanent`, ratios and the calculus count: C++ over GMP",
+    "distance_bound": AFTER_STEPS + ". `kWide`: " + RATIOS,
+    "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP", "held_vertex": RATIOS, "lifted_box": AFTER_STEPS,
     "crossed_triangles": AFTER_STEPS,
 }
 

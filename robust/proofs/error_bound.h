@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -109,6 +110,16 @@ inline ErrorBound rounded(const ErrorBound& a) {
 
 /// Returns the model of two operands, of which one may be a constant.
 inline const ErrorModel* model_of(const ErrorBound& a, const ErrorBound& b) { return a.model ? a.model : b.model; }
+
+/// Returns the bound of the total of `count` terms, each with the bound `term`, that are added to 0 one by one.
+inline ErrorBound total(std::size_t count, const ErrorBound& term) {
+  const mpq_class& unit = term.model->unit;
+  const mpq_class& underflow = term.model->underflow;
+  const mpq_class n = count, grown = 1 / (1 - n * unit);  // at least (1 + unit)^n
+  const mpq_class of_term = (term.magnitude() + underflow) * grown, most = n * of_term;
+  return step("total", {n, unit, underflow, grown}, term,
+              {term.model, -most, most, n * (term.error + underflow + unit * of_term * (n + 1) / 2)});
+}
 
 /// @{
 /// An exact operation.

@@ -97,11 +97,8 @@ inline bool decided_as_a_whole(const Ball& ball, const filtered::detail::Triangl
                                std::span<bool> touches) {
   double seen[4];
   if (!filtered::detail::see(ball, group, seen)) return false;
-  const bool misses = filtered::detail::misses_group(seen);
-  const double around = seen[3] - 1;
-  const bool holds =
-      around > 0 && filtered::detail::squared_length(seen) < around * around * filtered::detail::bounds::kNarrow;
-  if (!misses && !holds) return false;
+  const bool holds = filtered::detail::holds_group(seen, ball.radius, group);
+  if (!holds && !filtered::detail::misses_group(seen)) return false;
   std::ranges::fill(touches, holds);
   return true;
 }

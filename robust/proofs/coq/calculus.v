@@ -15,6 +15,7 @@ Bind Scope fast_scope with Q.
 Delimit Scope fast_scope with fast.
 Definition zero : Q := 0%Q.
 Definition one : Q := 1%Q.
+Definition half : Q := (1 # 2)%Q.
 Definition ratio (numerator : Z) (odd : positive) (zeros : N) : Q := Qmake numerator (Pos.shiftl odd zeros).
 Definition plus (x y : Q) : Q := Qmake (QDen y * Qnum x + QDen x * Qnum y) (Qden x * Qden y).
 Definition minus (x y : Q) : Q := plus x (Qopp y).
@@ -37,9 +38,18 @@ Inductive rule :=
   | Root                                (* of a number that is computed to be positive *)
   | Quotient (count : Q)                (* by a number that is known exactly *)
   | Rounded (unit underflow : Q)        (* the result of an operation in the model *)
+  | Total (count unit underflow grown : Q)  (* of terms that are added one by one in the model *)
   | Off (by_at_most : Q).               (* a result that is known to differ by no more *)
 
 Record step := { by_rule : rule; first : bounds; second : bounds; result : bounds }.
+
+(* The total of n terms, each sum of which is off by relative errors d and by t; without them, the exact total. *)
+Fixpoint total (terms d t : nat -> R) (n : nat) : R :=
+  match n with
+  | O => 0
+  | S m => (total terms d t m + terms m) * (1 + d m) + t m
+  end.
+Definition exact_total (terms : nat -> R) : nat -> R := total terms (fun _ => 0) (fun _ => 0).
 
 (* What a step claims. *)
 Definition meaning (s : step) : Prop :=
@@ -56,6 +66,10 @@ Definition meaning (s : step) : Prop :=
   | Quotient count => holds (result s) (x / Q2R count) (X / Q2R count)
   | Rounded unit underflow => forall d t, Rabs d <= Q2R unit -> Rabs t <= Q2R underflow ->
       holds (result s) (x * (1 + d) + t) X
+  | Total count unit underflow _ => forall n terms exact d t, INR n = Q2R count ->
+      (forall i, holds (first s) (terms i) (exact i)) ->
+      (forall i, Rabs (d i) <= Q2R unit) -> (forall i, Rabs (t i) <= Q2R underflow) ->
+      holds (result s) (total terms d t n) (exact_total exact n)
   | Off by_at_most => forall t, Rabs t <= Q2R by_at_most -> holds (result s) (x + t) X
   end.
 
@@ -89,6 +103,11 @@ Definition justified (s : step) : bool :=
       (unit <=? one) &&
       covers r (low a - (unit * Qabs (low a) + underflow)) (high a + (unit * Qabs (high a) + underflow))
         (error a + (unit * magnitude a + underflow))
+  | Total count unit underflow grown =>
+      let of_term := ((magnitude a + underflow) * grown)%fast in
+      let off := (error a + underflow + unit * of_term * ((count + one) * half))%fast in
+      (zero <=? unit) && (one <=? grown * (one - count * unit)) && negb (one <=? count * unit) &&
+      covers r (zero - count * of_term) (count * of_term) (count * off)
   | Off by_at_most => covers r (low a - by_at_most) (high a + by_at_most) (error a + by_at_most)
   end%fast.
 
@@ -199,6 +218,77 @@ Qed.
 Lemma between (x m : R) : Rabs x <= m -> - m <= x <= m.
 Proof. unfold Rabs; destruct Rcase_abs; lra. Qed.
 
+(* Terms that are added one by one. *)
+Lemma growth (u : R) (n : nat) : 0 <= u -> (1 + u) ^ n * (1 - INR n * u) <= 1.
+Proof.
+  intro positive; induction n as [| n IH]; [simpl; lra |]; rewrite S_INR; cbn [pow].
+  pose proof (pow_le (1 + u) n ltac:(lra)); pose proof (pos_INR n).
+  assert ((1 + u) * (1 - (INR n + 1) * u) <= 1 - INR n * u) by nra.
+  nra.
+Qed.
+
+Lemma growth_at_most (u grown : R) (n : nat) :
+  0 <= u -> INR n * u < 1 -> 1 <= grown * (1 - INR n * u) -> (1 + u) ^ n <= grown.
+Proof.
+  intros positive less enough; apply Rmult_le_reg_r with (1 - INR n * u); [lra |].
+  pose proof (growth u n positive); lra.
+Qed.
+
+Section Total.
+Variables (b : bounds) (terms exact d t : nat -> R) (u w : R).
+Hypothesis within : forall i, holds b (terms i) (exact i).
+Hypothesis relative : forall i, Rabs (d i) <= u.
+Hypothesis absolutely : forall i, Rabs (t i) <= w.
+
+Lemma total_small (n : nat) : Rabs (total terms d t n) <= INR n * ((Q2R (magnitude b) + w) * (1 + u) ^ n).
+Proof.
+  pose proof (Rle_trans _ _ _ (Rabs_pos _) (relative 0)); pose proof (Rle_trans _ _ _ (Rabs_pos _) (absolutely 0)).
+  induction n as [| n IH]; [cbn [total INR]; rewrite Rabs_R0; lra |]; rewrite S_INR; cbn [total pow].
+  pose proof (small _ _ _ (within n)) as term; pose proof (relative n); pose proof (absolutely n).
+  pose proof (Rabs_pos (terms n)); set (m := Q2R (magnitude b)) in *; set (p := (1 + u) ^ n) in *.
+  assert (1 <= p) by (apply pow_R1_Rle; lra).
+  eapply Rle_trans; [apply Rabs_triang |]; rewrite Rabs_mult.
+  assert (Rabs (total terms d t n + terms n) <= INR n * ((m + w) * p) + m) as sum
+    by (eapply Rle_trans; [apply Rabs_triang | lra]).
+  assert (Rabs (1 + d n) <= 1 + u) as factor by (eapply Rle_trans; [apply Rabs_triang |]; rewrite Rabs_R1; lra).
+  pose proof (Rmult_le_compat _ _ _ _ (Rabs_pos _) (Rabs_pos _) sum factor).
+  assert (0 <= m) by lra; assert (0 <= (m + w) * (p - 1)) as more by (apply Rmult_le_pos; lra).
+  pose proof (Rmult_le_pos u _ ltac:(lra) more).
+  nra.
+Qed.
+
+Lemma total_near (grown : R) (n : nat) : (1 + u) ^ n <= grown ->
+  Rabs (total terms d t n - exact_total exact n) <=
+  INR n * (Q2R (error b) + w + u * ((Q2R (magnitude b) + w) * grown) * ((INR n + 1) / 2)).
+Proof.
+  pose proof (Rle_trans _ _ _ (Rabs_pos _) (relative 0)); pose proof (Rle_trans _ _ _ (Rabs_pos _) (absolutely 0)).
+  unfold exact_total; induction n as [| n IH]; intro grows; [cbn [total INR]; rewrite Rminus_0_r, Rabs_R0; lra |].
+  assert (1 <= (1 + u) ^ n) by (apply pow_R1_Rle; lra).
+  assert ((1 + u) ^ n <= grown) as less by (cbn [pow] in grows; nra).
+  specialize (IH less); rewrite S_INR; cbn [total]; rewrite Rplus_0_r, Rplus_0_r, Rmult_1_r.
+  pose proof (within n) as [_ near]; pose proof (small _ _ _ (within n)) as term.
+  pose proof (relative n); pose proof (absolutely n); pose proof (total_small n); pose proof (pos_INR n).
+  pose proof (Rabs_pos (terms n)); set (m := Q2R (magnitude b)) in *; set (s := total terms d t n) in *.
+  set (S := total exact (fun _ => 0) (fun _ => 0) n) in *; set (e := Q2R (error b)) in *; set (p := (1 + u) ^ n) in *.
+  replace ((s + terms n) * (1 + d n) + t n - (S + exact n))
+    with ((s - S) + ((terms n - exact n) + (d n * (s + terms n) + t n))) by ring.
+  assert (0 <= (m + w) * grown) by (apply Rmult_le_pos; lra).
+  assert (Rabs (s + terms n) <= (INR n + 1) * ((m + w) * grown)) as sum.
+  { eapply Rle_trans; [apply Rabs_triang |].
+    assert ((m + w) * p <= (m + w) * grown) by (apply Rmult_le_compat_l; lra).
+    assert (INR n * ((m + w) * p) <= INR n * ((m + w) * grown)) by (apply Rmult_le_compat_l; lra).
+    assert (m <= (m + w) * grown) by nra.
+    lra. }
+  assert (Rabs (d n * (s + terms n)) <= u * ((INR n + 1) * ((m + w) * grown)))
+    by (rewrite Rabs_mult; apply Rmult_le_compat; auto using Rabs_pos).
+  pose proof (Rabs_triang (s - S) ((terms n - exact n) + (d n * (s + terms n) + t n))).
+  pose proof (Rabs_triang (terms n - exact n) (d n * (s + terms n) + t n)).
+  pose proof (Rabs_triang (d n * (s + terms n)) (t n)).
+  assert (0 <= INR n * (u * ((m + w) * grown))) by (repeat apply Rmult_le_pos; lra).
+  nra.
+Qed.
+End Total.
+
 Ltac real := unfold zero, minus, times in *; repeat (rewrite ?real_plus, ?Q2R_mult, ?Q2R_opp, ?real_abs, ?RMicromega.Q2R_0 in *).
 Ltac parts := repeat match goal with H : (_ && _)%bool = true |- _ => apply andb_prop in H as [? ?] end.
 Ltac absolute := unfold Rabs, Rmax in *; repeat (destruct Rcase_abs || destruct Rle_dec); lra.
@@ -273,6 +363,19 @@ Proof.
       eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat; [assumption |].
       eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat; [| assumption].
       rewrite Rabs_mult, Rmult_comm; apply Rmult_le_compat; auto using Rabs_pos.
+  - intros n terms exact d t counted within relative absolutely; parts.
+    match goal with H : negb _ = true |- _ => apply not_at_most in H end.
+    repeat match goal with H : (_ <=? _)%fast = true |- _ => apply at_most in H end.
+    match goal with H : covers _ _ _ _ = true |- _ => apply (covered _ _ _ _ _ _ H) end.
+    all: assert (Q2R one = 1 /\ Q2R half = / 2) as [unity halved] by (unfold Q2R; cbn; lra).
+    all: real; rewrite unity, <- counted in *; rewrite ?halved.
+    all: assert ((1 + Q2R unit) ^ n <= Q2R grown) as grows by (apply growth_at_most; lra).
+    + pose proof (total_small _ _ _ _ _ _ _ within relative absolutely n) as at_most_terms.
+      pose proof (Rle_trans _ _ _ (Rabs_pos _) (small _ _ _ (within 0%nat))).
+      pose proof (Rle_trans _ _ _ (Rabs_pos _) (absolutely 0%nat)).
+      rewrite Rplus_0_l; apply between; eapply Rle_trans; [exact at_most_terms |].
+      apply Rmult_le_compat_l; [apply pos_INR | apply Rmult_le_compat_l; lra].
+    + eapply Rle_trans; [apply (total_near _ _ _ _ _ _ _ within relative absolutely _ _ grows) | lra].
   - intros t small_t; apply (covered _ _ _ _ _ _ just); destruct A as [in_a near_a]; real.
     + apply between in small_t; lra.
     + replace (x + t - X) with ((x - X) + t) by ring.

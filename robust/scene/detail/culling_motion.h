@@ -149,7 +149,7 @@ namespace swept {
 /// By how much the radius of a shortened motion is larger: kMargin times the largest coordinate or radius, to cover the
 /// roundings of the end and of the radius itself, and kTiny to cover underflow. Proved in
 /// tests/robust/proofs/culling_motion_test.cpp.
-inline constexpr double kMargin = 15 * 0x1p-53, kTiny = 0x1p-1073;
+inline constexpr double kMargin = 15 * 0x1p-53, kTiny = 0x1p-1071;
 
 /// Returns the radius of a shortened motion, given the largest coordinate or radius.
 template <class T>

@@ -32,6 +32,16 @@ constexpr filtered::detail::Vector3<T> combined(const T& a, const filtered::deta
   return {sum(x.x, y.x, z.x), sum(x.y, y.y, z.y), sum(x.z, y.z, z.z)};
 }
 
+/// Returns the sum of three weights, of which each has a share.
+template <class T>
+constexpr T sum_of(const T& a, const T& b, const T& c) {
+  return a + b + c;
+}
+/// Returns the distance of a point, squared.
+template <class T>
+constexpr T squared_distance(const filtered::detail::Vector3<T>& point) {
+  return dot(point, point);
+}
 /// Returns at least the distance of a point whose computed one is this, where coordinates are at most `largest`.
 template <class T>
 constexpr T not_below(const T& computed, const T& largest) {
@@ -63,18 +73,19 @@ inline double distance_at_most(const Eigen::Vector3d& center, const Triangle& tr
   const Vector edge[] = {difference(vertex[1], vertex[0]), difference(vertex[2], vertex[1]),
                          difference(vertex[0], vertex[2])};
   const Vector normal = cross(edge[0], edge[1]);
-  double weight[3], sum = 0;  // of the vertices opposite to the edges
-  for (std::size_t i = 0; i < 3; ++i) sum += weight[i] = dot(normal, cross(vertex[i], edge[i]));
+  double weight[3];  // of the vertices opposite to the edges
+  for (std::size_t i = 0; i < 3; ++i) weight[i] = dot(normal, cross(vertex[i], edge[i]));
+  const double sum = distance_bound::sum_of(weight[0], weight[1], weight[2]);
   double squared = std::numeric_limits<double>::infinity();
   if (weight[0] > 0 && weight[1] > 0 && weight[2] > 0 && sum < squared) {
     const Vector foot = combined(weight[0] / sum, vertex[2], weight[1] / sum, vertex[0], weight[2] / sum, vertex[1]);
-    squared = dot(foot, foot);
+    squared = distance_bound::squared_distance(foot);
   } else {
     for (std::size_t i = 0; i < 3; ++i) {
       const double along = -dot(vertex[i], edge[i]), length_sq = dot(edge[i], edge[i]);
       const double end = along <= 0 ? 0 : along >= length_sq ? 1 : along / length_sq;
       const Vector point = combined(1 - end, vertex[i], end, vertex[(i + 1) % 3], 0.0, vertex[i]);
-      squared = std::min(squared, dot(point, point));
+      squared = std::min(squared, distance_bound::squared_distance(point));
     }
   }
   return distance_bound::not_below(std::sqrt(squared), largest);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/detail/own_frame.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -73,15 +72,14 @@ double OwnFrame::radius_under_pose(const Eigen::Vector3d& center, double radius)
   return own_frame::radius_under_pose(radius, lengths_, lost(lengths_, residual_, far));
 }
 
-double distance_from_origin(const Eigen::Vector3d& point) { return point.norm() * kWide + 0x1p-500; }
+double distance_from_origin(const Eigen::Vector3d& point) { return length_at_least(components(point)); }
 
 double least_altitude(const Triangle& t) {
-  const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
-  const double longest = std::max({u.norm(), v.norm(), (t.c - t.b).norm()});
-  if (!(longest >= 0x1p-240 && longest <= 0x1p240)) return 0;
-  // A component of the normal is known to bounds::kNormal units of the largest components of the two edges.
-  const double altitude = (u.cross(v).norm() - 0x1p-48 * longest * longest) / longest * kNarrow;
-  return std::max(altitude, 0.0);
+  const Vector3<double> sides[] = {components(t.b - t.a), components(t.c - t.a), components(t.c - t.b)};
+  const double longest = std::max({length(sides[0]), length(sides[1]), length(sides[2])});
+  if (!(longest >= kShortest && longest <= kLongest)) return 0;
+  const double area = length(cross(sides[0], sides[1])) - off_normal(longest);
+  return std::max(altitude_at_most(area, longest), 0.0);
 }
 
 }  // namespace touchstone::scene::detail

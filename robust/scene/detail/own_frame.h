@@ -33,6 +33,11 @@ inline constexpr double kRounding = 1.75 * 0x1p-53;
 inline constexpr double kTiny = 0x1p-900;
 /// Cover the rounding of each length that is computed from these.
 inline constexpr double kWide = 1 + 0x1p-48, kNarrow = 1 - 0x1p-48;
+/// Covers what a length loses if the squares of its components underflow.
+inline constexpr double kTinyLength = 0x1p-500;
+/// The length of a triangle's computed normal is off by at most kNormal times the square of the longest side, besides
+/// its own rounding. Sides are from kShortest to kLongest.
+inline constexpr double kNormal = 0x1p-48, kShortest = 0x1p-240, kLongest = 0x1p240;
 /// The limits for the residual, for lengths of models and poses, and for the coordinates of centres.
 inline constexpr double kMostResidual = 0x1p-20;
 inline constexpr double kLargest = 0x1p60;
@@ -105,6 +110,32 @@ constexpr N thinnest_altitude(const Lengths<N>& lengths, const N& residual) {
   const N both = lengths.rounding + lengths.rounding;
   return both * lengths.shorter / (constant<N>(1) - residual) * constant<N>(kWide);
 }
+template <class N>
+constexpr N length(const filtered::detail::Vector3<N>& v) {
+  using filtered::detail::square_root;
+  return square_root(dot(v, v));
+}
+/// Returns at least the length of a vector.
+template <class N>
+constexpr N length_at_least(const filtered::detail::Vector3<N>& v) {
+  using filtered::detail::constant;
+  return (length(v) + constant<N>(kTinyLength)) * constant<N>(kWide);
+}
+/// Returns at least the sum of two lengths.
+template <class N>
+constexpr N sum_at_least(const N& a, const N& b) {
+  return (a + b) * filtered::detail::constant<N>(kWide);
+}
+/// Returns by how much the length of a normal may be off.
+template <class N>
+constexpr N off_normal(const N& longest_side) {
+  return filtered::detail::constant<N>(kNormal) * longest_side * longest_side;
+}
+/// Returns at most the least altitude of a triangle, given a number that is not above twice its area.
+template <class N>
+constexpr N altitude_at_most(const N& area, const N& longest_side) {
+  return area / longest_side * filtered::detail::constant<N>(kNarrow);
+}
 
 }  // namespace own_frame
 
@@ -167,7 +198,7 @@ class OwnFrame {
 /// Returns at least the distance of the point from the origin.
 [[nodiscard]] double distance_from_origin(const Eigen::Vector3d& point);
 /// Returns at least the sum of two lengths.
-[[nodiscard]] inline double sum_of_lengths(double a, double b) { return (a + b) * own_frame::kWide; }
+[[nodiscard]] inline double sum_of_lengths(double a, double b) { return own_frame::sum_at_least(a, b); }
 /// Returns a lower bound of the triangle's altitudes, 0 if doubles know none. Requires finite vertices.
 [[nodiscard]] double least_altitude(const Triangle& triangle);
 

@@ -160,7 +160,8 @@ class Stage(InFolder):
 STEPS = ("sum 0 1 1/4 0 1 1/4 0 2 1/2", "difference 0 1 1/4 0 1 1/4 -1 1 1/2", "product -1 2 0 0 3 1/4 -3 6 1/2",
          "square -1 2 1/4 -1 2 1/4 0 4 11/10", "maximum 0 1 1/4 -1 2 1/8 0 2 1/4", "magnitude -3 1 1/4 0 3 1/4",
          "division -2 4 1/2 2 4 1 -1 2 5/2", "root 1/10 9 1/10 1/4 3 1/4",
-         "quotient 3 0 6 3 0 2 1", "rounded 1/4 1/8 0 4 1 -1/8 29/8 11/8", "off 1/2 0 1 1/2 -1/2 3/2 1")
+         "quotient 3 0 6 3 0 2 1", "rounded 1/4 1/8 0 4 1 -1/8 29/8 11/8", "total 3 1/4 1/8 4 -1 2 1/2 -33/2 33/2 75/8",
+         "off 1/2 0 1 1/2 -1/2 3/2 1")
 
 
 class Calculus(InFolder):

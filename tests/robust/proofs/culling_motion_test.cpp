@@ -73,29 +73,32 @@ TEST(CullingMotionStill, KeepsTimesFinite) {
   EXPECT_GT(largest_time(power(mpq_class(1, 2), 400)), kLargestDouble) << "it is blind";
 }
 
-/// By how much the radius of a shortened motion must be larger, less by how much it is: in units of the largest
-/// coordinate or radius, without underflow. Each coordinate of the end is off by the calculus' error, so the end by
-/// at most sqrt(3) times that; and so is every place between it and the start.
-mpq_class lack_of_radius(const mpq_class& margin) {
-  static const ErrorModel nearest{kU, 0, true};
-  const ErrorBound coordinate = known_within(nearest, 1, 0), time{&nearest, 0, 1, 0}, radius{&nearest, 0, 1, 0};
-  const ErrorBound one{&nearest, 1, 1, 0}, zero{&nearest, 0, 0, 0}, by{&nearest, margin, margin, 0};
+/// By how much the radius of a shortened motion must be larger, less by how much it is, if no coordinate and no radius
+/// is above `largest`. Each coordinate of the end is off by the calculus' error, so the end by at most sqrt(3) times
+/// that; and so is every place between it and the start.
+mpq_class lack_of_radius(const ErrorModel& model, const mpq_class& largest, const mpq_class& margin,
+                         const mpq_class& tiny) {
+  const auto exact = [&](const mpq_class& low, const mpq_class& high) { return ErrorBound{&model, low, high, 0}; };
+  const ErrorBound coordinate = exact(-largest, largest), time = exact(0, 1), most = exact(largest, largest);
   const ErrorBound end = scene::detail::place_at(coordinate, time, coordinate - coordinate);
-  return root_above(3 * power(end.error, 2)) + scene::detail::swept::wider(radius, by, one, zero).error - margin;
+  const ErrorBound radius =
+      scene::detail::swept::wider(exact(0, largest), exact(margin, margin), most, exact(tiny, tiny));
+  return root_above(3 * power(end.error, 2)) + radius.error - margin * largest - tiny;
 }
 
 TEST(SweptMargin, CoversTheRoundingsOfEndAndRadius) {
+  static const ErrorModel nearest{kU, 0, true};
   const mpq_class margin = scene::detail::swept::kMargin;
-  EXPECT_LE(lack_of_radius(margin), 0);
-  EXPECT_GT(lack_of_radius(margin * 9 / 10), 0) << "it is loose";
+  EXPECT_LE(lack_of_radius(nearest, 1, margin, 0), 0);
+  EXPECT_GT(lack_of_radius(nearest, 1, margin * 9 / 10, 0), 0) << "it is loose";
 }
 
-// Sums do not underflow. A product loses at most half of the smallest double: one in each coordinate, and one in the
-// radius.
+// The rest of the error, which does not grow with the coordinates.
 TEST(SweptTiny, CoversUnderflow) {
-  const mpq_class lost = (root_above(3) + 1) * kSmallestDouble / 2;
-  EXPECT_LE(lost, mpq_class(scene::detail::swept::kTiny));
-  EXPECT_GT(lost, mpq_class(scene::detail::swept::kTiny) / 2) << "it is loose";
+  static const ErrorModel nearest{kU, kSmallestDouble / 2, true};
+  const mpq_class margin = scene::detail::swept::kMargin, tiny = scene::detail::swept::kTiny;
+  EXPECT_LE(lack_of_radius(nearest, 0, margin, tiny), 0);
+  EXPECT_GT(lack_of_radius(nearest, 0, margin, tiny / 2), 0) << "it is loose";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "robust/proofs/error_bound.h"
+#include "tests/robust/proofs/ratio.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::proofs::distance_bound {
@@ -36,12 +37,20 @@ TEST(DistanceBound, AddsTheErrorOfThePoint) {
       EXPECT_GE(bound::not_below(exactly(computed), exactly(largest)).low, computed + error_of_point() * largest);
 }
 
-// The sum of the weights is 1 except for four roundings; a point that is so much farther is the point of the triangle,
-// times that. Then a square is rounded three times, its root once, and the bound three times; the square may lose less
-// to underflow than the error of the point has to spare.
+/// The computed bound of a distance, by its ratio to the distance of the point that is combined.
+const Ratio<53> kBound = bound::not_below(square_root(bound::squared_distance(Vector3<Ratio<53>>{})), Ratio<53>{});
+
+/// The sum of the weights, which without rounding is 1: shares of their sum, or a number and what it leaves of 1.
+const Ratio<53> kSum = maximum(Ratio<53>{} / bound::sum_of(Ratio<53>{}, {}, {}), Ratio<53>{}.rounded());
+
+// A point with weights of another sum is a point of the triangle, times that sum.
 TEST(DistanceBound, CoversTheRoundingOfTheDistance) {
-  EXPECT_LE(power(1 + kU, 4 + 2 + 1 + 3) / power(1 - kU, 1), mpq_class(bound::kWide));
-  EXPECT_GT(power(1 + kU, 20), mpq_class(bound::kWide)) << "it is loose";
+  EXPECT_GE(kBound.least * kSum.least, 1);
+  EXPECT_LT(kBound.least * kSum.least, 1 + 9 * kU) << "it is loose";
+}
+
+// Squares lose less to underflow than the error of the point has to spare.
+TEST(DistanceBound, CoversTheUnderflowOfSquares) {
   const mpq_class spare = mpq_class(bound::kPoint) - error_of_point();
   EXPECT_LE(3 * kSmallestDouble, power(spare * mpq_class(bound::kSmallest), 2));
 }

@@ -204,17 +204,19 @@ TEST(FrameBounds, OfDistancesCoverRoots) {
   EXPECT_GT(needed, bounds::kDistance * kUnit * kSize * 63 / 64) << "it is loose";
 }
 
-TEST(FrameBounds, WideAndNarrowCoverFourteenRoundings) {
-  EXPECT_GE(bounds::kWide * power(1 - kUnit, 14), 1);
-  EXPECT_LE(bounds::kNarrow * power(1 + kUnit, 14), 1);
-  EXPECT_LT(bounds::kWide * power(1 - kUnit, 17), 1) << "it is loose";
-  EXPECT_GT(bounds::kNarrow * power(1 + kUnit, 17), 1) << "it is loose";
+// The square covers the roundings of the roots, too.
+TEST(FrameBounds, OfDistancesCoverTheirRoundings) {
+  const Ratio<52> distance = frame::distance_at_least(Ratio<52>{});
+  EXPECT_GE(distance.least, 1);
+  EXPECT_GE(frame::square_at_least(distance, distance).least, 1);
 }
 
 TEST(FrameBounds, OfDiscsCoverTheirRoundings) {
   const frame::Disc<Ratio<52>> disc({}, {}, {}, {});
   EXPECT_GE(disc.outer_sq.least, 1);
   EXPECT_LE(disc.inner_sq.most, 1);
+  EXPECT_LT(disc.outer_sq.least, 1 + (mpq_class(bounds::kWide) - 1) * 3 / 4) << "it is loose";
+  EXPECT_GT(disc.inner_sq.most, 1 - (1 - power(mpq_class(bounds::kNarrow), 2)) * 3 / 4) << "it is loose";
 }
 
 // What the ratios are of: the disc at `low`, made larger by the error, and that at `high`, made smaller.

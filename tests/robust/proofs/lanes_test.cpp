@@ -33,6 +33,29 @@ Ratio<52> coordinate_in_steps() {
   return lane::in_steps<Ratio<52>>(seen.in_units, {});
 }
 
+/// The square of a centre's distance from the group's origin.
+Ratio<52> squared_distance() {
+  const Ratio<52> coordinate = lane::Seen<Ratio<52>>({}, {}, {}).in_units;
+  return lane::squared_distance(coordinate, coordinate, coordinate);
+}
+
+TEST(Lanes, GroupsAreMissedForCertain) {
+  const Ratio<52> radius = Ratio<52>{}.rounded();  // scaled
+  EXPECT_LE(squared_distance().most, lane::square_of_reach(radius).least);
+}
+
+// A ball of up to twice the group's radius is larger by at most what is computed and an error for which vertices have
+// room. That of a larger ball is relative: it falls with the radius.
+TEST(Lanes, GroupsAreWithinBallsForCertain) {
+  static const ErrorModel doubles{bounds::kUnit, kSmallestDouble, true};
+  const auto excess = [](const mpq_class& least, const mpq_class& most) {
+    return lane::excess(ErrorBound{&doubles, least, most, 0}, ErrorBound{&doubles, 1, 1, 0});
+  };
+  EXPECT_LE(excess(0, 2).error, mpq_class(TriangleGroup::kSpare) / 2);
+  const mpq_class most = 1 + excess(2, 2).error;
+  EXPECT_LE((lane::square_of_excess(Ratio<52>{1, most}).most), squared_distance().least);
+}
+
 // The rounding to a float, and what was flushed before.
 TEST(Lanes, CentresAreKnown) {
   const mpq_class error = coordinate_in_steps().most * (1 + kUnit) - 1 + kFlushed + mpq_class(bounds::kFloatTiny);

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "robust/filtered/detail/numbers/permanent.h"
-#include "robust/filtered/detail/signs/bounds.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/ratio.h"
 #include "tests/robust/proofs/rationals.h"
@@ -22,7 +21,6 @@ namespace touchstone::proofs::own_frame {
 namespace {
 
 using namespace scene::detail::own_frame;
-namespace bounds = filtered::detail::bounds;
 
 const mpq_class kMost = kMostResidual;
 
@@ -102,16 +100,35 @@ TEST(OwnFrameBounds, CoverTheRoundingOfLengths) {
   EXPECT_GE(thinnest_altitude(of_pose, exact).least, 1);
 }
 
-// Sums of lengths, distances from the origin and altitudes take at most eight roundings in a row.
 TEST(OwnFrameBounds, CoverTheRoundingOfDistances) {
-  EXPECT_LE(roundings(8), mpq_class(kWide) - 1);
-  EXPECT_LE(roundings(8), 1 - mpq_class(kNarrow));
+  const Ratio<53> exact;
+  EXPECT_GE(length_at_least(Vector3<Ratio<53>>{}).least, 1);
+  EXPECT_GE(sum_at_least(exact, exact).least, 1);
+  EXPECT_LE(3 * kSmallestDouble, power(mpq_class(kTinyLength), 2));  // three squares underflow
 }
 
-// The components of the normal of two edges, in units of their largest components, of which no edge is shorter.
+/// The length of a side: a difference of vertices has a relative error in each component.
+const Ratio<53> kComponent = Ratio<53>{}.rounded();
+const Vector3<Ratio<53>> kSideRatios{kComponent, kComponent, kComponent};
+const Ratio<53> kSide = length(kSideRatios);
+
+// Of a normal, besides the error of its components: the root of a sum of squares.
+const Ratio<53> kLength = length(Vector3<Ratio<53>>{});
+
+// Components are in units of the largest of the two sides, than which the longest side is not shorter.
 TEST(OwnFrameBounds, CoverTheNormal) {
-  const mpq_class component = 2 * mpq_class(bounds::kNormal) * mpq_class(bounds::kUnit);
-  EXPECT_LE(3 * component * component, power(mpq_class(0x1p-48), 2));
+  const ErrorModel model{kU, kSmallestDouble / power(mpq_class(kShortest), 2), true};
+  const ErrorBound component = known_within(model, 1, kU);
+  const Vector3<ErrorBound> side{component, component, component};
+  const mpq_class off = cross(side, side).x.error;
+  EXPECT_LE(root_above(3 * off * off) * kLength.most, mpq_class(kNormal) * off_normal(kSide).least);
+  EXPECT_GT(root_above(3 * off * off), mpq_class(kNormal) / 4) << "it is loose";
+}
+
+// The difference of the length and its error is at most the exact length, rounded.
+TEST(OwnFrameBounds, CoverTheRoundingOfAltitudes) {
+  const Ratio<53> area = kLength.rounded();
+  EXPECT_LE(altitude_at_most(area, kSide).most, 1);
 }
 
 }  // namespace

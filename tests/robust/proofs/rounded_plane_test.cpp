@@ -31,18 +31,9 @@ Plane<ErrorBound> plane_as_compiled(std::size_t n) {
   return scene::detail::rounded_plane::plane_of(n, kZero, [](std::size_t) { return vertex(); });
 }
 
-/// The sum of n equal terms: the first k of them are at most k times as large, except for k roundings, each of which is
-/// rounded once.
-ErrorBound sum_of(std::size_t n, const ErrorBound& term) {
-  const mpq_class count = n, grown = 1 / (1 - count * kU);  // above (1 + u)^n
-  const mpq_class roundings = kU * term.magnitude() * grown * count * (count + 1) / 2;
-  return known_within(kNearest, count * (term.magnitude() + kUnderflow) * grown,
-                      count * (term.error + kUnderflow * grown) + roundings);
-}
-
 Plane<ErrorBound> plane_as_a_whole(std::size_t n) {
-  const ErrorBound normal = sum_of(n, cross(vertex(), vertex()).x);
-  const ErrorBound mean = sum_of(n, vertex().x) / static_cast<double>(n);
+  const ErrorBound normal = total(n, cross(vertex(), vertex()).x);
+  const ErrorBound mean = total(n, vertex().x) / static_cast<double>(n);
   return {{normal, normal, normal}, {mean, mean, mean}};
 }
 

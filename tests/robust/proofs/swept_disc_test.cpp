@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "robust/filtered/detail/motion/polygon_events.h"
+#include "robust/filtered/detail/motion/polygon_motion.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/ratio.h"
 #include "tests/robust/proofs/rationals.h"
@@ -71,6 +72,10 @@ TEST(SweptDisc, DistancesFromThePlaneAreNotTooLarge) {
   const ErrorBound last = height() + coordinate();
   const mpq_class distance = last.magnitude();
   EXPECT_LE(swept_disc::least_distance(exactly(distance), kMargin).high, distance - last.error - kFlushed);
+}
+
+TEST(FootOfAMotion, HasAnErrorThatCoversItsRoundings) {
+  EXPECT_GE(filtered::detail::error_of_foot(Ratio<52>{}, {}, {}, {}, {}).least, 1);
 }
 
 // Up to the rounding of a sum, which the margin of `within` and of `astride` covers.

@@ -48,6 +48,14 @@ TOUCHSTONE_INLINE void walk(const EdgeIndex& index, const SweptDisc& disc, const
   }
 }
 
+/// Returns at least the error of a foot's coordinates: how far it moves while its time is unknown, and the errors of
+/// its way.
+template <class N>
+TOUCHSTONE_INLINE N error_of_foot(const N& speed_x, const N& speed_y, const N& time_error, const N& velocity_error,
+                                  const N& point_error) {
+  return ((speed_x + speed_y) * time_error + velocity_error + point_error) * constant<N>(bounds::kWide);
+}
+
 /// The knowledge of doubles about a motion that does not touch at its start.
 struct FrameMotionResult {
   FilterResult contact;
@@ -60,8 +68,8 @@ TOUCHSTONE_INLINE FilterResult meets_face(const FrameMotion& motion, const Entry
   if ((plane.certain & 1) == 0) return FilterResult::Unsure;
   double time[kLanes], error[kLanes];
   store(time, plane.time.value), store(error, plane.time.error);
-  const double speed = std::abs(motion.velocity.x) + std::abs(motion.velocity.y);
-  const double foot_error = (speed * error[0] + motion.velocity_error + motion.point_error) * bounds::kWide;
+  const double foot_error = error_of_foot(std::abs(motion.velocity.x), std::abs(motion.velocity.y), error[0],
+                                          motion.velocity_error, motion.point_error);
   const FrameQuery query(motion.x + time[0] * motion.velocity.x, motion.y + time[0] * motion.velocity.y, motion.size,
                          foot_error);
   bool near_boundary = false;

@@ -173,7 +173,7 @@ PointLocation PolygonQuery<Counts>::exact_foot() {
   const FrameQuery& query = this->query();
   const ExactEdges<Counts>& edges = exact();
   const int axis = (parts_.frame->dropped_axis + 2) % 3;
-  const double margin = std::sqrt(query.boundary_sq) * bounds::kWide;
+  const double margin = frame::distance_at_least(query.boundary_sq);
   const auto above = [&](double y, std::uint32_t vertex) {
     if (std::abs(y - query.y) > margin) return y > query.y;
     return edges.template sign<SignKind::Above>(vertex, axis) < 0;
@@ -292,9 +292,8 @@ Feature PolygonQuery<Counts>::nearest_on_boundary() {
   });
   // Visit all edges that may be as near as the nearest. Both distances may be off, together by less than kNear errors.
   // That is also more than the errors of `along` and `length` together.
-  const double margin = std::sqrt(query.boundary_sq) * bounds::kWide;
-  const double wider = std::sqrt(least) * bounds::kWide + margin,
-               limit_sq = maximum(wider * wider * bounds::kWide, query.boundary_sq);
+  const double margin = frame::distance_at_least(query.boundary_sq);
+  const double limit_sq = maximum(frame::square_at_least(frame::distance_at_least(least), margin), query.boundary_sq);
   std::optional<Feature> nearest;
   near_edges(limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     unsigned near = not_above(view.squared, limit_sq) & lanes(leaf);

@@ -46,7 +46,7 @@ TriangleGroup group_of(std::span<const Triangle> triangles) {
   each_vertex([&](const Eigen::Vector3d& p) {
     radius = std::max(radius, (power * (p - Eigen::Vector3d(group.origin))).norm());
   });
-  group.scale = (1 - 0x1p-40) / radius * power;  // rounding moves no vertex beyond the radius
+  group.scale = (1 - TriangleGroup::kSpare) / radius * power;  // rounding moves no vertex beyond the radius
   group.reach = TriangleGroup::kReach / group.scale;
   for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
     const Triangle& triangle = triangles[lane];

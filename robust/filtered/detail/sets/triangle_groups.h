@@ -21,6 +21,8 @@ namespace detail {
 struct TriangleGroup {
   static constexpr std::size_t kWidth = 8;
   static constexpr int kSteps = 32767;
+  /// By how much less than 1 the vertices are from the origin, except for roundings.
+  static constexpr double kSpare = 0x1p-40;
   /// The limit for the numbers of a scaled ball, below which no product of steps overflows.
   static constexpr double kReach = 0x1p40;
   /// The limit for the numbers of a ball and for origins, below which no difference of the two overflows.

@@ -125,14 +125,16 @@ TOUCHSTONE_INLINE bool see(const Ball& ball, const TriangleGroup& group, double 
   return true;
 }
 
-TOUCHSTONE_INLINE double squared_length(const double (&seen)[4]) {
-  return seen[0] * seen[0] + seen[1] * seen[1] + seen[2] * seen[2];
-}
-
 /// Returns whether a ball that the group sees certainly misses the ball of radius 1 about the origin.
 TOUCHSTONE_INLINE bool misses_group(const double (&seen)[4]) {
-  const double apart = seen[3] + 1;
-  return squared_length(seen) > apart * apart * bounds::kWide;
+  return lane::squared_distance(seen[0], seen[1], seen[2]) > lane::square_of_reach(seen[3]);
+}
+
+/// Returns whether a ball that the group sees, with the radius `inner`, certainly holds the ball of radius 1 about the
+/// origin.
+TOUCHSTONE_INLINE bool holds_group(const double (&seen)[4], double inner, const TriangleGroup& group) {
+  const double excess = lane::excess(inner, group.scale);
+  return excess > 0 && lane::squared_distance(seen[0], seen[1], seen[2]) < lane::square_of_excess(excess);
 }
 
 /// The triangles of a group that the ball touches, and those that have to be asked about alone; one bit per lane.
@@ -149,9 +151,8 @@ TOUCHSTONE_INLINE GroupAnswers group_contact(const Ball& ball, double inner, con
   double scaled[4];
   if (!see(ball, group, scaled)) [[unlikely]]
     return {0, lanes};
-  const double squared = squared_length(scaled), around = inner * group.scale - 1;
   const bool misses_all = misses_group(scaled);
-  if (misses_all || (around > 0 && squared < around * around * bounds::kNarrow)) {
+  if (misses_all || holds_group(scaled, inner, group)) {
     count_sure(lanes, counts);
     return {misses_all ? 0 : lanes, 0};
   }

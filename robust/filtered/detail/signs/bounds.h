@@ -74,7 +74,8 @@ inline constexpr double kNear = 3.5;
 inline constexpr double kBoxReach = 1.21875;
 /// Half sizes of boxes contain the rounded points and this much more, for their own rounding to nearest.
 inline constexpr double kBoxRounding = 0x1p-47;
-/// Relative bounds of the effect of 14 operations, in any rounding direction.
+/// Lengths and squares, in any rounding direction, times these are larger or smaller than they would be without
+/// rounding.
 inline constexpr double kWide = 1 + 0x1p-48;
 inline constexpr double kNarrow = 1 - 0x1p-48;
 

@@ -157,6 +157,18 @@ __attribute__((always_inline)) constexpr N half_chord(const N& radius, const N& 
   return square_root(maximum((radius - distance) * (radius + distance), constant<N>(0)));
 }
 
+/// Returns at least a distance, given its square.
+template <class N>
+__attribute__((always_inline)) constexpr N distance_at_least(const N& square) {
+  return square_root(square) * constant<N>(bounds::kWide);
+}
+/// Returns at least the square of a sum of two distances.
+template <class N>
+__attribute__((always_inline)) constexpr N square_at_least(const N& a, const N& b) {
+  const N sum = a + b;
+  return sum * sum * constant<N>(bounds::kWide);
+}
+
 /// The disc in which a ball meets the plane. It tells which computed distances from its centre are certainly within it,
 /// and which certainly beyond.
 template <class N>

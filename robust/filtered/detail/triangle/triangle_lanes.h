@@ -26,6 +26,27 @@ struct Seen {
   __attribute__((always_inline)) constexpr Seen(const N& given, const N& origin, const N& scale)
       : relative(given - origin), in_units(relative * scale) {}
 };
+/// The square of a centre's distance from the group's origin, in the group's units.
+template <class N>
+__attribute__((always_inline)) constexpr N squared_distance(const N& x, const N& y, const N& z) {
+  return x * x + y * y + z * z;
+}
+/// Returns at least the square of the distance at which a ball touches the ball of radius 1.
+template <class N>
+__attribute__((always_inline)) constexpr N square_of_reach(const N& radius) {
+  const N reach = radius + constant<N>(1);
+  return reach * reach * constant<N>(bounds::kWide);
+}
+/// Returns by how much a ball is larger than the ball of radius 1.
+template <class N>
+__attribute__((always_inline)) constexpr N excess(const N& radius, const N& scale) {
+  return radius * scale - constant<N>(1);
+}
+/// Returns at most the square of the distance at which the ball of radius 1 is just within a ball with this excess.
+template <class N>
+__attribute__((always_inline)) constexpr N square_of_excess(const N& excess) {
+  return excess * excess * constant<N>(bounds::kNarrow);
+}
 /// Returns a length in steps.
 template <class N>
 __attribute__((always_inline)) constexpr N in_steps(const N& in_units, const N& steps) {
