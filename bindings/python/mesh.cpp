@@ -206,9 +206,11 @@ mesh::OnBadFace bad_faces_policy(const std::string& name, bool may_be_segments) 
   if (name == "refuse") return mesh::OnBadFace::Refuse;
   if (name == "leave out") return mesh::OnBadFace::LeaveOut;
   if (may_be_segments && name == "as segments") return mesh::OnBadFace::AsSegments;
-  throw py::value_error(std::string("bad_faces must be 'refuse'") +
-                        (may_be_segments ? ", 'leave out' or 'as segments', not " : " or 'leave out', not ") +
-                        py::repr(py::str(name)).cast<std::string>());
+  if (may_be_segments && name == "as segments or leave out") return mesh::OnBadFace::AsSegmentsOrLeaveOut;
+  throw py::value_error(
+      std::string("bad_faces must be 'refuse'") +
+      (may_be_segments ? ", 'leave out', 'as segments' or 'as segments or leave out', not " : " or 'leave out', not ") +
+      py::repr(py::str(name)).cast<std::string>());
 }
 
 py::object named_faces(const std::vector<mesh::RejectedFace>& faces) {

@@ -34,8 +34,8 @@ struct HeldMesh : Mesh {
 [[nodiscard]] HeldMesh mesh_of(pybind11::handle vertices, pybind11::handle faces,
                                mesh::OnBadFace on_bad_face = mesh::OnBadFace::Refuse);
 
-/// Returns the policy of this name: 'refuse', 'leave out' or, where it is one, 'as segments'. Throws
-/// pybind11::value_error for another one.
+/// Returns the policy of this name: 'refuse', 'leave out' or, where a face may be a segment, 'as segments' or 'as
+/// segments or leave out'. Throws pybind11::value_error for another one.
 [[nodiscard]] mesh::OnBadFace bad_faces_policy(const std::string& name, bool may_be_segments = false);
 
 /// Returns the faces as a list of dicts with the keys `face`, `code` and `message`.

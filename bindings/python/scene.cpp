@@ -239,13 +239,15 @@ void add_scene(py::module_& module) {
   const py::arg balls("balls");
   const auto objects = py::arg("objects") = py::none();
   type.def(py::init())
-      .def("add", add, py::arg("name"), py::arg("faces"), py::arg("pose") = py::none(), py::arg("bad_faces") = "refuse",
-           "Adds an object and returns its number. `faces` is a Mesh or what Mesh.of takes, a TriangleSet, an array\n"
-           "of n x 3 x 3, a Polygon or a list of them. Faces are numbered from 0: of a mesh first those of three\n"
-           "vertices, then the others. `pose` is [R t], an array of 3 x 4 or 4 x 4. Raises ValueError if the name is\n"
-           "taken, and Rejected, which names the face, for what the contract rejects; with bad_faces='leave out'\n"
-           "such faces are left out, and `left_out` names them; with bad_faces='as segments' faces whose corners lie\n"
-           "on one line are segments or points, `segments` names them, and other bad faces are refused.")
+      .def(
+          "add", add, py::arg("name"), py::arg("faces"), py::arg("pose") = py::none(), py::arg("bad_faces") = "refuse",
+          "Adds an object and returns its number. `faces` is a Mesh or what Mesh.of takes, a TriangleSet, an array\n"
+          "of n x 3 x 3, a Polygon or a list of them. Faces are numbered from 0: of a mesh first those of three\n"
+          "vertices, then the others. `pose` is [R t], an array of 3 x 4 or 4 x 4. Raises ValueError if the name is\n"
+          "taken, and Rejected, which names the face, for what the contract rejects; with bad_faces='leave out'\n"
+          "such faces are left out, and `left_out` names them; with bad_faces='as segments' faces whose corners lie\n"
+          "on one line are segments or points, `segments` names them, and other bad faces are refused, or left out with\n"
+          "bad_faces='as segments or leave out'.")
       .def("face_numbers", face_numbers, py::arg("object"),
            "Returns for each face of an object its number in the mesh, array or list that was added: (k,).")
       .def(

@@ -82,6 +82,8 @@ Polygon face_polygon(const Mesh& mesh, std::size_t face) {
 
 MeshFaces scene_faces(const Mesh& mesh, OnBadFace on_bad_face) {
   const FloatingPointState nearest;
+  const bool as_segments = on_bad_face == OnBadFace::AsSegments || on_bad_face == OnBadFace::AsSegmentsOrLeaveOut;
+  const bool leaves_out = on_bad_face == OnBadFace::LeaveOut || on_bad_face == OnBadFace::AsSegmentsOrLeaveOut;
   NumberedFaces valid;
   std::vector<RejectedFace> left_out;
   std::vector<SegmentFace> segments;
@@ -97,7 +99,7 @@ MeshFaces scene_faces(const Mesh& mesh, OnBadFace on_bad_face) {
       valid.add(triangle, face);
     } catch (const Rejected& rejected) {
       const auto& [code, message] = rejected.rejection();
-      if (on_bad_face == OnBadFace::AsSegments && code != RejectionCode::MalformedCase) {
+      if (as_segments && code != RejectionCode::MalformedCase) {
         const Loop loop = loop_of(mesh, face);
         if (const auto corners = corners_on_line(loop)) {
           const auto& [i, j, k] = *corners;
@@ -106,12 +108,11 @@ MeshFaces scene_faces(const Mesh& mesh, OnBadFace on_bad_face) {
           continue;
         }
       }
-      if (on_bad_face != OnBadFace::LeaveOut)
-        throw Rejected({code, "face " + std::to_string(face) + " of the mesh: " + message});
+      if (!leaves_out) throw Rejected({code, "face " + std::to_string(face) + " of the mesh: " + message});
       left_out.push_back({face, rejected.rejection()});
     }
   }
-  if (on_bad_face == OnBadFace::AsSegments) valid.faces().degenerate = Degenerate::AsSegments;
+  if (as_segments) valid.faces().degenerate = Degenerate::AsSegments;
   return {std::move(valid.faces()), std::move(valid.numbers()), std::move(left_out), std::move(segments)};
 }
 

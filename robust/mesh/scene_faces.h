@@ -13,8 +13,9 @@
 namespace touchstone::mesh {
 
 /// How to treat a face that the contract rejects: refuse the whole mesh; leave that face out and name it; or take it as
-/// the segment or the point that its corners span, if they lie on one line, and refuse the mesh for any other bad face.
-enum class OnBadFace { Refuse, LeaveOut, AsSegments };
+/// the segment or the point that its corners span, if they lie on one line, and either refuse the mesh for any other
+/// bad face or leave that out.
+enum class OnBadFace { Refuse, LeaveOut, AsSegments, AsSegmentsOrLeaveOut };
 
 /// A face of a mesh that is taken as a segment or a point.
 struct SegmentFace {

@@ -43,9 +43,10 @@ struct SceneOptions : run::FolderOptions {
   std::string balls, scene_unit, method = "filtered";
   std::uint64_t random = 0, seed = 1;
   unsigned threads = run::all_threads();
-  bool any = false, all = false, nearest = false, merge = false, skip_bad = false;
+  bool any = false, all = false, nearest = false, merge = false, as_segments = false, skip_bad = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
+  [[nodiscard]] Taken taken() const { return merge ? Taken::Merged : as_segments ? Taken::AsSegments : Taken::Alone; }
   [[nodiscard]] bool filtered() const { return method == "filtered" && engines.empty(); }
 };
 
@@ -102,7 +103,7 @@ std::optional<Loaded> load(const run::CommandRun& run, const SceneOptions& optio
       }
     }
     const std::string name = io::all_legible(file.file);
-    loaded.objects.push_back(object_of(std::move(file), options.merge));
+    loaded.objects.push_back(object_of(std::move(file), options.taken()));
     Object& object = loaded.objects.back();
     const char* what = options.skip_bad ? "left out: " : "";
     for (std::size_t k = 0; k < object.rejected.size() && k < kShown; ++k)
@@ -180,10 +181,11 @@ struct Sums {
 std::string summary(const SceneOptions& options, const Units& units, const Loaded& loaded, const Sums& sums) {
   using run::counted;
   std::uint64_t faces = 0;
-  std::uint64_t lifted = 0;
+  std::uint64_t lifted = 0, segments = 0;
   double farthest = 0;
   for (const Object& object : loaded.objects) {
     faces += object.numbers.size();
+    segments += object.segments.size();
     for (const double off_plane : object.off_plane) {
       lifted += off_plane > 0 ? 1 : 0;
       farthest = std::max(farthest, off_plane);
@@ -193,6 +195,9 @@ std::string summary(const SceneOptions& options, const Units& units, const Loade
                                  counted(loaded.objects.size(), "object"), counted(faces, "face"),
                                  counted(loaded.parts_left_out, "part"),
                                  units.scene ? fmt::format("; lengths in {}", units.scene->name) : "");
+  if (segments > 0)
+    text += fmt::format("{} of no area: segments or points.\n",
+                        segments == 1 ? "1 face is" : fmt::format("{} faces are", segments));
   if (lifted > 0)
     text += fmt::format("{} not planar: vertices are displaced by up to {} onto the plane.\n",
                         lifted == 1 ? "1 face is" : fmt::format("{} faces are", lifted), farthest);
@@ -283,6 +288,9 @@ int run(const SceneOptions& options) {
   Lines lines(options.output);
   const Units units = units_of(options);
   (void)method_of(options);
+  if (options.as_segments && !options.filtered())
+    throw std::invalid_argument(
+        "--as-segments: filtered alone is asked about segments, as other methods take polygons");
   const std::optional<Loaded> loaded = load(run, options, units);
   if (!loaded) return kBadInput;
   const std::vector<Object>& objects = loaded->objects;
@@ -354,6 +362,11 @@ run::Command scenes_command() {
   command.flag("--merge", options->merge,
                "Merge neighbouring faces that lie exactly in one plane, so that a ball on them meets no seam; answers "
                "then list the merged faces");
+  command.flag(
+      "--as-segments", options->as_segments,
+      "Take a face whose corners lie on one line as the segment or the point that they span; answers then list "
+      "these corners");
+  command.allow_one_of({"--merge", "--as-segments"});
   command.flag("--skip-bad", options->skip_bad,
                "Leave out faulty parts of a file and faces that are not valid polygons, and report them");
   command.threads(options->threads);

@@ -123,6 +123,8 @@ Verdict face(FaceId id, const Order& order, const std::vector<Object>& objects) 
     keys["faces"] = numbers;
   else
     keys["face"] = numbers.front();
+  const auto segment = std::ranges::lower_bound(object.segments, numbers.front(), {}, &mesh::SegmentFace::face);
+  if (segment != object.segments.end() && segment->face == numbers.front()) keys["corners"] = segment->corners;
   if (object.off_plane[id.face] > 0) keys["off_plane"] = object.off_plane[id.face];
   return keys;
 }
@@ -145,18 +147,21 @@ void take(Object& object, scene::Faces faces) {
 
 }  // namespace
 
-Object object_of(workloads::NamedFile file, bool merge) {
-  Object object{std::move(file.name), {}, {}, {}, {}, 0};
+Object object_of(workloads::NamedFile file, Taken taken) {
+  Object object{std::move(file.name), {}, {}, {}, {}, {}, 0};
   const Mesh& mesh = file.content.mesh;
   std::vector<mesh::RejectedFace> rejected;
-  if (merge) {
+  if (taken == Taken::Merged) {
     mesh::MergedMesh merged = mesh::merge_faces(mesh);
     mesh::SceneFaces faces = mesh::scene_faces(mesh, merged);
     for (const std::uint32_t number : faces.merged) object.numbers.push_back(merged.faces[number].faces);
     take(object, std::move(faces.faces));
     rejected = std::move(merged.rejected);
   } else {
-    mesh::MeshFaces faces = mesh::scene_faces(mesh, mesh::OnBadFace::LeaveOut);
+    const bool as_segments = taken == Taken::AsSegments;
+    mesh::MeshFaces faces =
+        mesh::scene_faces(mesh, as_segments ? mesh::OnBadFace::AsSegmentsOrLeaveOut : mesh::OnBadFace::LeaveOut);
+    object.segments = std::move(faces.segments);
     for (const std::uint32_t number : faces.numbers) object.numbers.push_back({number});
     take(object, std::move(faces.faces));
     rejected = std::move(faces.left_out);

@@ -12,6 +12,7 @@
 #include "experiments/cases/workloads/meshes.h"
 #include "experiments/run/sweep.h"
 #include "experiments/studies/scenes/balls.h"
+#include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::scenes {
@@ -21,14 +22,18 @@ struct Object {
   std::string name;
   scene::Faces faces;                               ///< triangles first
   std::vector<std::vector<std::uint32_t>> numbers;  ///< the faces of the mesh of which each was made, from 0, ascending
+  std::vector<mesh::SegmentFace> segments;          ///< the faces of the mesh that are taken as segments, ascending
   std::vector<double> off_plane;      ///< how far the vertices of each are from its plane, as in an answer
   std::vector<std::string> rejected;  ///< a sentence for each of the first other faces, with its place in the file
   std::uint64_t faces_rejected = 0;   ///< the number of all other faces
 };
 
-/// Takes every face of the mesh as it is, or merges faces that lie in one plane (mesh::merge_faces). Cost: that of
-/// mesh::scene_faces or mesh::merge_faces.
-[[nodiscard]] Object object_of(workloads::NamedFile file, bool merge);
+/// How the faces of a mesh become those of an object: each as it is; those that lie in one plane merged
+/// (mesh::merge_faces); or each as it is, and one whose corners lie on one line as a segment or a point.
+enum class Taken { Alone, Merged, AsSegments };
+
+/// Returns the object of a mesh. Cost: that of mesh::scene_faces or mesh::merge_faces.
+[[nodiscard]] Object object_of(workloads::NamedFile file, Taken taken);
 
 enum class Question { Any, All, Nearest };
 
@@ -72,7 +77,8 @@ struct Order {
 /// Returns a line of JSON: `id`, `ball` and `motion` as in a case of the contract, then the requested answer:
 /// `touches`, `touched` (object and face; of a ball that moves also the first contact) or `nearest` (object, face,
 /// feature, point and distance; null if there are no faces). Faces have the numbers of their mesh: `face` or, if they
-/// are merged, `faces`. A face that is not planar has `off_plane`.
+/// are merged, `faces`. A face that is not planar has `off_plane`; one that is taken as a segment has `corners`, which
+/// are the vertices of its degenerate triangle.
 [[nodiscard]] std::string answer_line(const NamedBall& ball, const BallAnswer& answer, const Order& order,
                                       const std::vector<Object>& objects);
 

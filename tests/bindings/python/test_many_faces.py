@@ -400,7 +400,7 @@ class Scenes(unittest.TestCase):
         for refuse in (touchstone.Mesh.read, touchstone.merge_faces):
             with self.assertRaisesRegex(ValueError, "bad_faces must be 'refuse' or 'leave out', not 'as segments'"):
                 refuse(mesh, bad_faces="as segments")
-        with self.assertRaisesRegex(ValueError, "bad_faces must be 'refuse', 'leave out' or 'as segments', not 'skip'"):
+        with self.assertRaisesRegex(ValueError, "bad_faces must be 'refuse', 'leave out', 'as segments' or 'as segments or leave out', not 'skip'"):
             self.scene.add("other", mesh, bad_faces="skip")
 
     def test_ask_some_objects_by_number_or_name(self):

@@ -411,6 +411,18 @@ TEST(SceneFaces, RefuseOtherBadFacesWhereTheyTakeSegments) {
     EXPECT_THROW((void)mesh::scene_faces({vertices, {face}}, mesh::OnBadFace::AsSegments), Rejected);
 }
 
+TEST(SceneFaces, LeaveOutOtherBadFacesWhereTheyTakeSegmentsIfAsked) {
+  const Mesh mesh = with_bad_faces();
+  const auto taken = mesh::scene_faces(mesh, mesh::OnBadFace::AsSegmentsOrLeaveOut);
+  EXPECT_EQ(taken.numbers, (Numbers{1, 2, 7, 0}));
+  ASSERT_EQ(taken.segments.size(), 1U);
+  EXPECT_EQ(taken.segments[0].face, 2U);
+  std::vector<std::uint32_t> left_out;
+  for (const auto& [face, rejection] : taken.left_out) left_out.push_back(face);
+  EXPECT_EQ(left_out, (Numbers{3, 4, 5, 6}));
+  EXPECT_EQ(taken.faces.degenerate, Degenerate::AsSegments);
+}
+
 TEST(SceneFaces, AreRefusedForTheFirstBadFaceUnlessTheyAreLeftOut) {
   Mesh mesh = with_bad_faces();
   std::uint32_t first = 2;

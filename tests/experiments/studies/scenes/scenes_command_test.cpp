@@ -363,6 +363,36 @@ TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
   EXPECT_NE(nothing.err.find("flat.obj: no face is left"), std::string::npos) << nothing.err;
 }
 
+TEST_F(SceneCommand, TakesFacesOfNoAreaAsSegmentsIfAsked) {
+  const std::string mesh =
+      write("mesh.obj", "v 0 0 0\nv 4 0 0\nv 2 0 0\nv 0 4 0\nv 4 4 4\nf 1 2 4\nf 1 3 2\nf 1 2 5 4\nf 5 5 5\n");
+  const std::string balls = write("balls", "2 -1 0 1\n4 4 5 1\n");
+  const Ran ran = touchstone_scene({mesh, "--balls", balls, "--as-segments"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const auto lines = lines_of(ran);
+  const nlohmann::json on_edge = lines.at(0)["touched"], at_vertex = lines.at(1)["touched"], corners = {0, 1, 2};
+  EXPECT_FALSE(on_edge.at(0).contains("corners"));
+  EXPECT_EQ(on_edge.at(1)["face"], 1);
+  EXPECT_EQ(on_edge.at(1)["corners"], corners);
+  EXPECT_EQ(at_vertex.back()["face"], 3);
+  EXPECT_EQ(at_vertex.back()["corners"], corners);
+  EXPECT_NE(ran.err.find("2 faces are of no area: segments or points."), std::string::npos) << ran.err;
+  EXPECT_EQ(touchstone_scene({mesh, "--balls", balls}).status, 2);
+  EXPECT_EQ(touchstone_scene({mesh, "--balls", balls, "--as-segments", "--merge"}).status, 2);
+  EXPECT_EQ(touchstone_scene({mesh, "--balls", balls, "--as-segments", "--method", "exact"}).status, 2);
+}
+
+TEST_F(SceneCommand, RefusesOtherBadFacesWhereItTakesSegments) {
+  const std::string mesh = write("mesh.obj", "v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nf 1 2 2\nf 1 2 3 4\n");
+  const std::string balls = write("balls", "0 0 1 1\n");
+  const Ran refused = touchstone_scene({mesh, "--balls", balls, "--as-segments"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("mesh.obj: line 6: face 1: "), std::string::npos) << refused.err;
+  const Ran skipped = touchstone_scene({mesh, "--balls", balls, "--as-segments", "--skip-bad"});
+  EXPECT_EQ(skipped.status, 0) << skipped.err;
+  EXPECT_EQ(lines_of(skipped).at(0)["touched"].size(), 1U);
+}
+
 // "Nothing is touched" would be a wrong answer about what the file was meant to hold.
 TEST_F(SceneCommand, RefusesAMeshWithoutAFaceWhateverIsAskedOfIt) {
   const std::string balls = write("balls.txt", "0 0 0 1\n");
