@@ -13,6 +13,7 @@
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/run/input.h"
 #include "experiments/run/json.h"
+#include "experiments/studies/scenes/array_of_balls.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/detail/text_number.h"
 
@@ -79,12 +80,11 @@ NamedBall from_text(std::string_view text, std::string id) {
     begin = end;
   }
   if (count != 4 && count != 7) throw Fault{fmt::format("expected four numbers, x y z r, or seven, found {}", count)};
-  const Ball ball{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
-  if (count == 4) return {std::move(id), ball};
-  return {std::move(id), Motion{ball, {numbers[4], numbers[5], numbers[6]}}};
+  return ball_of(std::span(numbers).first(count), std::move(id));
 }
 
 std::vector<NamedBall> read_balls(std::istream& stream, const std::string& name) {
+  if (begins_as_array(stream)) return read_array_of_balls(stream, name);
   std::vector<NamedBall> balls;
   std::string line;
   for (std::size_t lines = 1; std::getline(stream, line); ++lines) {
@@ -113,6 +113,12 @@ Vector3d between(const Vector3d& a, const Vector3d& b, double share) { return (1
 Vector3d in_cube(Random& random) { return {2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1}; }
 
 }  // namespace
+
+NamedBall ball_of(std::span<const double> numbers, std::string id) {
+  const Ball ball{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+  if (numbers.size() == 4) return {std::move(id), ball};
+  return {std::move(id), Motion{ball, {numbers[4], numbers[5], numbers[6]}}};
+}
 
 std::vector<NamedBall> read_balls(const std::string& file) {
   if (file == "-") {

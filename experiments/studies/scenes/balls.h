@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,10 @@ struct NamedBall {
   cases::Question question;
 };
 
-/// Reads one ball per line: `{"id":"a","ball":{"center":[x,y,z],"radius":r}}`, which moves if there is
+/// Returns the ball of four numbers, x y z r, or of seven, x y z r and the end of its way.
+[[nodiscard]] NamedBall ball_of(std::span<const double> numbers, std::string id);
+
+/// Reads an array (array_of_balls.h), or one ball per line: `{"id":"a","ball":{"center":[x,y,z],"radius":r}}`, which moves if there is
 /// `"motion":{"to":[x,y,z]}`, as in a case of the contract; or four numbers, x y z r, or seven, x y z r and the end of
 /// the way, separated by blanks, with `#` before a comment. Ignores other keys, so that a file of cases or of answers
 /// can be read. The id of a ball without one is the number of its line. Skips lines of white space; "-" is standard

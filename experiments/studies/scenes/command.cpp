@@ -256,7 +256,7 @@ Sums ask(run::CommandRun& run, const SceneOptions& options, const std::vector<Ob
          const scene::Scene& scene, const Order& order, const Source& source, Lines& lines) {
   const std::atomic<bool>& stop = run.stop();
   const cases::Method* const method = options.filtered() ? nullptr : &method_of(options);
-  const std::uint64_t leg = method == nullptr ? 4096 : 256;
+  const std::uint64_t leg = method != nullptr ? 256 : options.question() == Question::All ? 4096 : 65536;
   const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
   Sums sums;
   run::ProgressLine progress =
@@ -270,11 +270,10 @@ Sums ask(run::CommandRun& run, const SceneOptions& options, const std::vector<Ob
       answers = ask_every_face(*method, objects, order, part, stop,
                                [&](std::uint64_t done) { progress(begin / leg * blocks + done); });
     const std::size_t done = method == nullptr ? truths.size() : std::min(truths.size(), answers.size());
-    for (std::size_t i = 0; i < done; ++i) {
-      const BallAnswer& answer = method == nullptr ? truths[i] : answers[i];
-      if (method != nullptr) sums.differences.add(answers[i], truths[i], order.question);
-      lines.write(answer_line(part[i], answer, order, objects));
-    }
+    if (method != nullptr)
+      for (std::size_t i = 0; i < done; ++i) sums.differences.add(answers[i], truths[i], order.question);
+    const std::vector<BallAnswer>& told = method == nullptr ? truths : answers;
+    for (const std::string& line : answer_lines(part, std::span(told).first(done), order, objects)) lines.write(line);
     sums.balls += done;
     if (method == nullptr) progress(sums.balls);
   }
@@ -333,7 +332,7 @@ run::Command scenes_command() {
           "--balls", options->balls,
           "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a case, or "
           "the numbers x y z r; of a ball that moves also \"motion\":{\"to\":[x,y,z]}, or the three numbers of the end "
-          "of its way; # begins a comment; - is standard input")
+          "of its way; # begins a comment; or an array of such rows, as numpy.save writes it; - is standard input")
       .takes("FILE");
   command.whole("--samples", options->random, "The number of random balls, half of them near a face", 1,
                 run::kMostSamples);

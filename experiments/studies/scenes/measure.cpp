@@ -20,7 +20,7 @@ namespace {
 
 using scene::FaceId;
 
-constexpr std::uint64_t kBalls = 16, kFaces = 256;  // a block
+constexpr std::uint64_t kBalls = 4096, kMovingBalls = 16, kFaces = 256, kLines = 256;  // a block
 
 struct FaceBlock {
   std::uint32_t object, first, last;
@@ -138,47 +138,11 @@ Verdict face(const FaceOnWay& touched, const Order& order, const std::vector<Obj
   return keys;
 }
 
-void take(Object& object, scene::Faces faces) {
-  object.off_plane.resize(faces.triangles.size());
-  for (const Polygon& polygon : faces.polygons)
-    object.off_plane.push_back(filtered::answer(Ball{polygon.vertex(0), 0}, polygon).off_plane);
-  object.faces = std::move(faces);
-}
-
-}  // namespace
-
-Object object_of(workloads::NamedFile file, Taken taken) {
-  Object object{std::move(file.name), {}, {}, {}, {}, {}, 0};
-  const Mesh& mesh = file.content.mesh;
-  std::vector<mesh::RejectedFace> rejected;
-  if (taken == Taken::Merged) {
-    mesh::MergedMesh merged = mesh::merge_faces(mesh);
-    mesh::SceneFaces faces = mesh::scene_faces(mesh, merged);
-    for (const std::uint32_t number : faces.merged) object.numbers.push_back(merged.faces[number].faces);
-    take(object, std::move(faces.faces));
-    rejected = std::move(merged.rejected);
-  } else {
-    const bool as_segments = taken == Taken::AsSegments;
-    mesh::MeshFaces faces =
-        mesh::scene_faces(mesh, as_segments ? mesh::OnBadFace::AsSegmentsOrLeaveOut : mesh::OnBadFace::LeaveOut);
-    object.segments = std::move(faces.segments);
-    for (const std::uint32_t number : faces.numbers) object.numbers.push_back({number});
-    take(object, std::move(faces.faces));
-    rejected = std::move(faces.left_out);
-  }
-  object.faces_rejected = rejected.size();
-  for (const mesh::RejectedFace& face : std::span(rejected).first(std::min(rejected.size(), kMostSentences)))
-    object.rejected.push_back(workloads::sentence_of_face(file.file, file.content, face));
-  return object;
-}
-
-std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order, std::span<const NamedBall> balls,
-                                  const std::atomic<bool>& stop) {
-  std::vector<BallAnswer> answers(balls.size());
-  const auto ask = [&](std::size_t i) {
+/// Asks about each ball alone. None is asked for the nearest face if some move.
+void ask_each(const scene::Scene& scene, const Order& order, std::span<const NamedBall> balls,
+              std::span<BallAnswer> answers) {
+  for (std::size_t i = 0; i < balls.size(); ++i) {
     BallAnswer& answer = answers[i];
-    const Ball& ball = cases::ball_of(balls[i].question);
-    if (order.question == Question::Nearest) answer.nearest = scene.nearest(ball, order.objects);
     std::visit(
         [&](const auto& asked) {
           if (order.question == Question::All) answer.touched = scene.touched(asked, order.objects);
@@ -188,43 +152,30 @@ std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order,
     if (const auto* motion = std::get_if<Motion>(&balls[i].question); motion && order.question == Question::All)
       for (const auto& [face, first] : scene.touched_in_order(*motion, order.objects))
         answer.on_way.push_back({face, cases::PartialAnswer::of(first, 0, "")});
-  };
-  const std::uint64_t blocks = (balls.size() + kBalls - 1) / kBalls;
-  const std::uint64_t done = run::run_blocks(
-      blocks, order.threads, stop, [](std::uint64_t) {},
-      [&](unsigned, std::uint64_t block) {
-        for (std::uint64_t i = block * kBalls; i < std::min((block + 1) * kBalls, balls.size()); ++i) ask(i);
-      });
-  answers.resize(std::min(done * kBalls, balls.size()));
-  return answers;
+  }
 }
 
-std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order) {
-  return all_blocks(objects, order).size();
+/// The same for balls at places, which walk through the scene together.
+void ask_together(const scene::Scene& scene, const Order& order, std::span<const NamedBall> balls,
+                  std::span<BallAnswer> answers) {
+  std::vector<Ball> places;
+  places.reserve(balls.size());
+  for (const NamedBall& ball : balls) places.push_back(std::get<Ball>(ball.question));
+  if (order.question == Question::Nearest) {
+    const auto nearest = scene.nearest(places, order.objects);
+    for (std::size_t i = 0; i < balls.size(); ++i) answers[i].nearest = nearest[i];
+  } else if (order.question == Question::All) {
+    auto touched = scene.touched(places, order.objects);
+    for (std::size_t i = 0; i < balls.size(); ++i) answers[i].touched = std::move(touched[i]);
+  } else {
+    const std::unique_ptr<bool[]> touches(new bool[balls.size()]);
+    scene.touches(places, {touches.get(), balls.size()}, order.objects);
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      if (touches[i]) answers[i].touched.push_back({});
+  }
 }
 
-std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::vector<Object>& objects,
-                                       const Order& order, std::span<const NamedBall> balls,
-                                       const std::atomic<bool>& stop, const run::Progress& progress) {
-  const std::vector<FaceBlock> blocks = all_blocks(objects, order);
-  std::vector<std::unique_ptr<BlockAnswers>> parts(blocks.size());
-  const std::uint64_t done =
-      run::run_blocks(blocks.size(), order.threads, stop, progress, [&](unsigned, std::uint64_t number) {
-        const FaceBlock& block = blocks[number];
-        parts[number] = std::make_unique<BlockAnswers>(method, order, balls.size());
-        for (std::uint32_t face = block.first; face < block.last; ++face)
-          parts[number]->ask(face_of(objects[block.object].faces, face), {block.object, face}, balls);
-      });
-  if (done < blocks.size()) return {};
-  std::vector<BallAnswer> answers(balls.size());
-  for (const auto& part : parts)
-    for (std::size_t i = 0; i < balls.size(); ++i) add(answers[i], part->answers()[i], order.question);
-  for (BallAnswer& answer : answers)
-    std::ranges::stable_sort(answer.on_way, {},
-                             [](const FaceOnWay& touched) { return touched.first.time.value_or(0); });
-  return answers;
-}
-
+/// Returns a line of JSON without its end.
 std::string answer_line(const NamedBall& ball, const BallAnswer& answer, const Order& order,
                         const std::vector<Object>& objects) {
   Verdict line = Verdict::object();
@@ -265,6 +216,100 @@ std::string answer_line(const NamedBall& ball, const BallAnswer& answer, const O
     }
   }
   return cases::to_line(line);
+}
+
+void take(Object& object, scene::Faces faces) {
+  object.off_plane.resize(faces.triangles.size());
+  for (const Polygon& polygon : faces.polygons)
+    object.off_plane.push_back(filtered::answer(Ball{polygon.vertex(0), 0}, polygon).off_plane);
+  object.faces = std::move(faces);
+}
+
+}  // namespace
+
+Object object_of(workloads::NamedFile file, Taken taken) {
+  Object object{std::move(file.name), {}, {}, {}, {}, {}, 0};
+  const Mesh& mesh = file.content.mesh;
+  std::vector<mesh::RejectedFace> rejected;
+  if (taken == Taken::Merged) {
+    mesh::MergedMesh merged = mesh::merge_faces(mesh);
+    mesh::SceneFaces faces = mesh::scene_faces(mesh, merged);
+    for (const std::uint32_t number : faces.merged) object.numbers.push_back(merged.faces[number].faces);
+    take(object, std::move(faces.faces));
+    rejected = std::move(merged.rejected);
+  } else {
+    const bool as_segments = taken == Taken::AsSegments;
+    mesh::MeshFaces faces =
+        mesh::scene_faces(mesh, as_segments ? mesh::OnBadFace::AsSegmentsOrLeaveOut : mesh::OnBadFace::LeaveOut);
+    object.segments = std::move(faces.segments);
+    for (const std::uint32_t number : faces.numbers) object.numbers.push_back({number});
+    take(object, std::move(faces.faces));
+    rejected = std::move(faces.left_out);
+  }
+  object.faces_rejected = rejected.size();
+  for (const mesh::RejectedFace& face : std::span(rejected).first(std::min(rejected.size(), kMostSentences)))
+    object.rejected.push_back(workloads::sentence_of_face(file.file, file.content, face));
+  return object;
+}
+
+std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order, std::span<const NamedBall> balls,
+                                  const std::atomic<bool>& stop) {
+  std::vector<BallAnswer> answers(balls.size());
+  const bool some_move =
+      std::ranges::any_of(balls, [](const NamedBall& ball) { return std::holds_alternative<Motion>(ball.question); });
+  const std::uint64_t size = some_move ? kMovingBalls : kBalls, blocks = (balls.size() + size - 1) / size;
+  const std::uint64_t done = run::run_blocks(
+      blocks, order.threads, stop, [](std::uint64_t) {},
+      [&](unsigned, std::uint64_t block) {
+        const std::size_t first = block * size, count = std::min<std::size_t>(size, balls.size() - first);
+        const auto asked = balls.subspan(first, count);
+        const auto answered = std::span(answers).subspan(first, count);
+        if (some_move)
+          ask_each(scene, order, asked, answered);
+        else
+          ask_together(scene, order, asked, answered);
+      });
+  answers.resize(std::min(done * size, balls.size()));
+  return answers;
+}
+
+std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order) {
+  return all_blocks(objects, order).size();
+}
+
+std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::vector<Object>& objects,
+                                       const Order& order, std::span<const NamedBall> balls,
+                                       const std::atomic<bool>& stop, const run::Progress& progress) {
+  const std::vector<FaceBlock> blocks = all_blocks(objects, order);
+  std::vector<std::unique_ptr<BlockAnswers>> parts(blocks.size());
+  const std::uint64_t done =
+      run::run_blocks(blocks.size(), order.threads, stop, progress, [&](unsigned, std::uint64_t number) {
+        const FaceBlock& block = blocks[number];
+        parts[number] = std::make_unique<BlockAnswers>(method, order, balls.size());
+        for (std::uint32_t face = block.first; face < block.last; ++face)
+          parts[number]->ask(face_of(objects[block.object].faces, face), {block.object, face}, balls);
+      });
+  if (done < blocks.size()) return {};
+  std::vector<BallAnswer> answers(balls.size());
+  for (const auto& part : parts)
+    for (std::size_t i = 0; i < balls.size(); ++i) add(answers[i], part->answers()[i], order.question);
+  for (BallAnswer& answer : answers)
+    std::ranges::stable_sort(answer.on_way, {},
+                             [](const FaceOnWay& touched) { return touched.first.time.value_or(0); });
+  return answers;
+}
+
+std::vector<std::string> answer_lines(std::span<const NamedBall> balls, std::span<const BallAnswer> answers,
+                                      const Order& order, const std::vector<Object>& objects) {
+  std::vector<std::string> lines(answers.size());
+  const std::atomic<bool> never = false;
+  run::run_blocks((lines.size() + kLines - 1) / kLines, order.threads, never, [](std::uint64_t) {},
+                  [&](unsigned, std::uint64_t block) {
+                    for (std::size_t i = block * kLines; i < std::min<std::size_t>((block + 1) * kLines, lines.size());
+                         ++i)
+                      lines[i] = answer_line(balls[i], answers[i], order, objects);
+                  });
+  return lines;
 }
 
 void Differences::add(const BallAnswer& given, const BallAnswer& truth, Question question) {
