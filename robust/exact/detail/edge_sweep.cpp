@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/exact/detail/edge_sweep.h"
 
+#if !defined(TOUCHSTONE_BOOST_NUMBERS)
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>  // in no other file: it takes 4 s to compile
+#endif
 
 #include <algorithm>
 #include <cassert>
