@@ -10,10 +10,8 @@
 
 #include "../shapes/mesh.h"
 
-namespace touchstone {
-
 /// Mesh files: places in them, and messages about them.
-namespace io {
+namespace touchstone::io {
 
 /// A line of a text file (from 1) or a byte of a binary one (from 0).
 struct SourceLocation {
@@ -29,7 +27,9 @@ struct SourceLocation {
 /// Returns `arm.stl: line 12: reason`.
 [[nodiscard]] std::string sentence(const std::string& file, SourceLocation place, const std::string& reason);
 
-}  // namespace io
+}  // namespace touchstone::io
+
+namespace touchstone {
 
 /// The exception thrown for a mesh file that cannot be read. The message begins with the file and the line (text) or
 /// byte (binary), as in `arm.stl: line 12: expected three numbers after 'vertex', found 2`.
