@@ -69,7 +69,7 @@ std::string value_of(const std::string& header, const char* key, const char* pat
 
 Shape read_header(Bytes& bytes) {
   const std::string start = bytes.text(kMagic.size()), version = bytes.text(2);
-  if (start != kMagic) bytes.fail("this is no file of NPY, though its first byte is that of one");
+  if (start != kMagic) bytes.fail("this is not a file of NPY, though its first byte is that of one");
   if (version[0] < 1 || version[0] > 3) bytes.fail(fmt::format("version {} of NPY is not known", int{version[0]}));
   const std::uint64_t length = whole(bytes.text(version[0] == 1 ? 2 : 4));
   if (length > kLongestHeader) bytes.fail("the array's header is too long");
@@ -107,7 +107,7 @@ std::vector<NamedBall> read_array_of_balls(std::istream& stream, const std::stri
     if (fault) bytes.fail(fmt::format("row {}: {}", i, fault->message));
     balls.push_back(std::move(ball));
   }
-  if (!bytes.at_end()) bytes.fail("the file goes on after the array");
+  if (!bytes.at_end()) bytes.fail("the file continues after the array");
   return balls;
 }
 

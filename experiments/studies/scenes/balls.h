@@ -22,11 +22,11 @@ struct NamedBall {
 /// Returns the ball of four numbers, x y z r, or of seven, x y z r and the end of its way.
 [[nodiscard]] NamedBall ball_of(std::span<const double> numbers, std::string id);
 
-/// Reads an array (array_of_balls.h), or one ball per line: `{"id":"a","ball":{"center":[x,y,z],"radius":r}}`, which moves if there is
-/// `"motion":{"to":[x,y,z]}`, as in a case of the contract; or four numbers, x y z r, or seven, x y z r and the end of
-/// the way, separated by blanks, with `#` before a comment. Ignores other keys, so that a file of cases or of answers
-/// can be read. The id of a ball without one is the number of its line. Skips lines of white space; "-" is standard
-/// input.
+/// Reads an array (array_of_balls.h), or one ball per line: `{"id":"a","ball":{"center":[x,y,z],"radius":r}}`, which
+/// moves if there is `"motion":{"to":[x,y,z]}`, as in a case of the contract; or four numbers, x y z r, or seven,
+/// x y z r and the end of the way, separated by blanks, with `#` before a comment. Ignores other keys, so that a file
+/// of cases or of answers can be read. The id of a ball without one is the number of its line. Skips lines of white
+/// space; "-" is standard input.
 ///
 /// Throws std::runtime_error, which names file and line, for invalid input and for a ball that the contract rejects.
 [[nodiscard]] std::vector<NamedBall> read_balls(const std::string& file);

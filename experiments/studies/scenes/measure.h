@@ -74,11 +74,11 @@ struct Order {
 /// Returns the number of blocks of faces that ask_every_face processes for some balls, as its progress counts them.
 [[nodiscard]] std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order);
 
-/// Returns a line of JSON for each of the answers, which may be fewer than the balls: `id`, `ball` and `motion` as in a case of the contract, then the requested answer:
-/// `touches`, `touched` (object and face; of a ball that moves also the first contact) or `nearest` (object, face,
-/// feature, point and distance; null if there are no faces). Faces have the numbers of their mesh: `face` or, if they
-/// are merged, `faces`. A face that is not planar has `off_plane`; one that is taken as a segment has `corners`, which
-/// are the vertices of its degenerate triangle.
+/// Returns a line of JSON for each of the answers, which may be fewer than the balls: `id`, `ball` and `motion` as in a
+/// case of the contract, then the requested answer: `touches`, `touched` (object and face; of a ball that moves also
+/// the first contact) or `nearest` (object, face, feature, point and distance; null if there are no faces). Faces have
+/// the numbers of their mesh: `face` or, if they are merged, `faces`. A face that is not planar has `off_plane`; one
+/// that is taken as a segment has `corners`, which are the vertices of its degenerate triangle.
 [[nodiscard]] std::vector<std::string> answer_lines(std::span<const NamedBall> balls,
                                                     std::span<const BallAnswer> answers, const Order& order,
                                                     const std::vector<Object>& objects);

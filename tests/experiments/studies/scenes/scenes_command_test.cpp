@@ -266,7 +266,7 @@ TEST_F(SceneCommand, NamesTheRowOfAnArrayThatIsNoBall) {
   EXPECT_TRUE(fault(npy(two, std::vector<double>{0, 0, 0, -1, 0, 0, 0, 1})).starts_with("row 0: "));
   EXPECT_EQ(fault(npy(two, std::vector<double>{0, 0, 0, 1, 0, 0, 0})),
             "row 1: the file ends, but the array has 2 rows");
-  EXPECT_EQ(fault(npy(two, std::vector<double>(9, 1))), "the file goes on after the array");
+  EXPECT_EQ(fault(npy(two, std::vector<double>(9, 1))), "the file continues after the array");
   EXPECT_EQ(fault(npy(header_of("<f8", "(99999999999999999999, 4)"), std::vector<double>{})),
             "the array does not have the shape (n, 4), for x y z r, or (n, 7), with the end of a way");
   for (const std::string shape : {"(2, 3)", "(8,)", "(2, 4, 1)", "(47, 2)", "()"})
@@ -280,7 +280,7 @@ TEST_F(SceneCommand, NamesTheRowOfAnArrayThatIsNoBall) {
   EXPECT_EQ(fault("\x93NUM"), "the file ends within the array's header");
   EXPECT_EQ(fault(std::string("\x93NUMPY\7\0", 8) + "x"), "version 7 of NPY is not known");
   EXPECT_EQ(fault(std::string("\x93NUMPY\2\0\0\0\0\1", 12)), "the array's header is too long");
-  EXPECT_EQ(fault("\x93nothing"), "this is no file of NPY, though its first byte is that of one");
+  EXPECT_EQ(fault("\x93nothing"), "this is not a file of NPY, though its first byte is that of one");
 }
 
 TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
