@@ -153,11 +153,26 @@ py::tuple closest(const SharedScene& scene, const py::object& rows, const Object
   return py::make_tuple(points, distances);
 }
 
+std::vector<std::uint32_t> numbers_of(const scene::Scene& scene) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < scene.object_count(); ++i)
+    if (scene.has(i)) numbers.push_back(i);
+  return numbers;
+}
+
 std::vector<std::string> names_of(const SharedScene& scene) {
   return scene.ask([](const scene::Scene& held) {
     std::vector<std::string> names;
-    for (std::uint32_t i = 0; i < held.object_count(); ++i) names.push_back(held.name(i));
+    for (const std::uint32_t number : numbers_of(held)) names.push_back(held.name(number));
     return names;
+  });
+}
+
+void remove(SharedScene& scene, const ObjectKey& object) {
+  scene.change([&](HeldScene& held) {
+    const std::uint32_t number = number_of(held, object);
+    held.remove(number);
+    held.sources[number] = {};
   });
 }
 
@@ -271,7 +286,12 @@ void add_scene(py::module_& module) {
             return matrix_of(scene.ask([&](const scene::Scene& held) { return held.pose(number_of(held, object)); }));
           },
           py::arg("object"), "Returns the pose of an object, 4 x 4.")
+      .def("remove", remove, py::arg("object"),
+           "Removes an object, by number or name. Its number is not given again, and its name is free.")
       .def_property_readonly("names", names_of, "The names of the objects, in the order of their numbers.")
+      .def_property_readonly(
+          "numbers", [](const SharedScene& scene) { return scene.ask(numbers_of); },
+          "The numbers of the objects, ascending: from 0 on, without those that were removed.")
       .def(
           "face_count",
           [](const SharedScene& scene, const ObjectKey& object) {
@@ -299,13 +319,14 @@ void add_scene(py::module_& module) {
            "ValueError if there are no faces.")
       .def("__len__",
            [](const SharedScene& scene) {
-             return scene.ask([](const scene::Scene& held) { return held.object_count(); });
+             return scene.ask([](const scene::Scene& held) { return numbers_of(held).size(); });
            })
       .def("__repr__", [](const SharedScene& scene) {
         const auto [objects_held, faces] = scene.ask([](const scene::Scene& held) {
+          const std::vector<std::uint32_t> numbers = numbers_of(held);
           std::size_t count = 0;
-          for (std::uint32_t i = 0; i < held.object_count(); ++i) count += held.face_count(i);
-          return std::pair(held.object_count(), count);
+          for (const std::uint32_t number : numbers) count += held.face_count(number);
+          return std::pair(numbers.size(), count);
         });
         return "Scene(" + std::to_string(objects_held) + (objects_held == 1 ? " object, " : " objects, ") +
                std::to_string(faces) + (faces == 1 ? " face)" : " faces)");

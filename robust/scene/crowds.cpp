@@ -48,13 +48,19 @@ void sort_faces(std::span<const TouchedFace> faces, std::vector<FaceId>& sorted)
   std::sort(sorted.begin(), sorted.end());
 }
 
+/// Returns whether balls walk together. Among many objects each walks alone, to those near it.
+bool walk_together(std::size_t balls, std::size_t objects) {
+  constexpr std::size_t kMostObjects = 64;
+  return balls >= kFewestInCrowd && objects <= kMostObjects;
+}
+
 }  // namespace
 
 void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
   const FloatingPointState nearest;
   expect(objects);
   expect_equal_lengths("balls", balls.size(), "answers", answers.size());
-  if (balls.size() < kFewestInCrowd) {
+  if (!walk_together(balls.size(), count_of(objects))) {
     each_in_parallel(balls.size(), 1, [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
     return;
   }
@@ -75,7 +81,7 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
   const FloatingPointState nearest;
   expect(objects);
   std::vector<std::vector<FaceId>> answers(balls.size());
-  if (balls.size() < kFewestInCrowd) {
+  if (!walk_together(balls.size(), count_of(objects))) {
     each_in_parallel(balls.size(), 1, [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
     return answers;
   }
@@ -102,7 +108,7 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
 template <class OnlyOne, class Answer>
 void Scene::nearest_each(std::span<const Ball> balls, const Objects& objects, const OnlyOne& only_one,
                          const Answer& answer) const {
-  if (balls.size() < kFewestInCrowd) {
+  if (!walk_together(balls.size(), count_of(objects))) {
     each_in_parallel(balls.size(), 1, [&](std::size_t i) {
       NearestSearch search(required(balls[i]));
       search_nearest(search, objects);

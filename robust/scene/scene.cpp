@@ -30,19 +30,31 @@ Scene::Objects::Objects(std::vector<std::uint32_t> numbers) : some_(std::move(nu
   some_->erase(std::unique(some_->begin(), some_->end()), some_->end());
 }
 
-Scene::Scene() = default;
+bool Scene::Objects::has(std::uint32_t number) const { return !some_ || std::ranges::binary_search(*some_, number); }
+
+Scene::Scene() : index_(std::make_unique<Index>()) {}
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
 
 std::uint32_t Scene::add(std::string name, Faces faces, const Pose& pose) {
   const FloatingPointState nearest;
-  for (const auto& object : objects_)
-    if (object->name == name) throw std::invalid_argument("there is already an object \"" + name + "\"");
+  if (index_->numbers.contains(name)) throw std::invalid_argument("there is already an object \"" + name + "\"");
   auto object = std::make_unique<const Object>(std::move(name), std::move(faces));
   if (!(pose == Pose())) object = moved(*object, pose);
+  const auto number = static_cast<std::uint32_t>(objects_.size());
   objects_.push_back(std::move(object));
-  return static_cast<std::uint32_t>(objects_.size() - 1);
+  index_->numbers.emplace(objects_.back()->name, number);
+  index_->boxes.set(number, objects_.back()->box);
+  return number;
+}
+
+void Scene::remove(std::uint32_t object) {
+  const FloatingPointState nearest;
+  const Object& old = at(object);
+  index_->boxes.set(object, Box());
+  index_->numbers.erase(old.name);
+  objects_[object].reset();
 }
 
 std::unique_ptr<const Scene::Object> Scene::moved(const Object& object, const Pose& pose) {
@@ -55,17 +67,21 @@ std::unique_ptr<const Scene::Object> Scene::moved(const Object& object, const Po
 void Scene::set_pose(std::uint32_t object, const Pose& pose) {
   const FloatingPointState nearest;
   const Object& before = at(object);
-  objects_[object] = moved(before, pose);
+  std::unique_ptr<const Object> after = moved(before, pose);
+  index_->boxes.set(object, after->box);
+  objects_[object] = std::move(after);
 }
 
 const Scene::Object& Scene::at(std::uint32_t number) const {
-  if (number < objects_.size()) return *objects_[number];
+  if (has(number)) return *objects_[number];
+  if (number < objects_.size()) throw std::out_of_range("object " + std::to_string(number) + " was removed");
   throw std::out_of_range("there is no object " + std::to_string(number) + ": the scene has " +
                           std::to_string(objects_.size()));
 }
 
 void Scene::expect(const Objects& objects) const {
-  if (objects.some_ && !objects.some_->empty()) (void)at(objects.some_->back());  // the largest
+  if (!objects.some_) return;
+  for (const std::uint32_t number : *objects.some_) (void)at(number);
 }
 
 const TriangleSet& Scene::triangles(std::uint32_t object) const { return at(object).triangles; }
@@ -75,8 +91,7 @@ const Pose& Scene::pose(std::uint32_t object) const { return at(object).pose; }
 const std::string& Scene::name(std::uint32_t object) const { return at(object).name; }
 
 std::uint32_t Scene::find(std::string_view name) const {
-  for (std::uint32_t i = 0; i < objects_.size(); ++i)
-    if (objects_[i]->name == name) return i;
+  if (const auto found = index_->numbers.find(name); found != index_->numbers.end()) return found->second;
   throw std::invalid_argument("there is no object \"" + std::string(name) + "\"");
 }
 
@@ -91,7 +106,7 @@ template <class Query>
 bool Scene::touches_any(const Query& query, const Objects& objects) const {
   const FloatingPointState nearest;
   const auto& walks = walks_for(query);
-  return any_of(objects, [&](std::uint32_t, const Object& object) {
+  return any_near(query, objects, [&](std::uint32_t, const Object& object) {
     return (object.has_triangles() && walks.touches_triangle(query, object.triangles)) ||
            (object.has_polygons() && walks.touches_polygon(query, object.polygons));
   });
@@ -102,7 +117,7 @@ std::vector<FaceId> Scene::all_touched(const Query& query, const Objects& object
   const FloatingPointState nearest;
   const auto& walks = walks_for(query);
   std::vector<FaceId> result;
-  any_of(objects, [&](std::uint32_t number, const Object& object) {
+  any_near(query, objects, [&](std::uint32_t number, const Object& object) {
     if (object.has_triangles()) walks.touched_triangles(query, object.triangles, object.first_triangle(number), result);
     if (object.has_polygons()) walks.touched_polygons(query, object.polygons, object.first_polygon(number), result);
     return false;
@@ -120,12 +135,21 @@ std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) con
   expect(objects);
   return all_touched(required(ball), objects);
 }
+void Scene::search_nearest(NearestSearch& search, std::uint32_t number, const Object& object) {
+  search.enter(object.first_triangle(number));
+  fastest_walks().nearest_triangle(object.triangles, search);
+  search.enter(object.first_polygon(number));
+  fastest_walks().nearest_polygon(object.polygons, search);
+}
 void Scene::search_nearest(NearestSearch& search, const Objects& objects) const {
-  any_of(objects, [&](std::uint32_t number, const Object& object) {
-    search.enter(object.first_triangle(number));
-    fastest_walks().nearest_triangle(object.triangles, search);
-    search.enter(object.first_polygon(number));
-    fastest_walks().nearest_polygon(object.polygons, search);
+  std::optional<std::uint32_t> first;
+  if (count_of(objects) >=
+      kFewestByBox) {  // a guess, with which the ball shrinks before the boxes that it meets are found
+    first = index_->boxes.nearest(search.ball().center, [&](std::uint32_t number) { return objects.has(number); });
+    if (first) search_nearest(search, *first, *objects_[*first]);
+  }
+  any_near(search.ball(), objects, [&](std::uint32_t number, const Object& object) {
+    if (number != first) search_nearest(search, number, object);
     return false;
   });
   if (search.has_shrunk()) return;
@@ -168,9 +192,9 @@ std::vector<FaceId> Scene::touched(const Motion& motion, const Objects& objects)
   return all_touched(motion, objects);
 }
 template <class Search>
-void Scene::search_on_way(Search& search, const Objects& objects) const {
+void Scene::search_on_way(Search& search, const Motion& motion, const Objects& objects) const {
   expect(objects);
-  any_of(objects, [&](std::uint32_t number, const Object& object) {
+  any_near(motion, objects, [&](std::uint32_t number, const Object& object) {
     if (object.has_triangles()) {
       search.enter(object.first_triangle(number));
       fastest_walks().first_triangle(object.triangles, search);
@@ -185,13 +209,13 @@ void Scene::search_on_way(Search& search, const Objects& objects) const {
 std::vector<FirstFace> Scene::touched_in_order(const Motion& motion, const Objects& objects) const {
   const FloatingPointState nearest;
   FirstContactSearch search(required(motion), FirstContactSearch::Wanted::All);
-  search_on_way(search, objects);
+  search_on_way(search, motion, objects);
   return search.all_in_order();
 }
 std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Objects& objects) const {
   const FloatingPointState nearest;
   FirstContactSearch search(required(motion));
-  search_on_way(search, objects);
+  search_on_way(search, motion, objects);
   return search.first();
 }
 

@@ -19,6 +19,12 @@
 #include "../../geometry/shapes/pose.h"
 #include "../../geometry/shapes/triangle.h"
 
+/// The parts that the library alone uses.
+namespace touchstone::scene::detail {
+class NearestSearch;
+struct TriangleSet;
+}  // namespace touchstone::scene::detail
+
 /// Exact contact with many faces under poses. The cost of a query grows with the number of faces near the ball.
 ///
 /// Guarantees, for every ball that `find_fault` accepts and faces that `exact::validate` accepts, or degenerate
@@ -34,11 +40,6 @@
 ///  (4) answers depend on the current poses only: an object that is moved and moved back answers as before;
 ///  (5) the caller's rounding mode, flush-to-zero setting and INVALID, OVERFLOW and DIVBYZERO flags are left as found.
 namespace touchstone::scene {
-
-namespace detail {
-class NearestSearch;
-struct TriangleSet;
-}  // namespace detail
 
 /// The faces of an object, numbered together from 0: first the triangles, then the polygons.
 struct Faces {
@@ -74,8 +75,9 @@ struct FirstFace {
   FirstContact contact;  ///< the first contact with that face: Start or Way
 };
 
-/// A set of named objects, each under a pose. Several threads may query a scene at once, while no object is added or
-/// moved.
+/// A set of named objects, each under a pose. Several threads may query a scene at once, while no object is added,
+/// moved or removed. A query comes only to objects whose boxes it meets. The time to find them grows with the logarithm
+/// of the number of objects, and so do those to add, move and remove one, unless many boxes overlap.
 class Scene {
  public:
   Scene();  ///< makes a scene without objects
@@ -95,6 +97,10 @@ class Scene {
   /// the triangles lie so that leaves hold few.
   std::uint32_t add(std::string name, Faces faces, const Pose& pose = {});
 
+  /// Removes an object. Its number is not given again, and its name is free. Throws std::out_of_range if there is no
+  /// object with this number. Cost: that of freeing its memory.
+  void remove(std::uint32_t object);
+
   /// Sets the pose of an object. Its vertices are computed from those that were added, not from their current
   /// positions, so errors do not accumulate. Triangles are posed only when a ball comes so near that their exact
   /// positions matter, if R is within 2^-20 of a multiple of a rotation or reflection, and if a bound shows that
@@ -103,15 +109,18 @@ class Scene {
   ///
   /// Throws std::out_of_range if there is no object with this number; Rejected, naming the object, if the pose is not
   /// finite (`not-finite`) or if exact::validate rejects the posed vertices of a face (the lowest such face). The
-  /// object then keeps its pose. Cost: about 0.3 us for any number of triangles that need not be posed; for others
-  /// about 0.4 us per triangle, or 1.2 us if they need a new hierarchy; 1.2 us per vertex of a polygon. All but the
-  /// refitting of hierarchies is divided among all cores. Memory: as much again while all are posed.
+  /// object then keeps its pose. Cost: about 1 us for any number of triangles that need not be posed, and up to 6 us
+  /// among 10,000 objects; for others about 0.4 us per triangle, or 1.2 us if they need a new hierarchy; 1.2 us per
+  /// vertex of a polygon. All but the refitting of hierarchies is divided among all cores. Memory: as much again while
+  /// all are posed.
   void set_pose(std::uint32_t object, const Pose& pose);
   /// Returns the pose of an object. Throws std::out_of_range, as above.
   [[nodiscard]] const Pose& pose(std::uint32_t object) const;
 
-  /// Returns the number of objects.
+  /// Returns how many objects were added: their numbers are below this.
   [[nodiscard]] std::size_t object_count() const { return objects_.size(); }
+  /// Returns whether there is an object with this number, which was not removed.
+  [[nodiscard]] bool has(std::uint32_t object) const { return object < objects_.size() && objects_[object] != nullptr; }
   /// Returns the name under which an object was added. Throws std::out_of_range, as above.
   [[nodiscard]] const std::string& name(std::uint32_t object) const;
   /// Returns the number of the object with this name. Throws std::invalid_argument if no object has it.
@@ -132,6 +141,8 @@ class Scene {
 
    private:
     friend class Scene;
+    [[nodiscard]] bool has(std::uint32_t number) const;
+
     std::optional<std::vector<std::uint32_t>> some_;
   };
 
@@ -186,6 +197,7 @@ class Scene {
  private:
   friend class Solid;
   struct Object;
+  struct Index;
 
   /// Throws std::out_of_range, as above.
   [[nodiscard]] const Object& at(std::uint32_t number) const;
@@ -199,12 +211,21 @@ class Scene {
   /// Calls f(number, object) for each of these, ascending. Stops if it returns true, and returns whether it did.
   template <class F>
   bool any_of(const Objects& objects, const F& f) const;
+  /// The same for those of these whose faces the ball or the motion may touch, and perhaps for others.
+  template <class Query, class F>
+  bool any_near(const Query& query, const Objects& objects, const F& f) const;
+  /// Returns how many these are, or more.
+  [[nodiscard]] std::size_t count_of(const Objects& objects) const {
+    return objects.some_ ? objects.some_->size() : objects_.size();
+  }
 
   // Contact with a ball or a motion.
   template <class Query>
   bool touches_any(const Query& query, const Objects& objects) const;
   template <class Query>
   std::vector<FaceId> all_touched(const Query& query, const Objects& objects) const;
+  /// Passes to the search the faces of an object that may be nearest.
+  static void search_nearest(detail::NearestSearch& search, std::uint32_t number, const Object& object);
   /// Passes to the search all faces that may be nearest.
   void search_nearest(detail::NearestSearch& search, const Objects& objects) const;
   /// Calls answer(i, search) for each ball i, with a search that has met all faces that may be nearest; where that is a
@@ -214,13 +235,14 @@ class Scene {
                     const Answer& answer) const;
   /// Passes to the search for first contacts the faces that it wants.
   template <class Search>
-  void search_on_way(Search& search, const Objects& objects) const;
+  void search_on_way(Search& search, const Motion& motion, const Objects& objects) const;
   // The queries for many motions.
   template <class Answer>
   std::vector<Answer> answers_to(std::span<const Motion> motions, const Objects& objects,
                                  Answer (Scene::*answer)(const Motion&, const Objects&) const) const;
 
-  std::vector<std::unique_ptr<const Object>> objects_;
+  std::vector<std::unique_ptr<const Object>> objects_;  ///< null where one was removed
+  std::unique_ptr<Index> index_;
 };
 
 }  // namespace touchstone::scene

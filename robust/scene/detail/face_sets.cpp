@@ -11,6 +11,7 @@
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/parts_in_parallel.h"
 #include "robust/scene/detail/lifted_box.h"
+#include "robust/scene/detail/object_boxes.h"
 #include "robust/scene/detail/own_frame.h"
 #include "robust/scene/posing.h"
 
@@ -65,6 +66,12 @@ void expect_valid(const std::vector<Triangle>& triangles, Degenerate degenerate)
   for_each_face(triangles.size(), number, [&](std::size_t i) { scene::expect_valid(triangles[i], degenerate); });
 }
 
+Box joined(const std::vector<Box>& boxes) {
+  Box all;
+  for (const Box& box : boxes) all = all.joined(box);
+  return all;
+}
+
 std::vector<Box> boxes_of(const std::vector<Triangle>& triangles) {
   std::vector<Box> boxes(triangles.size());
   each_in_parallel(triangles.size(), 4096, [&](std::size_t i) { boxes[i] = box(triangles[i]); });
@@ -112,7 +119,7 @@ PlacedTriangles posed(const PlacedTriangles& model, const Pose& pose, Degenerate
   BoxTree tree = model.tree;
   tree.refit(boxes);
   if (tree.growth() > kMostGrowth) tree = BoxTree(boxes);
-  return {std::move(tree), by_number};
+  return {std::move(tree), boxes, by_number};
 }
 
 std::vector<Polygon> posed(const std::vector<Polygon>& model, const Pose& pose) {
@@ -135,8 +142,8 @@ std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const LazyPrepar
 
 }  // namespace
 
-PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_number)
-    : tree(std::move(tree_)), triangles(by_number, tree.order()), groups(tree.leaf_count()) {
+PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Box>& boxes, const std::vector<Triangle>& by_number)
+    : tree(std::move(tree_)), box(joined(boxes)), triangles(by_number, tree.order()), groups(tree.leaf_count()) {
   each_in_parallel(groups.size(), 256, [&](std::size_t i) {
     std::array<Triangle, BoxTree::kMostInLeaf> leaf;
     std::size_t count = 0;
@@ -151,7 +158,8 @@ PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_
 TriangleSet::TriangleSet(const std::vector<Triangle>& by_number, Degenerate degenerate_) : degenerate(degenerate_) {
   const FloatingPointState nearest;
   expect_valid(by_number, degenerate);
-  model = std::make_shared<const PlacedTriangles>(BoxTree(boxes_of(by_number)), by_number);
+  const std::vector<Box> boxes = boxes_of(by_number);
+  model = std::make_shared<const PlacedTriangles>(BoxTree(boxes), boxes, by_number);
   placed = model;
   const Lengths lengths = lengths_of(by_number);
   reach = lengths.reach;
@@ -170,6 +178,8 @@ TriangleSet::TriangleSet(const TriangleSet& other, const Pose& pose)
   if (!frame) placed = std::make_shared<const PlacedTriangles>(posed(*model, pose, degenerate));
 }
 
+Box TriangleSet::box() const { return frame ? posed(frame->pose(), placed->box) : placed->box; }
+
 Triangle TriangleSet::triangle(std::uint32_t place) const {
   const Triangle triangle = placed->triangles[place].copy();
   return frame ? posed_vertices(frame->pose(), triangle) : triangle;
@@ -184,7 +194,11 @@ std::size_t TriangleSet::memory() const {
 }
 
 PolygonSet::PolygonSet(std::vector<Polygon> by_number)
-    : polygons(std::move(by_number)), prepared(polygons), tree(boxes_of(polygons, prepared)) {}
+    : polygons(std::move(by_number)), prepared(polygons), tree(std::span<const Box>()) {
+  const std::vector<Box> boxes = boxes_of(polygons, prepared);
+  tree = BoxTree(boxes);
+  box = joined(boxes);
+}
 
 PolygonSet::PolygonSet(const PolygonSet& other, const Pose& pose)
     : polygons(posed(other.model ? *other.model : other.polygons, pose)), prepared(polygons), tree(other.tree) {
@@ -194,6 +208,7 @@ PolygonSet::PolygonSet(const PolygonSet& other, const Pose& pose)
   const FloatingPointState nearest;
   tree.refit(boxes);
   if (tree.growth() > kMostGrowth) tree = BoxTree(boxes);
+  box = joined(boxes);
 }
 
 }  // namespace touchstone::scene::detail

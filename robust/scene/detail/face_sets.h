@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/bvh/box.h"
 #include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/pose.h"
@@ -44,10 +45,11 @@ class LazyPreparedPolygons {
 
 /// Triangles in the order of their tree's leaves, and each leaf as a group that floats decide together.
 struct PlacedTriangles {
-  /// Requires valid triangles.
-  PlacedTriangles(BoxTree tree, const std::vector<Triangle>& by_number);
+  /// Requires valid triangles, and their boxes.
+  PlacedTriangles(BoxTree tree, const std::vector<Box>& boxes, const std::vector<Triangle>& by_number);
 
   BoxTree tree;
+  Box box;                                              ///< of all triangles
   TrianglesOfSharedVertices triangles;                  ///< by place in tree.order()
   std::vector<filtered::detail::TriangleGroup> groups;  ///< by leaf of the tree
 };
@@ -67,6 +69,8 @@ struct TriangleSet {
   TriangleSet(const TriangleSet& other, const Pose& pose);
 
   [[nodiscard]] std::size_t memory() const;
+  /// Returns a box that contains all triangles under the pose. Requires round to nearest, without flush-to-zero.
+  [[nodiscard]] Box box() const;
   [[nodiscard]] std::size_t size() const { return model->tree.size(); }
   /// Returns a length such that no vertex of `placed` is farther from the origin; infinite if all triangles were posed.
   [[nodiscard]] double reach_of_placed() const {
@@ -95,6 +99,7 @@ struct PolygonSet {
   std::shared_ptr<const std::vector<Polygon>> model;  ///< the polygons before posing; null if the pose is the identity
   LazyPreparedPolygons prepared;
   BoxTree tree;
+  Box box;  ///< of all polygons, lifted
 };
 
 /// Thrown for a face that is invalid under a pose.

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <utility>
 
 #include "geometry/contact/answer.h"
 #include "robust/scene/detail/face_sets.h"
+#include "robust/scene/detail/object_boxes.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::scene {
 namespace detail {
+
+/// Fewer objects than this are asked one by one, whatever their boxes.
+inline constexpr std::size_t kFewestByBox = 16;
 
 /// Returns make(). If that throws FaceRejected, throws Rejected for the face of the object; its set starts at face
 /// `first`.
@@ -33,12 +40,14 @@ struct Scene::Object {
   Object(std::string name_, Faces faces)
       : name(std::move(name_)),
         triangles(detail::made(name, 0, [&] { return detail::TriangleSet(faces.triangles, faces.degenerate); })),
-        polygons(detail::made(name, triangle_count(), [&] { return detail::PolygonSet(std::move(faces.polygons)); })) {}
+        polygons(detail::made(name, triangle_count(), [&] { return detail::PolygonSet(std::move(faces.polygons)); })),
+        box(triangles.box().joined(polygons.box)) {}
   Object(const Object& other, const Pose& pose_)
       : name(other.name),
         pose(pose_),
         triangles(detail::made(name, 0, [&] { return detail::TriangleSet(other.triangles, pose); })),
-        polygons(detail::made(name, triangle_count(), [&] { return detail::PolygonSet(other.polygons, pose); })) {}
+        polygons(detail::made(name, triangle_count(), [&] { return detail::PolygonSet(other.polygons, pose); })),
+        box(triangles.box().joined(polygons.box)) {}
 
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size()); }
 
@@ -51,18 +60,29 @@ struct Scene::Object {
   Pose pose;
   detail::TriangleSet triangles;
   detail::PolygonSet polygons;
+  Box box;  ///< of all faces
+};
+
+/// The objects of a scene by name and by place.
+struct Scene::Index {
+  std::map<std::string, std::uint32_t, std::less<>> numbers;
+  detail::ObjectBoxes boxes;
 };
 
 template <class F>
 bool Scene::any_of(const Objects& objects, const F& f) const {
-  if (objects.some_) {
-    for (const std::uint32_t number : *objects.some_)
-      if (f(number, *objects_[number])) return true;
-    return false;
-  }
+  const auto ask = [&](std::uint32_t number) { return objects_[number] != nullptr && f(number, *objects_[number]); };
+  if (objects.some_) return std::ranges::any_of(*objects.some_, ask);
   for (std::uint32_t number = 0; number < objects_.size(); ++number)
-    if (f(number, *objects_[number])) return true;
+    if (ask(number)) return true;
   return false;
+}
+
+template <class Query, class F>
+bool Scene::any_near(const Query& query, const Objects& objects, const F& f) const {
+  if (count_of(objects) < detail::kFewestByBox) return any_of(objects, f);
+  return std::ranges::any_of(index_->boxes.meeting(detail::box_around(query)),
+                             [&](std::uint32_t number) { return objects.has(number) && f(number, *objects_[number]); });
 }
 
 }  // namespace touchstone::scene

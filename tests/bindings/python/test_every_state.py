@@ -106,7 +106,7 @@ class EveryState(unittest.TestCase):
     def test_changes_no_answer_about_many_faces(self):
         attributes = {kind: {name for name in dir(kind) if name[0] != "_"} for kind in (touchstone.TriangleSet, touchstone.Scene, touchstone.Solid)}
         self.assertEqual(attributes, {touchstone.TriangleSet: {"contact", "any_contact", "triangles_hit", "triangles"},
-                                      touchstone.Scene: {"add", "set_pose", "pose", "names", "face_count", "face_numbers", "left_out",
+                                      touchstone.Scene: {"add", "remove", "set_pose", "pose", "names", "numbers", "face_count", "face_numbers", "left_out",
                                                          "segments", "touches", "touched", "touched_in_order", "first_contact", "nearest",
                                                          "closest"},
                                       touchstone.Solid: {"locate", "touches", "signed_distance"}})

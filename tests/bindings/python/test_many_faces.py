@@ -385,6 +385,15 @@ class Scenes(unittest.TestCase):
         self.assertEqual((first.face, first.contact.feature), (3, {"kind": "edge", "index": 0}))
         self.scene.set_pose("part", TURN)
         self.assertTrue(self.scene.touches(posed(np.array([[[3, 0, 1]] * 3]), TURN)[0, 0].tolist() + [1e-9], ["part"]))
+        self.scene.remove("cube")
+        self.assertNotIn("cube", self.scene.names)
+        self.assertNotIn(0, self.scene.numbers)
+        self.assertEqual(len(self.scene), len(self.scene.numbers))
+        self.assertEqual(self.scene.nearest([9, 9, 9, 1], ["part"]).object, 2)
+        with self.assertRaisesRegex(ValueError, "cube"):
+            self.scene.remove("cube")
+        with self.assertRaises(IndexError):
+            self.scene.pose(0)
         triangles = np.array([facet for facet in corners if len(facet) == 3], dtype=float)
         with self.assertRaises(touchstone.Rejected):
             touchstone.TriangleSet(triangles)

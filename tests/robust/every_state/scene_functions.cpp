@@ -104,6 +104,14 @@ std::vector<PublicFunction> static_functions() {
               }
               return described(scene, in);
             }),
+      gives("scene::Scene::remove",
+            [](const Input& in) {
+              const auto scene = std::make_shared<Scene>();
+              for (int i = 0; i < 20; ++i) scene->add(std::to_string(i), faces_of(in));  // enough to be found by boxes
+              scene->set_pose(7, in.pose);
+              scene->remove(3);
+              return described(scene, in);
+            }),
       hands_on("scene::Scene::pose", of_scene([](const Scene& scene, const Input&) {
                  return scene.pose(static_cast<std::uint32_t>(scene.object_count() - 1));
                })),
