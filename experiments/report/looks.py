@@ -63,6 +63,7 @@ LOOKS = {
 # Libraries and structures that `touchstone bench-scenes` times.
 LIBRARIES = {
     "Scene": LOOKS["filtered"],
+    "Scene of objects": Look("certified", LOOKS["filtered"].colour, "--", "s"),
     "Scene, all together": Look("certified", LOOKS["filtered"].colour, ":", "o"),
     "Uniform grid": Look("structures", BLUE, "-", "s"),
     "Octree": Look("structures", SKY, "--", "^"),

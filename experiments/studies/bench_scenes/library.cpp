@@ -13,7 +13,7 @@
 namespace touchstone::bench_scenes {
 
 std::vector<Library> all_libraries() {
-  std::vector<Library> libraries{touchstone_library()};
+  std::vector<Library> libraries{touchstone_library(), touchstone_library_of_objects()};
 #ifdef TOUCHSTONE_EMBREE
   libraries.push_back(methods::embree_library());
 #endif
@@ -47,21 +47,25 @@ std::vector<std::string> absent_libraries() {
 
 namespace {
 
+/// Objects of up to that many triangles, in the order of the mesh.
 class ExactScene : public BuiltScene {
  public:
-  explicit ExactScene(std::span<const Triangle> triangles) {
-    scene_.add("scene", {.triangles = {triangles.begin(), triangles.end()}, .polygons = {}});
+  ExactScene(std::span<const Triangle> triangles, std::size_t of_object) : of_object_(of_object) {
+    for (std::size_t first = 0; first < triangles.size(); first += of_object) {
+      const auto own = triangles.subspan(first, std::min(of_object, triangles.size() - first));
+      scene_.add(std::to_string(first), {.triangles = {own.begin(), own.end()}, .polygons = {}});
+    }
   }
 
   [[nodiscard]] bool any(const Ball& ball) const override { return scene_.touches(ball); }
 
   void all(const Ball& ball, std::vector<std::uint32_t>& triangles) const override {
     triangles.clear();
-    for (const scene::FaceId& id : scene_.touched(ball)) triangles.push_back(id.face);
+    for (const scene::FaceId& id : scene_.touched(ball)) triangles.push_back(number(id));
   }
 
   [[nodiscard]] std::uint32_t nearest(const Eigen::Vector3d& center) const override {
-    return scene_.nearest_face(center)->face;
+    return number(*scene_.nearest_face(center));
   }
 
   [[nodiscard]] std::optional<double> first_contact(const Motion& motion) const override {
@@ -69,9 +73,16 @@ class ExactScene : public BuiltScene {
     return first ? std::optional(first->contact.time) : std::nullopt;
   }
 
-  [[nodiscard]] const scene::Scene* own_scene() const override { return &scene_; }
+  [[nodiscard]] const scene::Scene* own_scene() const override {
+    return scene_.object_count() == 1 ? &scene_ : nullptr;
+  }
 
  private:
+  [[nodiscard]] std::uint32_t number(const scene::FaceId& id) const {
+    return static_cast<std::uint32_t>(id.object * of_object_ + id.face);
+  }
+
+  std::size_t of_object_;
   scene::Scene scene_;
 };
 
@@ -79,9 +90,14 @@ class ExactScene : public BuiltScene {
 
 Library touchstone_library() {
   return {.name = "Scene",
-          .build = [](const Mesh& mesh) { return std::make_unique<ExactScene>(mesh.triangles); },
+          .build = [](const Mesh& mesh) { return std::make_unique<ExactScene>(mesh.triangles, mesh.triangles.size()); },
           .exact = true,
           .knows_motions = true};
+}
+Library touchstone_library_of_objects() {
+  static constexpr std::size_t kOfObject = 100;
+  return {.name = kObjects,
+          .build = [](const Mesh& mesh) { return std::make_unique<ExactScene>(mesh.triangles, kOfObject); }};
 }
 
 namespace {

@@ -22,6 +22,9 @@ using methods::Mesh;
 
 // One a file. Where a library answers by boxes alone, the triangles are asked by `fast::contact`, plain doubles.
 [[nodiscard]] Library touchstone_library();
+/// The same triangles in a scene of objects of 100 each.
+[[nodiscard]] Library touchstone_library_of_objects();
+inline constexpr const char* kObjects = "Scene of objects";
 [[nodiscard]] Library boost_rtree_library();
 [[nodiscard]] Library cgal_aabb_tree_library();
 // What textbooks name (broad_phases/): conservative candidates, then `fast::contact`; they do not know `nearest`.

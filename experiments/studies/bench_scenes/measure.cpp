@@ -172,7 +172,8 @@ timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>
             return true;
           });
     } else {
-      candidate.comparison = {exact.library->name, std::nullopt};
+      candidate.comparison = {exact.library->name,
+                              b.library->name == kObjects ? std::optional(kObjectsGoal) : std::nullopt};
       candidate.count_wrong = counting([asking, one = b.scene](std::size_t i) { return asking->wrong(*one, i); });
     }
     benchmark.candidates.push_back(std::move(candidate));

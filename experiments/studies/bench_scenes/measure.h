@@ -160,6 +160,9 @@ inline constexpr timing::Goal kBuildGoal{0.5}, kMemoryGoal{64};
 /// The goal for the time of the exact scene, relative to that of Embree, in every row.
 inline constexpr timing::Goal kQueryGoal{0.7};
 
+/// The goal for a scene of objects, relative to the exact one.
+inline constexpr timing::Goal kObjectsGoal{2};
+
 /// Builds the scene with every library, keeps all of them, and queries them in turn, contest by contest; passes each
 /// contest to `keep`. An answer is wrong if it differs from the exact library's; an answer of the exact library, for
 /// the first balls, if it differs from brute force. Then measures moving balls, and poses, with the balls near the

@@ -228,11 +228,12 @@ Times and ratios: medians of the repetitions, +- half the distance of the quarti
 times in the same repetition.
 Balls: near, within two radii along each axis of a random point of a random triangle; anywhere in the scene's box;
 touching, as near, but with the double that is nearest to the exact distance as the radius.
+Scene of objects: the same triangles, each hundred an object of its own.
 Embree and the R-tree find boxes; fast, careful plain doubles, then tests the triangles, and Ericson's closest point
 decides which is nearest. Embree is asked by rtcPointQuery, about each ball alone; it can be asked about 4, 8 or 16 at
-once. Together: one call asks Scene about 64, 1024 or all balls, on one core; two cores: about all. Answers that differ from
-those about single balls are wrong. CGAL, FCL and Bullet use their own tests; CGAL (EPICK) takes the ball as its surface, Bullet does not support
-nearest.
+once. Together: one call asks Scene about 64, 1024 or all balls, on one core; two cores: about all. Answers that differ
+from those about single balls are wrong. CGAL, FCL and Bullet use their own tests; CGAL (EPICK) takes the ball as its
+surface, Bullet does not support nearest.
 Wrong: answers that differ from those of Scene; for Scene, from exact, asked triangle by triangle. A nearest triangle is
 right if its distance, correctly rounded, is the least. These checks are not timed.
 Memory: as allocated by malloc or, for Embree, as it reports itself, with its copy of the vertices in floats; the given

@@ -373,7 +373,7 @@ class Uninitialised(unittest.TestCase):
         self.assertEqual(classes, {type(whole) for whole in wholes})
         arguments = {"contact": [[0, 0, 1, 1]], "any_contact": [[0, 0, 1, 1]], "triangles_hit": [[0, 0, 1, 1]], "pose": [0],
                      "touches": [[0, 0, 1, 1]], "touched": [[0, 0, 1, 1]], "first_contact": [[0, 0, 1, 1, 0, 0, 0]], "touched_in_order": [[0, 0, 1, 1, 0, 0, 0]], "nearest": [[0, 0, 1, 1]], "closest": [[0, 0, 1, 1]],
-                     "add": ["square", touchstone.Polygon(SQUARE)], "set_pose": [0, None], "face_count": [0],
+                     "add": ["square", touchstone.Polygon(SQUARE)], "remove": [0], "set_pose": [0, None], "face_count": [0],
                      "face_numbers": [0], "left_out": [0], "segments": [0], "verdict": [], "locate": [[0, 0, 1]], "signed_distance": [[0, 0, 1]]}
         for whole in wholes:
             kind = type(whole)
