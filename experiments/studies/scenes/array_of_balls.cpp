@@ -18,7 +18,7 @@ namespace touchstone::scenes {
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr std::uint64_t kLongestHeader = 1 << 16;
+constexpr std::uint64_t kLongestHeader = 4096;  // of an array of numbers: std::regex descends once a character
 
 /// Bytes of a stream, and what is wrong where they are not those that are expected.
 class Bytes {
@@ -70,11 +70,13 @@ std::string value_of(const std::string& header, const char* key, const char* pat
 Shape read_header(Bytes& bytes) {
   const std::string start = bytes.text(kMagic.size()), version = bytes.text(2);
   if (start != kMagic) bytes.fail("this is not a file of NPY, though its first byte is that of one");
-  if (version[0] < 1 || version[0] > 3) bytes.fail(fmt::format("version {} of NPY is not known", int{version[0]}));
+  if (version[0] < 1 || version[0] > 3)
+    bytes.fail(fmt::format("version {} of NPY is not known", static_cast<int>(static_cast<unsigned char>(version[0]))));
   const std::uint64_t length = whole(bytes.text(version[0] == 1 ? 2 : 4));
   if (length > kLongestHeader) bytes.fail("the array's header is too long");
   const std::string header = bytes.text(static_cast<std::size_t>(length));
   const std::string type = value_of(header, "descr", "'([^']*)'");
+  if (type.empty()) bytes.fail("the array's header does not name the type of its numbers as numpy.save does");
   if (type != "<f8" && type != "<f4")
     bytes.fail("the numbers of the array are not doubles or floats, little-endian: save array.astype('<f8')");
   if (value_of(header, "fortran_order", "(True|False)") != "False")
@@ -85,7 +87,7 @@ Shape read_header(Bytes& bytes) {
     Shape shape{0, columns, type == "<f8" ? sizeof(double) : sizeof(float)};
     if (std::from_chars(rows.data(), rows.data() + rows.size(), shape.rows).ec == std::errc()) return shape;
   }
-  bytes.fail("the array does not have the shape (n, 4), for x y z r, or (n, 7), with the end of a way");
+  bytes.fail("the shape of the array is not (n, 4), for x y z r, or (n, 7), with the end of a way");
 }
 
 }  // namespace

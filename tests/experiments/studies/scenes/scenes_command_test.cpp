@@ -268,15 +268,19 @@ TEST_F(SceneCommand, NamesTheRowOfAnArrayThatIsNoBall) {
             "row 1: the file ends, but the array has 2 rows");
   EXPECT_EQ(fault(npy(two, std::vector<double>(9, 1))), "the file continues after the array");
   EXPECT_EQ(fault(npy(header_of("<f8", "(99999999999999999999, 4)"), std::vector<double>{})),
-            "the array does not have the shape (n, 4), for x y z r, or (n, 7), with the end of a way");
+            "the shape of the array is not (n, 4), for x y z r, or (n, 7), with the end of a way");
   for (const std::string shape : {"(2, 3)", "(8,)", "(2, 4, 1)", "(47, 2)", "()"})
     EXPECT_EQ(fault(npy(header_of("<f8", shape), std::vector<double>(8, 1))),
-              "the array does not have the shape (n, 4), for x y z r, or (n, 7), with the end of a way");
+              "the shape of the array is not (n, 4), for x y z r, or (n, 7), with the end of a way");
   for (const std::string type : {">f8", "<i8", "|O"})
     EXPECT_EQ(fault(npy(header_of(type, "(2, 4)"), std::vector<double>(8, 1))),
               "the numbers of the array are not doubles or floats, little-endian: save array.astype('<f8')");
   EXPECT_EQ(fault(npy(header_of("<f8", "(2, 4)", "True"), std::vector<double>(8, 1))),
             "the array is not stored row by row: save numpy.ascontiguousarray(array)");
+  EXPECT_EQ(fault(npy("{}", std::vector<double>(8, 1))),
+            "the array's header does not name the type of its numbers as numpy.save does");
+  EXPECT_EQ(fault(std::string("\x93NUMPY\1\0\x01\x10", 10) + std::string(4097, ' ')), "the array's header is too long");
+  EXPECT_EQ(fault(std::string("\x93NUMPY\xC8\0", 8) + "x"), "version 200 of NPY is not known");
   EXPECT_EQ(fault("\x93NUM"), "the file ends within the array's header");
   EXPECT_EQ(fault(std::string("\x93NUMPY\7\0", 8) + "x"), "version 7 of NPY is not known");
   EXPECT_EQ(fault(std::string("\x93NUMPY\2\0\0\0\0\1", 12)), "the array's header is too long");
