@@ -43,9 +43,16 @@ std::uint32_t Scene::add(std::string name, Faces faces, const Pose& pose) {
   auto object = std::make_unique<const Object>(std::move(name), std::move(faces));
   if (!(pose == Pose())) object = moved(*object, pose);
   const auto number = static_cast<std::uint32_t>(objects_.size());
-  objects_.push_back(std::move(object));
-  index_->numbers.emplace(objects_.back()->name, number);
-  index_->boxes.set(number, objects_.back()->box);
+  objects_.push_back(nullptr);  // nothing is added if memory is exhausted here or below
+  try {
+    index_->boxes.set(number, object->box);
+    index_->numbers.emplace(object->name, number);
+  } catch (...) {
+    index_->boxes.set(number, Box());
+    objects_.pop_back();
+    throw;
+  }
+  objects_.back() = std::move(object);
   return number;
 }
 
@@ -143,8 +150,7 @@ void Scene::search_nearest(NearestSearch& search, std::uint32_t number, const Ob
 }
 void Scene::search_nearest(NearestSearch& search, const Objects& objects) const {
   std::optional<std::uint32_t> first;
-  if (count_of(objects) >=
-      kFewestByBox) {  // a guess, with which the ball shrinks before the boxes that it meets are found
+  if (by_boxes(objects)) {  // a guess, with which the ball shrinks before the boxes in its reach are found
     first = index_->boxes.nearest(search.ball().center, [&](std::uint32_t number) { return objects.has(number); });
     if (first) search_nearest(search, *first, *objects_[*first]);
   }

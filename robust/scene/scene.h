@@ -76,8 +76,11 @@ struct FirstFace {
 };
 
 /// A set of named objects, each under a pose. Several threads may query a scene at once, while no object is added,
-/// moved or removed. A query comes only to objects whose boxes it meets. The time to find them grows with the logarithm
-/// of the number of objects, and so do those to add, move and remove one, unless many boxes overlap.
+/// moved or removed.
+///
+/// A query comes only to the objects whose boxes the ball meets, or the box around the whole way of a moving ball. The
+/// time to find each grows with the logarithm of the number of objects, and so do those to add, move and remove one,
+/// unless many boxes overlap.
 class Scene {
  public:
   Scene();  ///< makes a scene without objects
@@ -214,10 +217,10 @@ class Scene {
   /// The same for those of these whose faces the ball or the motion may touch, and perhaps for others.
   template <class Query, class F>
   bool any_near(const Query& query, const Objects& objects, const F& f) const;
-  /// Returns how many these are, or more.
-  [[nodiscard]] std::size_t count_of(const Objects& objects) const {
-    return objects.some_ ? objects.some_->size() : objects_.size();
-  }
+  /// Returns how many these are.
+  [[nodiscard]] std::size_t count_of(const Objects& objects) const;
+  /// Returns whether these are looked for by their boxes. If not, they are asked one by one.
+  [[nodiscard]] bool by_boxes(const Objects& objects) const;
 
   // Contact with a ball or a motion.
   template <class Query>

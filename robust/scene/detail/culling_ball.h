@@ -18,6 +18,8 @@ using filtered::detail::Pack;
 /// The operations of culling, over any number type. The tests run the error calculus of robust/proofs over them.
 namespace culling {
 
+using filtered::detail::maximum, filtered::detail::multiply_add;
+
 /// Added to a ball's radius to cover underflow in centres, radii and boxes, which is at most 2^-1074 in each.
 inline constexpr double kTiny = 0x1p-500;
 /// Multiplied with the square of a ball's reach to cover its rounding and that of the squares that are compared with

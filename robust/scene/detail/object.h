@@ -17,9 +17,6 @@
 namespace touchstone::scene {
 namespace detail {
 
-/// Fewer objects than this are asked one by one, whatever their boxes.
-inline constexpr std::size_t kFewestByBox = 16;
-
 /// Returns make(). If that throws FaceRejected, throws Rejected for the face of the object; its set starts at face
 /// `first`.
 template <class Make>
@@ -78,10 +75,20 @@ bool Scene::any_of(const Objects& objects, const F& f) const {
   return false;
 }
 
+inline std::size_t Scene::count_of(const Objects& objects) const {
+  return objects.some_ ? objects.some_->size() : index_->numbers.size();
+}
+// A small share of all is asked one by one, too: the boxes of the others would be in the way.
+inline bool Scene::by_boxes(const Objects& objects) const {
+  constexpr std::size_t kFewest = 16, kShare = 8;
+  const std::size_t count = count_of(objects);
+  return count >= kFewest && count >= index_->numbers.size() / kShare;
+}
+
 template <class Query, class F>
 bool Scene::any_near(const Query& query, const Objects& objects, const F& f) const {
-  if (count_of(objects) < detail::kFewestByBox) return any_of(objects, f);
-  return std::ranges::any_of(index_->boxes.meeting(detail::box_around(query)),
+  if (!by_boxes(objects)) return any_of(objects, f);
+  return std::ranges::any_of(index_->boxes.in_reach(detail::BoxesInReach(query)),
                              [&](std::uint32_t number) { return objects.has(number) && f(number, *objects_[number]); });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robust/scene/detail/culling_ball.h"
 #include "robust/scene/posing.h"
 
 namespace touchstone::scene::detail {
@@ -11,12 +12,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// How likely it is that a question comes to a box: about as its surface, but not 0 if the box is a part of a line.
-/// Rounded, or infinite.
-double size(const Box& box) {
-  const double sides = (box.high - box.low).sum();
-  return sides * sides;
-}
+/// How likely it is that a question comes to a box. The square of this would be nearer to its surface, but it
+/// underflows and overflows, and is not better.
+double size(const Box& box) { return (box.high - box.low).sum(); }
 
 }  // namespace
 
@@ -30,8 +28,20 @@ Box box_around(const Ball& ball) {
   return box;
 }
 
-Box box_around(const Motion& motion) {
-  return box_around(motion.ball).joined(box_around(Ball{motion.to, motion.ball.radius}));
+BoxesInReach::BoxesInReach(const Ball& ball) : around_(box_around(ball)), center_(ball.center) {
+  const double reach = ball.radius + culling::kTiny;
+  if (center_.lpNorm<Eigen::Infinity>() < 0x1p500 && reach < 0x1p500)
+    squared_ = culling::squared_reach(reach, culling::kWide);
+}
+
+BoxesInReach::BoxesInReach(const Motion& motion)
+    : around_(box_around(motion.ball).joined(box_around(Ball{motion.to, motion.ball.radius}))) {}
+
+double BoxesInReach::squared_distance(const Box& box) const {
+  const auto gap = [&](int axis) {
+    return culling::gap(box.low[axis], box.high[axis], center_[axis], center_[axis], 0.0);
+  };
+  return culling::squared_distance(gap(0), gap(1), gap(2));
 }
 
 Box posed(const Pose& pose, const Box& box) {
@@ -56,9 +66,16 @@ double ObjectBoxes::squared_distance(const Box& box, const Eigen::Vector3d& poin
 
 void ObjectBoxes::set(std::uint32_t number, const Box& box) {
   if (number >= slots_.size()) slots_.resize(number + std::size_t{1}, kNone);
-  if (slots_[number] != kNone) remove(slots_[number]);
-  slots_[number] = kNone;
-  if (!box.empty()) insert(number, box);
+  const std::uint32_t slot = slots_[number];
+  const Box before = slot == kNone ? Box() : box_in(slot);
+  if (slot != kNone) remove(slot);
+  if (box.empty()) return;
+  try {
+    insert(number, box, best_slot(box));
+  } catch (...) {  // memory is exhausted
+    if (!before.empty()) insert(number, before, 2 * kAbove);
+    throw;
+  }
 }
 
 void ObjectBoxes::put(std::uint32_t child, const Box& box, std::uint32_t slot) {
@@ -80,12 +97,12 @@ std::uint32_t ObjectBoxes::new_node() {
   return node;
 }
 
-void ObjectBoxes::insert(std::uint32_t number, const Box& box) {
-  if (nodes_[kAbove].child[0] == kNone) {
-    put(number + kLeaf, box, 2 * kAbove);
+void ObjectBoxes::insert(std::uint32_t number, const Box& box, std::uint32_t slot) {
+  if (child_in(slot) == kNone) {
+    put(number + kLeaf, box, slot);
     return;
   }
-  const std::uint32_t slot = best_slot(box), sibling = child_in(slot), node = new_node();
+  const std::uint32_t sibling = child_in(slot), node = new_node();
   const Box beside = box_in(slot);
   put(node, beside.joined(box), slot);
   put(sibling, beside, 2 * node);
@@ -94,6 +111,7 @@ void ObjectBoxes::insert(std::uint32_t number, const Box& box) {
 }
 
 void ObjectBoxes::remove(std::uint32_t slot) {
+  slots_[child_in(slot) - kLeaf] = kNone;
   const std::uint32_t node = slot / 2;
   if (node == kAbove) {
     nodes_[kAbove].child[0] = kNone;
@@ -115,6 +133,7 @@ std::uint32_t ObjectBoxes::best_slot(const Box& box) const {
   std::vector<Candidate> candidates{{0, 2 * kAbove}};
   const double own = size(box);
   std::uint32_t best = 2 * kAbove;
+  if (child_in(best) == kNone) return best;
   double least = std::numeric_limits<double>::infinity();
   while (!candidates.empty() && candidates.front().above + own < least) {
     std::pop_heap(candidates.begin(), candidates.end());
@@ -155,7 +174,7 @@ void ObjectBoxes::turn(std::uint32_t node) {
   put(down, below, left);
 }
 
-ObjectBoxes::Numbers ObjectBoxes::meeting(const Box& box) const {
+ObjectBoxes::Numbers ObjectBoxes::in_reach(const BoxesInReach& boxes) const {
   Numbers numbers;
   boost::container::small_vector<std::uint32_t, 64> stack;
   const auto visit = [&](std::uint32_t child) {
@@ -165,12 +184,12 @@ ObjectBoxes::Numbers ObjectBoxes::meeting(const Box& box) const {
       stack.push_back(child);
   };
   const Node& above = nodes_[kAbove];
-  if (above.child[0] != kNone && meet(above.box[0], box)) visit(above.child[0]);
+  if (above.child[0] != kNone && boxes.has(above.box[0])) visit(above.child[0]);
   while (!stack.empty()) {
     const Node& node = nodes_[stack.back()];
     stack.pop_back();
     for (int i = 0; i < 2; ++i)
-      if (meet(node.box[i], box)) visit(node.child[i]);
+      if (boxes.has(node.box[i])) visit(node.child[i]);
   }
   std::ranges::sort(numbers);
   return numbers;

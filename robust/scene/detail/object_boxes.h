@@ -16,12 +16,25 @@
 /// The boxes of a scene's objects, which tell what objects a question is about.
 namespace touchstone::scene::detail {
 
-/// @{
-/// Returns a box that contains the ball, or all balls of the motion. Its sides may be infinite. Requires round to
-/// nearest, without flush-to-zero.
+/// Returns a box that contains the ball. Its sides may be infinite. Requires round to nearest, without flush-to-zero.
 [[nodiscard]] Box box_around(const Ball& ball);
-[[nodiscard]] Box box_around(const Motion& motion);
-/// @}
+
+/// Tells which boxes a ball may touch, and perhaps others. Requires round to nearest, without flush-to-zero.
+class BoxesInReach {
+ public:
+  explicit BoxesInReach(const Ball& ball);
+  /// Tells which boxes meet the box around the way of the ball.
+  explicit BoxesInReach(const Motion& motion);
+
+  [[nodiscard]] bool has(const Box& box) const { return meet(box, around_) && !(squared_distance(box) > squared_); }
+
+ private:
+  [[nodiscard]] double squared_distance(const Box& box) const;
+
+  Box around_;
+  Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
+  double squared_ = std::numeric_limits<double>::infinity();  ///< the limit for the squares of distances
+};
 
 /// Returns a box that contains every point of this one under the pose, each coordinate rounded once to the nearest
 /// double. An empty box stays empty.
@@ -41,9 +54,8 @@ class ObjectBoxes {
 
   /// Returns how many nodes are between the root and the farthest box.
   [[nodiscard]] int height() const { return height(nodes_[kAbove].child[0]); }
-  /// Returns the numbers of the boxes that have a point in common with this one, ascending. Cost: logarithmic for each,
-  /// unless many boxes overlap.
-  [[nodiscard]] Numbers meeting(const Box& box) const;
+  /// Returns the numbers of these boxes, ascending. Cost: logarithmic for each, unless many boxes overlap.
+  [[nodiscard]] Numbers in_reach(const BoxesInReach& boxes) const;
   /// Returns a number whose box is nearest to the point, as far as rounded distances tell, of those that `wanted`
   /// wants; nothing if it wants none.
   template <class Wanted>
@@ -97,7 +109,8 @@ class ObjectBoxes {
   [[nodiscard]] const Box& box_in(std::uint32_t slot) const { return nodes_[slot / 2].box[slot % 2]; }
   void put(std::uint32_t child, const Box& box, std::uint32_t slot);
   [[nodiscard]] std::uint32_t new_node();
-  void insert(std::uint32_t number, const Box& box);
+  /// Puts a box beside that in a slot. Cannot fail after a box has been removed.
+  void insert(std::uint32_t number, const Box& box, std::uint32_t slot);
   void remove(std::uint32_t slot);
   /// Returns the slot in which a node for its child and this box makes the boxes of all nodes least in total.
   [[nodiscard]] std::uint32_t best_slot(const Box& box) const;

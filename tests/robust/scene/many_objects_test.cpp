@@ -169,7 +169,7 @@ Box draw_box(std::uint64_t seed, std::uint64_t index) {
   return box;
 }
 
-TEST(ObjectBoxes, AreFoundIfTheyMeetABox) {
+TEST(ObjectBoxes, AreFoundIfTheyAreInReach) {
   constexpr std::uint32_t kNumbers = 300;
   ObjectBoxes boxes;
   std::vector<Box> all(kNumbers);
@@ -178,12 +178,14 @@ TEST(ObjectBoxes, AreFoundIfTheyMeetABox) {
     const auto number = static_cast<std::uint32_t>(random.integer(0, kNumbers - 1));
     all[number] = random.unit() < 0.3 ? Box() : draw_box(2028, step);
     boxes.set(number, all[number]);
-    const Box asked =
-        step % 2 == 0 ? draw_box(2029, step) : all[static_cast<std::size_t>(random.integer(0, kNumbers - 1))];
-    const ObjectBoxes::Numbers found = boxes.meeting(asked);
+    const Box asked = draw_box(2029, step);
+    const scene::detail::BoxesInReach reach = step % 2 == 0
+                                                  ? scene::detail::BoxesInReach(Motion{{asked.low, 0}, asked.high})
+                                                  : scene::detail::BoxesInReach(Ball{asked.low, random.unit()});
+    const ObjectBoxes::Numbers found = boxes.in_reach(reach);
     std::vector<std::uint32_t> expected;
     for (std::uint32_t i = 0; i < kNumbers; ++i)
-      if (!all[i].empty() && meet(all[i], asked)) expected.push_back(i);
+      if (!all[i].empty() && reach.has(all[i])) expected.push_back(i);
     EXPECT_TRUE(std::ranges::equal(found, expected)) << "step " << step;
     EXPECT_LE(boxes.height(), 12) << "step " << step;  // 1.45 log2(300)
   }
@@ -225,6 +227,40 @@ TEST(BoxAround, ContainsTheBallThoughItsSidesAreRounded) {
       EXPECT_GE(mpq_class(box.high[axis]), center + radius);
     }
   }
+}
+
+// Against the exact square of the distance. Boxes are drawn so that a side or a corner is about where the ball ends.
+TEST(BoxesInReach, HaveEveryBoxThatABallTouches) {
+  int touched = 0, missed = 0;
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    Random random(2028, i, 101);
+    const int scale = static_cast<int>(random.integer(-1000, 1000));
+    Ball ball{{random.unit(), random.unit(), random.unit()}, random.unit()};
+    Box box = draw_box(2031, i);
+    mpq_class square = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double size = box.high[axis] - box.low[axis];
+      box.low[axis] =
+          ball.center[axis] + ball.radius * (random.unit() < 0.5 ? 0.6 * random.unit() : 1.0 / std::sqrt(3));
+      box.high[axis] = box.low[axis] + size;
+      ball.center[axis] = std::ldexp(ball.center[axis], scale);
+      box.low[axis] = std::ldexp(box.low[axis], scale), box.high[axis] = std::ldexp(box.high[axis], scale);
+      const mpq_class gap = std::max<mpq_class>(
+          {mpq_class(box.low[axis]) - ball.center[axis], mpq_class(ball.center[axis]) - box.high[axis], 0});
+      square += gap * gap;
+    }
+    ball.radius = std::ldexp(ball.radius, scale);
+    const mpq_class radius = ball.radius;
+    const bool has = scene::detail::BoxesInReach(ball).has(box);
+    if (square <= radius * radius) {
+      EXPECT_TRUE(has) << i;
+      ++touched;
+    } else if (!has) {
+      ++missed;
+    }
+  }
+  EXPECT_GT(touched, 1000);
+  EXPECT_GT(missed, 100);
 }
 
 TEST(PosedBox, ContainsWhatIsPosed) {
