@@ -48,8 +48,8 @@ void sort_faces(std::span<const TouchedFace> faces, std::vector<FaceId>& sorted)
   std::sort(sorted.begin(), sorted.end());
 }
 
-/// Returns whether balls walk together. Among many objects each walks alone, to those near it.
-bool walk_together(std::size_t balls, std::size_t objects) {
+/// Returns whether that many balls are a crowd. Among many objects each walks alone, to those near it.
+bool is_crowd(std::size_t balls, std::size_t objects) {
   constexpr std::size_t kMostObjects = 64;
   return balls >= kFewestInCrowd && objects <= kMostObjects;
 }
@@ -60,7 +60,7 @@ void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const 
   const FloatingPointState nearest;
   expect(objects);
   expect_equal_lengths("balls", balls.size(), "answers", answers.size());
-  if (!walk_together(balls.size(), count_of(objects))) {
+  if (!is_crowd(balls.size(), count_of(objects))) {
     each_in_parallel(balls.size(), 1, [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
     return;
   }
@@ -81,7 +81,7 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
   const FloatingPointState nearest;
   expect(objects);
   std::vector<std::vector<FaceId>> answers(balls.size());
-  if (!walk_together(balls.size(), count_of(objects))) {
+  if (!is_crowd(balls.size(), count_of(objects))) {
     each_in_parallel(balls.size(), 1, [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
     return answers;
   }
@@ -108,7 +108,7 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
 template <class OnlyOne, class Answer>
 void Scene::nearest_each(std::span<const Ball> balls, const Objects& objects, const OnlyOne& only_one,
                          const Answer& answer) const {
-  if (!walk_together(balls.size(), count_of(objects))) {
+  if (!is_crowd(balls.size(), count_of(objects))) {
     each_in_parallel(balls.size(), 1, [&](std::size_t i) {
       NearestSearch search(required(balls[i]));
       search_nearest(search, objects);

@@ -48,8 +48,8 @@ std::uint32_t Scene::add(std::string name, Faces faces, const Pose& pose) {
     index_->boxes.set(number, object->box);
     index_->numbers.emplace(object->name, number);
   } catch (...) {
-    index_->boxes.set(number, Box());
     objects_.pop_back();
+    index_->boxes.set(number, Box());
     throw;
   }
   objects_.back() = std::move(object);

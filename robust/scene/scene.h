@@ -112,7 +112,7 @@ class Scene {
   ///
   /// Throws std::out_of_range if there is no object with this number; Rejected, naming the object, if the pose is not
   /// finite (`not-finite`) or if exact::validate rejects the posed vertices of a face (the lowest such face). The
-  /// object then keeps its pose. Cost: about 1 us for any number of triangles that need not be posed, and up to 6 us
+  /// object then keeps its pose. Cost: about 1 us for any number of triangles that need not be posed, and up to 10 us
   /// among 10,000 objects; for others about 0.4 us per triangle, or 1.2 us if they need a new hierarchy; 1.2 us per
   /// vertex of a polygon. All but the refitting of hierarchies is divided among all cores. Memory: as much again while
   /// all are posed.
@@ -179,8 +179,9 @@ class Scene {
   /// @{
   /// The same for many balls or motions, on all cores of the machine: answer i is that of number i. Throws
   /// std::invalid_argument if the spans differ in length. Cost: 64 balls or more walk together through the triangles
-  /// of each object, in any order. In scenes of a thousand to a million triangles, 100,000 balls take 0.4 to 0.9 of the
-  /// time of single ones on one core, and a few hundred about as much: the less the nearer the balls are to each other.
+  /// of each object, in any order, if there are at most 64 objects. In one object of a thousand to a million triangles,
+  /// 100,000 balls take 0.4 to 0.9 of the time of single ones on one core, and a few hundred about as much: the less,
+  /// the nearer the balls are to each other.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
                                                          const Objects& objects = {}) const;

@@ -28,6 +28,7 @@ Box box_around(const Ball& ball) {
   return box;
 }
 
+// Limits and margins are those with which CullingBall tests in doubles.
 BoxesInReach::BoxesInReach(const Ball& ball) : around_(box_around(ball)), center_(ball.center) {
   const double reach = ball.radius + culling::kTiny;
   if (center_.lpNorm<Eigen::Infinity>() < 0x1p500 && reach < 0x1p500)
