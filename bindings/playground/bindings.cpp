@@ -77,6 +77,8 @@ void write(const Answer& answer, int stage) {
   to.add(answer.nearest);
   to.add(answer.point);
   to.add(answer.distance);
+  to.add(answer.contact_normal);
+  to.add(answer.depth);
   to.add(answer.off_plane);
   to.add(stage);
   to.add(answer.edges_hit);
@@ -89,7 +91,8 @@ void write_thesis(const Ball& asked, const thesis::PreparedPolygon<double>& poly
   to.add_one_of(thesis::foot(asked, polygon));
   to.add(-1);  // the relation
   to.add(thesis::contact(asked, polygon));
-  for (int unknown = 0; unknown < 8; ++unknown) to.add(-1);  // nearest feature, point, distance, off_plane, stage
+  // Nearest feature, point, distance, contact normal, depth, off_plane, stage.
+  for (int unknown = 0; unknown < 12; ++unknown) to.add(-1);
   to.add(thesis::edges_hit(asked, polygon));
 }
 
@@ -175,6 +178,8 @@ EXPORT("first_contact") void first_contact(int by_exact) {
   to.add(first.momentary);
   to.add(first.feature);
   to.add(first.point);
+  to.add(first.contact_normal);
+  to.add(first.depth);
 }
 
 /// Returns the colours of `count` balls of one radius: the buffer holds the radius, then the centres.

@@ -37,8 +37,7 @@ __attribute__((noinline)) std::optional<std::array<std::uint32_t, 3>> corners_on
   const auto is_finite = [](const Eigen::Vector3d& corner) { return corner.allFinite(); };
   if (loop.size() < 3 || !std::ranges::all_of(loop, is_finite)) return std::nullopt;
   const auto low = std::ranges::min_element(loop, before);
-  const auto high =
-      std::ranges::find_if(loop, [last = std::ranges::max(loop, before)](const auto& p) { return p == last; });
+  const auto high = std::ranges::max_element(loop, before);
   for (const Eigen::Vector3d& corner : loop) {
     const double triangle[3][3] = {
         {low->x(), low->y(), low->z()}, {high->x(), high->y(), high->z()}, {corner.x(), corner.y(), corner.z()}};

@@ -68,15 +68,16 @@ class Engine {
 
   /// Returns the method's answer; what it does not compute is undefined.
   answer(method, {center, radius}) {
-    this.put([...center, radius], 16 + this.edges);
+    this.put([...center, radius], 18 + this.edges);
     this.wasm.answer(METHODS.indexOf(method));
     const n = Array.from(this.numbers());
     const has = n[3] >= 0, index = n[6];
     return {
-      plane: SIDES[n[0]], plane_tangent: has ? n[1] === 1 : undefined, foot: PLACES[n[2]], edges_hit: n.slice(14, 14 + n[13]),
+      plane: SIDES[n[0]], plane_tangent: has ? n[1] === 1 : undefined, foot: PLACES[n[2]], edges_hit: n.slice(18, 18 + n[17]),
       relation: RELATIONS[n[3]], contact: n[4] === 1,
       nearest: has ? feature(n[5], index) : undefined, point: has ? n.slice(7, 10) : undefined,
-      distance: has ? n[10] : undefined, off_plane: has ? n[11] : undefined, stage: STAGES[n[12]],
+      distance: has ? n[10] : undefined, contact_normal: has ? n.slice(11, 14) : undefined, depth: has ? n[14] : undefined,
+      off_plane: has ? n[15] : undefined, stage: STAGES[n[16]],
     };
   }
 
@@ -85,8 +86,12 @@ class Engine {
     this.put([...center, radius, ...to], 16);
     this.wasm.first_contact(exact ? 1 : 0);
     const n = Array.from(this.numbers()), first = FIRSTS[n[0]];
-    if (first === "none") return {contact: false, first, time: null, momentary: null, feature: null, point: null};
-    return {contact: true, first, time: n[1], momentary: first === "way" ? n[2] === 1 : null, feature: feature(n[3], n[4]), point: n.slice(5, 8)};
+    if (first === "none")
+      return {contact: false, first, time: null, momentary: null, feature: null, point: null, contact_normal: null, depth: null};
+    return {
+      contact: true, first, time: n[1], momentary: first === "way" ? n[2] === 1 : null, feature: feature(n[3], n[4]),
+      point: n.slice(5, 8), contact_normal: n.slice(8, 11), depth: n[11],
+    };
   }
 
   /// Returns a colour for each centre: the certified answer (0 yes or inside, 1 boundary, 2 no or outside), 4 if fast

@@ -4,7 +4,7 @@
 const KEYS = [
   ["contact", "contact"], ["relation", "relation"], ["plane", "plane"], ["plane_tangent", "tangent to the plane"], ["foot", "foot"],
   ["edges_hit", "edges hit"], ["nearest", "nearest"], ["distance", "distance"], ["point", "closest point"],
-  ["off_plane", "off the plane"],
+  ["contact_normal", "contact normal"], ["depth", "depth"], ["off_plane", "off the plane"],
 ];
 
 function wordsOf(value) {
@@ -29,7 +29,7 @@ function showAnswers(body, answers) {
       cell.dataset.method = method, cell.dataset.key = key;
       cell.textContent = (wrong ? "≠ " : "") + wordsOf(answers[method][key]);
       cell.classList.toggle("differs", wrong);
-      cell.classList.toggle("number", ["distance", "point", "off_plane"].includes(key));
+      cell.classList.toggle("number", ["distance", "point", "contact_normal", "depth", "off_plane"].includes(key));
       return cell;
     }));
     return row;

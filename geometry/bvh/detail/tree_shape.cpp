@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <span>
 
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/parts_in_parallel.h"
@@ -171,7 +172,8 @@ class Builder {
       const Slices slices(centers(whole));
       const Cut cut = best_cut(whole, slices);
       if (cut.cost < kInfinity) {
-        std::partition(items_.begin() + whole.begin, items_.begin() + whole.end, [&](const Item& item) {
+        const auto items = std::span(items_).subspan(whole.begin, whole.end - whole.begin);
+        std::partition(items.begin(), items.end(), [&](const Item& item) {
           return static_cast<std::size_t>(slices.of(item.center())[cut.axis]) < cut.slice;
         });
         const std::uint32_t middle = whole.begin + cut.below.count;

@@ -53,7 +53,8 @@ class Sweep {
       if (loops_[i] == loops_[loops_.next(i)]) return Meeting{Meeting::Kind::Point, i, i};
     for (auto first = order_.begin(); first != order_.end() && !found_;) {
       const auto last = std::find_if(first, order_.end(), [&](std::size_t i) { return loops_[i] != loops_[*first]; });
-      pass({first, last});
+      pass(std::span(order_).subspan(static_cast<std::size_t>(first - order_.begin()),
+                                     static_cast<std::size_t>(last - first)));
       first = last;
     }
     return found_;

@@ -7,7 +7,7 @@
 namespace touchstone::scene::detail {
 
 const Walks& fastest_walks() {
-  const filtered::detail::Kernels& fastest = filtered::detail::kernels();
+  [[maybe_unused]] const filtered::detail::Kernels& fastest = filtered::detail::kernels();
 #if defined(TOUCHSTONE_HAS_AVX2)
   if (&fastest == &filtered::detail::avx2_kernels()) return avx2_walks();
 #endif

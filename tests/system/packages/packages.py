@@ -74,7 +74,7 @@ def main():
     given.mkdir(parents=True)
     names = make_packages(given / "packages")
     library = next(iter((given / "packages").glob("libtouchstone0*.deb")), None)
-    expect({"libtouchstone-dev", "libtouchstone0.2"} <= names and library, f"made are {sorted(names)}")
+    expect("libtouchstone-dev" in names and library, f"made are {sorted(names)}")
     check_exports(library)
 
     readme = (SOURCE / "README.md").read_text()
