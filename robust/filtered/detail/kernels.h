@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "geometry/contact/first_contact.h"
@@ -47,6 +48,8 @@ struct Kernels {
   void (*triangles_contact)(const Ball&, std::span<const Triangle>, std::span<bool>);
   void (*motions_contact)(std::span<const Motion>, const PreparedPolygon::Parts&, std::span<bool>);
   void (*motion_triangles_contact)(const Motion&, std::span<const Triangle>, std::span<bool>);
+  /// Requires a feature that the first stage has found to be touched first, and round to nearest.
+  std::optional<FirstContact> (*triangle_first_contact_with)(MotionTriangleView, const Feature&);
   NewellSums (*newell_sums)(const ScaledVertex*, std::size_t);
 };
 

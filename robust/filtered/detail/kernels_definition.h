@@ -109,7 +109,8 @@ inline void triangles_contact(const Ball& ball, std::span<const Triangle> triang
 }
 
 /// The kernels of the target that this is compiled for.
-inline constexpr Kernels kKernels{kKernelTable<NoCounts>, kKernelTable<StageCounts>, balls_contact, triangles_contact,
-                                  motions_contact,        motion_triangles_contact,  newell_sums};
+inline constexpr Kernels kKernels{
+    kKernelTable<NoCounts>, kKernelTable<StageCounts>, balls_contact,      triangles_contact,
+    motions_contact,        motion_triangles_contact,  first_contact_with, newell_sums};
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

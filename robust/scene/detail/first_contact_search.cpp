@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robust/exact/motion.h"
+#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/motion.h"
 
 namespace touchstone::scene::detail {
@@ -34,9 +35,7 @@ void FirstContactSearch::meet(const MetFace& face, const FirstContact& contact) 
 }
 
 void FirstContactSearch::meet(Met met) {
-  constexpr std::size_t kFew = 8;
   if (is_at_start() || met.earliest > end_) return;
-  if (met_.empty()) met_.reserve(kFew);
   if (wanted_ == Wanted::First) end_ = std::min(end_, met.latest);
   met_.push_back(std::move(met));
 }
@@ -44,6 +43,10 @@ void FirstContactSearch::meet(Met met) {
 void FirstContactSearch::find_contact(Met& met) const {
   if (met.contact) return;
   const MetFace& face = met.face;
+  if (face.triangle && met.feature)
+    met.contact = filtered::detail::kernels().triangle_first_contact_with(
+        filtered::detail::view_of(motion_, *face.triangle), *met.feature);
+  if (met.contact) return;
   met.contact = face.triangle ? filtered::first_contact(motion_, *face.triangle)
                               : filtered::first_contact(motion_, *face.polygon);
   met.feature = met.contact->feature;

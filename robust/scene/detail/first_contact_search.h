@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -80,7 +82,8 @@ class FirstContactSearch {
   FaceId first_{0, 0};
   double end_;
   std::optional<MetFace> start_;
-  mutable std::vector<Met> met_;  ///< contacts are found at the end
+  static constexpr std::size_t kFew = 4;
+  mutable boost::container::small_vector<Met, kFew> met_;  ///< contacts are found at the end
 };
 
 }  // namespace touchstone::scene::detail

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "robust/filtered/detail/sets/triangle_groups_contact.h"
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/tree_walk.h"
@@ -91,9 +92,42 @@ class LeafDistances {
   double size_, scale_;
 };
 
+/// The triangles of a leaf that a moving ball may touch.
+class LeafOnWay {
+ public:
+  /// Takes all, in no particular order.
+  explicit LeafOnWay(const Leaf& leaf) : leaf_(leaf), lanes_(all_triangles(leaf)) {}
+  TOUCHSTONE_INLINE LeafOnWay(const Leaf& leaf, const filtered::detail::LanesOnWay& known)
+      : leaf_(leaf), lanes_(all_triangles(leaf) & ~known.missed) {
+    store(entry_, known.entry);
+  }
+
+  /// Returns one bit for each that is left.
+  [[nodiscard]] unsigned lanes() const { return lanes_; }
+  /// Leaves out those that are not among others of the leaf.
+  void keep(const LeafOnWay& others) { lanes_ &= others.lanes_; }
+  /// Takes the one that is probably touched first, and returns its place. Requires that one is left.
+  [[nodiscard]] TOUCHSTONE_INLINE std::uint32_t take_first() {
+    auto first = static_cast<std::uint32_t>(__builtin_ctz(lanes_));
+    for (unsigned rest = lanes_ & (lanes_ - 1); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::uint32_t>(__builtin_ctz(rest));
+      first = entry_[lane] < entry_[first] ? lane : first;
+    }
+    lanes_ ^= 1U << first;
+    return leaf_.first + first;
+  }
+
+ private:
+  Leaf leaf_;
+  unsigned lanes_;
+  float entry_[filtered::detail::kFloatLanes] = {};
+};
+
 class TriangleLeaves {
  public:
-  explicit TriangleLeaves(const PlacedTriangles& placed) : groups_(placed.groups.data()) {}
+  explicit TriangleLeaves(const PlacedTriangles& placed) : TriangleLeaves(placed.groups.data()) {}
+  /// Takes the groups, by the numbers of the leaves.
+  explicit TriangleLeaves(const filtered::detail::TriangleGroup* groups) : groups_(groups) {}
 
   void prefetch_leaf(const Leaf& leaf) const { prefetch(groups_ + leaf.number, 1); }
 
@@ -104,6 +138,17 @@ class TriangleLeaves {
     if (!filtered::detail::in_reach_of_groups(ball)) [[unlikely]]
       return {0, all_triangles(leaf)};
     return filtered::detail::lanes_contact(ball, inner, group(leaf), all_triangles(leaf));
+  }
+
+  /// Returns the triangles that a moving ball may touch. It certainly misses the others.
+  [[nodiscard]] TOUCHSTONE_INLINE LeafOnWay on_way(const Motion& motion, const Leaf& leaf) const {
+    const Ball end{motion.to, motion.ball.radius};
+    double from[4], to[4];
+    if (!filtered::detail::in_reach_of_groups(motion.ball) || !filtered::detail::in_reach_of_groups(end) ||
+        !filtered::detail::see(motion.ball, group(leaf), from) || !filtered::detail::see(end, group(leaf), to))
+        [[unlikely]]
+      return LeafOnWay(leaf);
+    return {leaf, filtered::detail::LaneTriangles(group(leaf)).on_way(from, to, from[3])};
   }
 
   /// Returns what floats know of the distances from a ball's centre: nothing if the ball is beyond the group's reach.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -12,12 +13,6 @@
 
 /// The triangles of a set, where they stand or in their own frame, and a moving ball that asks about them.
 namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
-
-/// Returns whether the moving ball certainly misses the triangle, by doubles.
-TOUCHSTONE_INLINE bool certainly_misses(const Motion& motion, const Triangle& triangle) {
-  filtered::detail::CapsuleSigns signs;
-  return capsule_filter(filtered::detail::view_of(motion, triangle), signs) == filtered::detail::FilterResult::No;
-}
 
 /// Passes the triangle to a search if the ball touches it before the search's end.
 inline void meet(const Triangle& triangle, std::uint32_t number, FirstContactSearch& search) {
@@ -38,21 +33,29 @@ inline void meet(const Triangle& triangle, std::uint32_t number, FirstContactSea
 class StandingTrianglesOnWay {
  public:
   StandingTrianglesOnWay(const TriangleSet& set, const Motion& motion)
-      : triangles_(set.placed->triangles), motion_(motion), swept_(motion), at_start_(set, motion.ball) {}
+      : leaves_(*set.placed),
+        triangles_(set.placed->triangles),
+        motion_(motion),
+        swept_(motion),
+        at_start_(set, motion.ball) {}
 
-  void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
+  void prefetch_leaf(const Leaf& leaf) const { leaves_.prefetch_leaf(leaf); }
+  /// Returns the triangles of a leaf that the ball may touch before the motion ends.
+  [[nodiscard]] TOUCHSTONE_INLINE LeafOnWay on_way(const Leaf& leaf) const {
+    return leaves_.on_way(swept_.motion(), leaf);
+  }
   /// Returns whether the ball touches a triangle of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
-    for (const Leaf& leaf : leaves)
-      for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
-        if (touches(place)) return true;
-    return false;
+    return std::ranges::any_of(leaves, [&](const Leaf& leaf) {
+      return any_lane(on_way(leaf).lanes(), leaf, [&](std::uint32_t place) { return touches(place); });
+    });
   }
   /// Calls f(place) for the triangles of a leaf that the ball touches.
   template <class F>
   TOUCHSTONE_INLINE void for_touched(const Leaf& leaf, const F& f) const {
-    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+    for_lanes(on_way(leaf).lanes(), leaf, [&](std::uint32_t place) {
       if (touches(place)) f(place);
+    });
   }
   /// Returns a motion that touches the boxes of all triangles that the ball touches, not later than the ball does.
   [[nodiscard]] const Motion& culling() const { return motion_; }
@@ -70,12 +73,11 @@ class StandingTrianglesOnWay {
   [[nodiscard]] TOUCHSTONE_INLINE bool touches_at_start(std::uint32_t place) const { return at_start_.touches(place); }
   /// Passes the triangle to the search if the ball touches it before the search's end.
   void meet(std::uint32_t place, std::uint32_t number, FirstContactSearch& search) const {
-    if (swept_.misses(triangles_[place])) return;
-    const Triangle triangle = triangles_[place].copy();
-    if (!certainly_misses(swept_.motion(), triangle)) detail::meet(triangle, number, search);
+    if (!swept_.misses(triangles_[place])) detail::meet(triangle(place), number, search);
   }
 
  private:
+  TriangleLeaves leaves_;
   const TrianglesOfSharedVertices& triangles_;
   const Motion& motion_;
   Swept swept_;
@@ -86,26 +88,31 @@ class StandingTrianglesOnWay {
 class TrianglesInOwnFrameOnWay {
  public:
   TrianglesInOwnFrameOnWay(const TriangleSet& set, const Motion& motion)
-      : triangles_(set.placed->triangles),
+      : leaves_(*set.placed),
+        triangles_(set.placed->triangles),
         frame_(*set.frame),
         motion_(motion),
         seen_(frame_.seen(motion)),
         swept_(seen_.outer),
         at_start_(set, motion.ball) {}
 
-  void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
+  void prefetch_leaf(const Leaf& leaf) const { leaves_.prefetch_leaf(leaf); }
+  /// Returns the triangles of a leaf that the ball may touch before the motion ends.
+  [[nodiscard]] TOUCHSTONE_INLINE LeafOnWay on_way(const Leaf& leaf) const {
+    return leaves_.on_way(swept_.motion(), leaf);
+  }
   /// Returns whether the ball touches a triangle of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(std::span<const Leaf> leaves) const {
-    for (const Leaf& leaf : leaves)
-      for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
-        if (touches(place)) return true;
-    return false;
+    return std::ranges::any_of(leaves, [&](const Leaf& leaf) {
+      return any_lane(on_way(leaf).lanes(), leaf, [&](std::uint32_t place) { return touches(place); });
+    });
   }
   /// Calls f(place) for the triangles of a leaf that the ball touches.
   template <class F>
   TOUCHSTONE_INLINE void for_touched(const Leaf& leaf, const F& f) const {
-    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+    for_lanes(on_way(leaf).lanes(), leaf, [&](std::uint32_t place) {
       if (touches(place)) f(place);
+    });
   }
   [[nodiscard]] const Motion& culling() const { return seen_.outer; }
   void end_at(double time) { swept_.end_at(time); }
@@ -130,9 +137,7 @@ class TrianglesInOwnFrameOnWay {
   }
   [[nodiscard]] bool touches_at_start(std::uint32_t place) const { return at_start_.touches(place); }
   void meet(std::uint32_t place, std::uint32_t number, FirstContactSearch& search) const {
-    if (swept_.misses(triangles_[place])) return;
-    const Triangle own = triangles_[place].copy();
-    if (!certainly_misses(swept_.motion(), own)) detail::meet(triangle(place), number, search);
+    if (!swept_.misses(triangles_[place])) detail::meet(triangle(place), number, search);
   }
 
  private:
@@ -142,6 +147,7 @@ class TrianglesInOwnFrameOnWay {
     return filtered::detail::triangle_motion_contact(filtered::detail::view_of(motion_, posed), counts);
   }
 
+  TriangleLeaves leaves_;
   const TrianglesOfSharedVertices& triangles_;
   const OwnFrame& frame_;
   const Motion& motion_;

@@ -190,21 +190,24 @@ inline void first_triangle(const TriangleSet& set, FirstContactSearch& search) {
   with_triangles(set, search.motion(), [&](auto triangles) {
     CullingMotion culling(triangles.culling(), tree);
     double end = 1;
-    const auto shorten = [&] {
-      if (!(search.end() < end)) return;
+    const auto shortens = [&] {
+      if (!(search.end() < end)) return false;
       end = search.end();
       triangles.end_at(end), culling.end_at(end);
+      return true;
     };
-    shorten();
-    walk_in_order(tree, culling, each_leaf(each_place([&](std::uint32_t place) {
-                    const std::uint32_t number = tree.order()[place];
-                    if (!search.is_at_start())
-                      triangles.meet(place, number, search);
-                    else if (search.is_lower(number) && triangles.touches_at_start(place))
-                      search.start(triangles.triangle(place), number);
-                    shorten();
+    shortens();
+    walk_in_order(tree, culling, each_leaf([&](const Leaf& leaf) {
+                    for (LeafOnWay open = triangles.on_way(leaf); open.lanes() != 0;) {
+                      const std::uint32_t place = open.take_first(), number = tree.order()[place];
+                      if (!search.is_at_start())
+                        triangles.meet(place, number, search);
+                      else if (search.is_lower(number) && triangles.touches_at_start(place))
+                        search.start(triangles.triangle(place), number);
+                      if (shortens() && open.lanes() != 0) open.keep(triangles.on_way(leaf));
+                    }
                     return false;
-                  })),
+                  }),
                   [&](const Leaf& leaf) { triangles.prefetch_leaf(leaf); });
   });
 }

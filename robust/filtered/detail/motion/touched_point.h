@@ -50,9 +50,12 @@ class TouchedPoint {
     if (feature.kind == Feature::Kind::Edge)
       multiple_ = quotient(moving_.along_at(time_), dot(moving_.edge, moving_.edge));
     if (feature.kind == Feature::Kind::Face) {
-      in_front_ = dot(doubles.normal(), moving_.to_center).value.high > 0;
-      if (moving_.radius.value.high > 0) multiple_ = quotient(moving_.radius, doubles.normal_length());
-      if (in_front_) multiple_.value = -multiple_.value;
+      const bool in_front = dot(doubles.normal(), moving_.to_center).value.high > 0;
+      inverse_ = quotient(kOne, doubles.normal_length());
+      if (!in_front) inverse_.value = -inverse_.value;
+      multiple_ = moving_.radius * inverse_;
+    } else if (moving_.radius.value.high >= kSmallestResult) {
+      inverse_ = quotient(kOne, moving_.radius);
     }
   }
 
@@ -69,6 +72,8 @@ class TouchedPoint {
   }
 
  private:
+  static constexpr Bounded<DoubleDouble> kOne{DoubleDouble(1.0), 0};
+
   /// Returns the coordinate as the nearest double; zero as +0.
   [[nodiscard]] std::optional<double> coordinate(int axis) const {
     const auto& doubles = doubles_;
@@ -79,7 +84,7 @@ class TouchedPoint {
       return not_too_small(doubles.vertex(feature_.index, axis) + multiple_ * component(moving_.edge, axis), doubles);
     Bounded<DoubleDouble> value =
         Bounded<DoubleDouble>{doubles.center(axis), 0} + time_ * component(moving_.velocity, axis);
-    if (moving_.radius.value.high > 0) value = value + multiple_ * component(doubles.normal(), axis);
+    if (moving_.radius.value.high > 0) value = value - multiple_ * component(doubles.normal(), axis);
     return not_too_small(value, doubles);
   }
   /// Returns a component of the normal, which is (c(t) - p) / r for the touched point p, as the nearest double; zero as
@@ -87,14 +92,13 @@ class TouchedPoint {
   [[nodiscard]] std::optional<double> normal(int axis) const {
     if (feature_.kind == Feature::Kind::Face) {
       if (doubles_.no_normal(axis)) return 0.0;
-      const auto value = quotient(component(doubles_.normal(), axis), doubles_.normal_length());
-      return not_too_small(in_front_ ? value : Bounded<DoubleDouble>{-value.value, value.error}, Unitless());
+      return not_too_small(component(doubles_.normal(), axis) * inverse_, Unitless());
     }
     if (!(moving_.radius.value.high >= kSmallestResult)) return std::nullopt;
     if (moving_.to_center.error == 0 && moving_.edge.error == 0 && zero_away(axis)) return 0.0;
     auto away = component(moving_.to_center, axis) + time_ * component(moving_.velocity, axis);
     if (feature_.kind == Feature::Kind::Edge) away = away - multiple_ * component(moving_.edge, axis);
-    return not_too_small(quotient(away, moving_.radius), Unitless());
+    return not_too_small(away * inverse_, Unitless());
   }
   /// Returns whether c(t) - p has a component of zero at all times, for exact vectors.
   [[nodiscard]] bool zero_away(int axis) const {
@@ -120,8 +124,8 @@ class TouchedPoint {
   const Feature feature_;
   const MovingEdge<DoubleDouble> moving_;
   const Bounded<DoubleDouble> time_;
-  Bounded<DoubleDouble> multiple_{};
-  bool in_front_ = false;
+  Bounded<DoubleDouble> multiple_{};  ///< of the edge, from its start; of the normal, from the touched point
+  Bounded<DoubleDouble> inverse_{};   ///< 1 / r; of the normal's length, negative for one that points away
 };
 
 }  // namespace touchstone::filtered::detail::inline TOUCHSTONE_TARGET

@@ -111,13 +111,17 @@ inline bool may_be_on_lower_edge(const double (*vertex)[3], const Feature& featu
   return false;
 }
 
+/// Returns the first contact on the way with a feature that is certainly touched first and that a first stage within
+/// its range has found; nothing if its rounding is not certain.
+inline std::optional<FirstContact> first_contact_with(MotionTriangleView view, const Feature& feature) {
+  const TriangleMotionDoubles doubles(view, nullptr);
+  return TouchedPoint(doubles, feature, event_time(doubles, feature)).rounded_contact();
+}
+
 /// Returns the first contact on the way in double-doubles; nothing if it is not certain.
 inline std::optional<FirstContact> first_contact_in_doubles(const MotionTriangleView& view,
                                                             const MotionFilterResult& known) {
-  if (known.feature) {
-    const TriangleMotionDoubles doubles(view, nullptr);
-    return TouchedPoint(doubles, *known.feature, event_time(doubles, *known.feature)).rounded_contact();
-  }
+  if (known.feature) return first_contact_with(view, *known.feature);
   const ScaledMotionDoubles scaled(view, known.contact == FilterResult::OutOfRange);
   const auto& doubles = scaled.doubles();
   if (!doubles) return std::nullopt;

@@ -56,6 +56,12 @@ struct LaneDistance {
   }
 };
 
+/// The knowledge that floats have of eight triangles and a moving ball.
+struct LanesOnWay {
+  unsigned missed;  ///< the lanes whose triangle the ball certainly misses
+  FloatPack entry;  ///< roughly the time at which it first touches each of the others, to ask the first one first
+};
+
 /// The triangles of a group, in steps.
 class LaneTriangles {
  public:
@@ -73,21 +79,46 @@ class LaneTriangles {
 
   /// Returns the distances from a centre in the group's units. Requires that its coordinates are at most kReach.
   [[nodiscard]] TOUCHSTONE_INLINE LaneDistances distances(const double* center_of_ball) const {
-    const auto in_steps = [](double number) {
-      return all_float_lanes(static_cast<float>(lane::in_steps<double>(number, TriangleGroup::kSteps)));
-    };
-    const Vector center{in_steps(center_of_ball[0]), in_steps(center_of_ball[1]), in_steps(center_of_ball[2])};
     const FloatPack zero = all_float_lanes(0), one = all_float_lanes(1);
-    const lane::Corner<FloatPack> corner{difference(vertex_, center), first_, second_};
+    const lane::Corner<FloatPack> corner = seen_from(in_steps(center_of_ball));
     const lane::Weights<FloatPack> weights = lane::nearly_closest(corner, zero, one);
     const Vector point = lane::point(weights, corner);
-    const double size = std::max(std::max(1.0, std::abs(center_of_ball[0])),
-                                 std::max(std::abs(center_of_ball[1]), std::abs(center_of_ball[2])));
-    return {lane::length(point, all_float_lanes(bounds::kLaneTiny)), lane::support(point, corner, zero), size};
+    return {length(point), lane::support(point, corner, zero), size_of(center_of_ball)};
+  }
+
+  /// Returns what floats know of a ball of this radius that moves between two such centres. It misses a triangle from
+  /// which both ends are far along the same direction, because the product of a direction with what the centre sees
+  /// changes evenly on its way.
+  [[nodiscard]] TOUCHSTONE_INLINE LanesOnWay on_way(const double* from, const double* to, double radius) const {
+    const FloatPack zero = all_float_lanes(0), one = all_float_lanes(1), third = all_float_lanes(1.0F / 3);
+    const Vector first = in_steps(from), last = in_steps(to);
+    const lane::Corner<FloatPack> at_first = seen_from(first), at_last = seen_from(last);
+    const lane::Approach<FloatPack> nearest =
+        lane::nearly_shortest(at_first, difference(last, first), zero, one, third);
+    const FloatPack support =
+        minimum(lane::support(nearest.direction, at_first, zero), lane::support(nearest.direction, at_last, zero));
+    const LaneDistances ends{length(nearest.direction), support, std::max(size_of(from), size_of(to))};
+    return {ends.missed(radius), lane::rough_entry(nearest, all_in_steps(radius), zero)};
   }
 
  private:
   using Vector = Vector3<FloatPack>;
+  static TOUCHSTONE_INLINE Vector in_steps(const double* center) {
+    return {all_in_steps(center[0]), all_in_steps(center[1]), all_in_steps(center[2])};
+  }
+  static TOUCHSTONE_INLINE FloatPack all_in_steps(double number) {
+    return all_float_lanes(static_cast<float>(lane::in_steps<double>(number, TriangleGroup::kSteps)));
+  }
+  /// Returns LaneDistances::size.
+  static TOUCHSTONE_INLINE double size_of(const double* center) {
+    return std::max(std::max(1.0, std::abs(center[0])), std::max(std::abs(center[1]), std::abs(center[2])));
+  }
+  static TOUCHSTONE_INLINE FloatPack length(const Vector& vector) {
+    return lane::length(vector, all_float_lanes(bounds::kLaneTiny));
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE lane::Corner<FloatPack> seen_from(const Vector& center) const {
+    return {difference(vertex_, center), first_, second_};
+  }
   static TOUCHSTONE_INLINE Vector stored(const TriangleGroup& group, int i) {
     return {load(group.vertices[i][0]), load(group.vertices[i][1]), load(group.vertices[i][2])};
   }

@@ -188,6 +188,48 @@ TOUCHSTONE_OF_WEIGHTS constexpr Weights<T> nearly_closest(const Corner<T>& corne
   return nearly_closest(corner, Shape<T>(corner.first, corner.second, one), zero, one);
 }
 
+/// Returns the corner as seen from a centre after a part of its way. `start`: as seen from the way's start.
+template <class T>
+__attribute__((always_inline)) constexpr Corner<T> seen_after(const T& part, const Vector3<T>& way,
+                                                              const Corner<T>& start, const T& zero) {
+  const T back = zero - part;
+  const Vector3<T>& v = start.vertex;
+  return {{multiply_add(back, way.x, v.x), multiply_add(back, way.y, v.y), multiply_add(back, way.z, v.z)},
+          start.first,
+          start.second};
+}
+
+/// Where a centre's way and a triangle are nearly the nearest.
+template <class T>
+struct Approach {
+  Vector3<T> direction;  ///< from the way to the triangle
+  T part;                ///< of the way
+  T inverse;             ///< 1 / the square of the way's length, or 1 for a way shorter than a step
+};
+
+/// Returns where a way and a triangle are nearly the nearest. The direction goes to the point of the triangle that is
+/// nearly the closest to the point of the way that is nearest to the triangle's middle, from the point of the way that
+/// is nearest to there. It may be anything: support along any direction certifies a distance. `start`: the corner as
+/// seen from the way's start. Lengths are in steps.
+template <class T>
+TOUCHSTONE_OF_WEIGHTS constexpr Approach<T> nearly_shortest(const Corner<T>& start, const Vector3<T>& way,
+                                                            const T& zero, const T& one, const T& third) {
+  const T inverse = one / maximum(product(way, way), one);
+  const auto part_to = [&](const Weights<T>& weights) {
+    return maximum(minimum(product(way, point(weights, start)) * inverse, one), zero);
+  };
+  const Weights<T> weights = nearly_closest(seen_after(part_to({third, third}), way, start, zero), zero, one);
+  const T part = part_to(weights);
+  return {point(weights, seen_after(part, way, start, zero)), part, inverse};
+}
+
+/// Returns roughly the part of the way after which a ball of this radius first touches the triangle.
+template <class T>
+__attribute__((always_inline)) constexpr T rough_entry(const Approach<T>& approach, const T& radius, const T& zero) {
+  const T inside = multiply_subtract(radius, radius, product(approach.direction, approach.direction));
+  return approach.part - square_root(maximum(inside, zero) * approach.inverse);
+}
+
 #undef TOUCHSTONE_OF_WEIGHTS
 
 }  // namespace lane
