@@ -5,7 +5,7 @@ from noise import TOO_NOISY, is_steady
 from page import count, escaped, multiple, percent, rounded, smaller
 from results import distinct, finite, maybe, natural
 from studies import OUTPUT, Run
-from style import plt, rows_of, save
+from style import STYLES, plt, rows_of, save
 
 RUN = Run(13, "whole scenes beside five libraries", full=[["bench-scenes", "--meshes", "cache/meshes", "--output", OUTPUT]],
           paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "7", "--output", OUTPUT]],
@@ -82,7 +82,8 @@ def scene_told(study, data, scene):
     size, small = data.largest(scene), min(row["triangles"] for row in data.queries if row["scene"] == scene)
     at = {(row["library"], row["balls"], row["question"]): row for row in data.queries if (row["scene"], row["triangles"]) == (scene, size)}
     questions = list(dict.fromkeys(key[1:] for key in at))
-    return {"name": scene, "size": size, "small": small, "path": smaller(study.folder, f"queries-{scene}"), "growth": list(growth(data, scene, small, size)),
+    return {"name": scene, "size": size, "small": small, "path": smaller(study.folder, f"queries-{scene}"), "batches": smaller(study.folder, f"batches-{scene}"),
+            "growth": list(growth(data, scene, small, size)),
             "heads": ["library", *(f"{BALLS.get(balls, balls)}: {QUESTIONS.get(question, question)}" for balls, question in questions)],
             "queries": [[escaped(library), *(query_cell(at.get((library, *q)), at.get((OURS, *q))) for q in questions)] for library in data.libraries],
             "motions": list(motion_rows(data, scene))}
@@ -116,8 +117,8 @@ def draw_lines(axes, rows, value):
     axes.grid(color="#dddddd", linewidth=0.5)
 
 
-def draw_queries(rows, scene, folder):
-    rows = [row for row in rows if row["library"] in LIBRARIES]  # of balls together, only all on one core
+def draw_panels(rows, draw, labels, title, handle):
+    """A panel for each kind of ball and question, where draw(axes, rows) draws; a legend of what is drawn and of `handle`."""
     balls, questions = distinct(rows, "balls"), distinct(rows, "question")
     figure, grid = plt.subplots(len(balls), len(questions), figsize=(3.1 * len(questions) + 0.5, 2.5 * len(balls) + 0.8),
                                 sharex=True, sharey=True, squeeze=False, layout="constrained")
@@ -129,22 +130,61 @@ def draw_queries(rows, scene, folder):
             if not chosen:
                 axes.set_axis_off()
                 continue
-            draw_lines(axes, chosen, lambda row: float(row["nanoseconds"]) / 1000)
+            draw(axes, chosen)
             axes.set_title(f"{BALLS[ball]}: {QUESTIONS[question]}")
             lowest = not any(row["question"] == question and balls.index(row["balls"]) > i for row in rows)
             axes.xaxis.set_tick_params(labelbottom=lowest)
             if lowest:
-                axes.set_xlabel("triangles")
+                axes.set_xlabel(labels[0])
             if j == 0:
-                axes.set_ylabel("a query, microseconds")
+                axes.set_ylabel(labels[1])
             handles = max(handles, axes.get_legend_handles_labels()[0], key=len)
+    handles = [*handles, *handle]
     place = next((axes for axes in grid.flat if not axes.axison), None)
     if place is None:  # a run that was interrupted
         grid[0][0].legend(handles=handles, fontsize=6)
     else:
         place.legend(handles=handles, loc="center", frameon=False)
-    figure.suptitle(f"{scene}: time of a query against the size of the scene", fontsize=10)
+    figure.suptitle(title, fontsize=10)
+    return figure
+
+
+def microseconds_of(row):
+    return float(row["nanoseconds"]) / 1000
+
+
+def draw_queries(rows, scene, folder):
+    rows = [row for row in rows if row["library"] in LIBRARIES]  # of balls together, only all on one core
+    figure = draw_panels(rows, lambda axes, chosen: draw_lines(axes, chosen, microseconds_of), ("triangles", "a query, microseconds"),
+                         f"{scene}: time of a query against the size of the scene", [])
     save(figure, folder, f"queries-{scene}")
+
+
+# By the library that asks about so many balls in one call.
+TOGETHER = {OURS: "1", "Scene, 64 together": "64", "Scene, 1024 together": "1024", "Scene, all together": "all"}
+
+
+def draw_batches(rows, scene, folder):
+    """The time of a ball by the number of balls in a call, a line a size of the scene, over that of Embree 3, which takes one."""
+    rows = [row for row in rows if row["library"] in (*TOGETHER, "Embree 3")]
+    sizes = sorted({int(row["triangles"]) for row in rows})
+
+    def draw(axes, chosen):
+        times = {(row["library"], int(row["triangles"])): microseconds_of(row) for row in chosen}
+        for size, (colour, _, marker) in zip(sizes, STYLES):
+            spots = [(together, times[library, size]) for library, together in TOGETHER.items() if (library, size) in times]
+            if spots:
+                axes.plot(*zip(*spots), color=colour, marker=marker, markersize=4, linewidth=1.2, label=f"{count(size)} triangles")
+            if ("Embree 3", size) in times:
+                axes.axhline(times["Embree 3", size], color=colour, linestyle="--", linewidth=0.9)
+        axes.set(yscale="log")
+        axes.set_yticks(MICROSECONDS, MICROSECONDS)
+        axes.minorticks_off()
+        axes.grid(color="#dddddd", linewidth=0.5)
+
+    one_by_one = plt.Line2D([], [], color="#555555", linestyle="--", label="Embree 3, one by one")
+    save(draw_panels(rows, draw, ("balls in one call", "a ball, microseconds"),
+                     f"{scene}: time of a ball against the number of balls in one call, on one core", [one_by_one]), folder, f"batches-{scene}")
 
 
 def draw_builds(rows, folder):
@@ -167,6 +207,8 @@ def draw_builds(rows, folder):
 def main(folder):
     queries, builds = rows_of(folder / "queries.csv"), rows_of(folder / "builds.csv")
     for scene in distinct(queries, "scene"):
-        draw_queries([row for row in queries if row["scene"] == scene], scene, folder)
+        rows = [row for row in queries if row["scene"] == scene]
+        draw_queries(rows, scene, folder)
+        draw_batches(rows, scene, folder)
     if builds:
         draw_builds(builds, folder)

@@ -200,9 +200,14 @@ Balls draw(BallPlace place, const NamedScene& scene, const SceneSettings& settin
   return std::make_shared<const std::vector<Ball>>(std::move(balls));
 }
 
-const timing::Measured* find(const timing::Result& result, const std::string& library) {
-  const auto found = std::ranges::find(result.candidates, library, &timing::Measured::name);
-  return found == result.candidates.end() || found->nanoseconds.empty() ? nullptr : &*found;
+/// Counts for the first balls.
+std::optional<TouchedMemory> touched_memory(const MemoryModel& model, const std::vector<Triangle>& triangles,
+                                            SceneQuestion question, const std::vector<Ball>& balls, BuiltScene& exact) {
+  constexpr std::size_t kMost = 2000;
+  std::vector<Ball> some(balls.begin(), balls.begin() + static_cast<std::ptrdiff_t>(std::min(balls.size(), kMost)));
+  if (question == SceneQuestion::Any || some.empty()) return std::nullopt;
+  if (question == SceneQuestion::Nearest) make_touch(some, triangles, exact);
+  return model.touched_by(some);
 }
 
 }  // namespace
@@ -244,6 +249,7 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
         settings.seconds_of_repetition);
   };
   using enum SceneQuestion;
+  const MemoryModel model(scene.triangles);
   for (const BallPlace place : {BallPlace::Near, BallPlace::Anywhere, BallPlace::Touching}) {
     if (stop) break;
     const Balls balls = draw(place, scene, settings, *exact->scene);
@@ -251,7 +257,8 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
       if (stop || (place == BallPlace::Touching && question == Nearest)) break;
       const timing::Benchmark benchmark =
           benchmark_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
-      result.benchmarks.push_back({place, question, measured(benchmark)});
+      result.benchmarks.push_back({place, question, measured(benchmark),
+                                   touched_memory(model, scene.triangles, question, *balls, *exact->scene)});
       keep(result.benchmarks.back());
     }
   }
@@ -283,15 +290,10 @@ std::vector<Growth> growths(const std::vector<SceneResult>& results) {
       const auto before = std::ranges::find_if(small->benchmarks, [&](const SceneBenchmark& c) {
         return c.place == benchmark.place && c.question == benchmark.question;
       });
-      if (before == small->benchmarks.end()) continue;
-      for (const timing::Measured& m : benchmark.result.candidates) {
-        const timing::Measured* base = find(before->result, m.name);
-        if (base == nullptr || m.nanoseconds.empty()) continue;
-        all.push_back(
-            {large.kind, m.name, benchmark.place, benchmark.question, small->triangles, large.triangles,
-             timing::quartiles(m.nanoseconds).median / timing::quartiles(base->nanoseconds).median,
-             std::log(static_cast<double>(large.triangles)) / std::log(static_cast<double>(small->triangles))});
-      }
+      if (before == small->benchmarks.end() || !before->memory || !benchmark.memory) continue;
+      const TouchedMemory &from = *before->memory, &to = *benchmark.memory;
+      all.push_back({large.kind, benchmark.place, benchmark.question, small->triangles, large.triangles,
+                     to.lines / from.lines, static_cast<double>(to.levels) / from.levels});
     }
   }
   return all;

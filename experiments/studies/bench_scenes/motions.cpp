@@ -89,7 +89,7 @@ timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles, const
     candidate.queries = motions->size();
     candidate.ask = [motions, scene = one.scene](std::size_t count) { return sweep(*scene, *motions, count); };
     if (one.library->exact) {
-      candidate.comparison = {kAtStart, length == MotionLength::Short ? std::optional(kShortGoal) : std::nullopt};
+      candidate.comparison = {kAtStart, length == MotionLength::Short ? kShortGoal : kLongGoal};
       candidate.most_checked = std::min(benchmark.checked, kByBruteForce);
       candidate.count_wrong = counting([&triangles, &disputes, motions, truth, name = benchmark.name](std::size_t i) {
         if (first_contact_by_brute_force(triangles, (*motions)[i]) == (*truth)[i]) return false;
