@@ -82,7 +82,7 @@ class Search {
     for (int direction = 0; direction < 2; ++direction, std::ranges::reverse(other))
       for (std::size_t start = 0; start < other.size(); ++start) {
         if (other < numbers_) return false;
-        std::ranges::rotate(other, other.begin() + 1);
+        std::rotate(other.begin(), other.begin() + 1, other.end());
       }
     return true;
   }

@@ -194,7 +194,8 @@ void for_each_sequence(std::vector<int>& numbers, bool different, const F& f) {
   const auto is_lowest = [&] {
     std::vector<int> other = numbers;
     for (int direction = 0; direction < 2; ++direction, std::ranges::reverse(other))
-      for (std::size_t start = 0; start < other.size(); ++start, std::ranges::rotate(other, other.begin() + 1))
+      for (std::size_t start = 0; start < other.size();
+           ++start, std::rotate(other.begin(), other.begin() + 1, other.end()))
         if (other < numbers) return false;
     return true;
   };

@@ -138,7 +138,7 @@ TEST(Merge, KeepsARegionWholeThatTouchesItselfInAVertex) {
 // Two triangles in one loop: at its lowest point the loop turns to the right once, within its turn to the left.
 TEST(Merge, KnowsTheOrientationOfALoopThatVisitsItsLowestPointTwice) {
   std::vector<std::uint32_t> loop{0, 1, 2, 0, 3, 4};
-  for (std::size_t first = 0; first < loop.size(); ++first, std::ranges::rotate(loop, loop.begin() + 1)) {
+  for (std::size_t first = 0; first < loop.size(); ++first, std::rotate(loop.begin(), loop.begin() + 1, loop.end())) {
     const Mesh plate{{{0, 0, 0}, {1, 2, 0}, {0, 8, 0}, {8, 0, 0}, {2, 1, 0}, {8, 4, 0}}, {loop, {4, 3, 5}}};
     EXPECT_EQ(merged_soundly(plate).faces.size(), 1U) << first;
   }
