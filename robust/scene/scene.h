@@ -172,8 +172,8 @@ class Scene {
   /// filtered::first_contact for each; and 100 us for each comparison of times that round to the same double.
   [[nodiscard]] std::vector<FirstFace> touched_in_order(const Motion& motion, const Objects& objects = {}) const;
   /// Returns the face that the moving ball touches first; nothing if it touches none. Cost: that of the faces near the
-  /// way up to that time, and 0.3 to 0.6 us to round time and point. Each further face at exactly the same time adds 100
-  /// us, unless it shares the touched vertex or edge.
+  /// way up to that time, and 0.3 to 0.6 us to round time and point. Each further face at exactly the same time adds
+  /// 100 us, unless it shares the touched vertex or edge.
   [[nodiscard]] std::optional<FirstFace> first_contact(const Motion& motion, const Objects& objects = {}) const;
 
   /// @{

@@ -51,11 +51,11 @@ struct Events {
   }
   /// The event that is before all others wherever their times lie.
   [[nodiscard]] std::optional<std::size_t> definite() const {
-    for (const auto& [number, event] : certain)
+    for (const auto& one : certain)
       if (std::all_of(certain.begin(), certain.end(), [&](const auto& other) {
-            return other.first == number || *event.latest < *other.second.earliest;
+            return other.first == one.first || *one.second.latest < *other.second.earliest;
           }))
-        return number;
+        return one.first;
     return std::nullopt;
   }
   void expect_known() const {

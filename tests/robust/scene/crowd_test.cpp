@@ -58,8 +58,8 @@ TEST(Crowd, GetsTheAnswersOfSingleBalls) {
 TEST(Crowd, GetsTheAnswersOfSingleBallsWhatItsNumber) {
   const Subject subject(draw_objects(Kind::Soup, 2027, 7), "soup");
   const std::vector<Ball> balls = draw_balls(subject.faces.polygons(), 1100, 7);
-  for (const std::size_t count : {0, 1, 63, 64, 65, 255, 256, 257, 1100})
-    expect_single_answers(subject.built, {balls.begin(), balls.begin() + static_cast<std::ptrdiff_t>(count)}, "soup");
+  for (const int count : {0, 1, 63, 64, 65, 255, 256, 257, 1100})
+    expect_single_answers(subject.built, {balls.begin(), balls.begin() + count}, "soup");
 }
 
 TEST(Crowd, GetsTheAnswersOfSingleBallsAboutPosedObjects) {

@@ -263,7 +263,7 @@ TEST(SceneBench, AllNodesAndLeavesAreTouchedByABallAroundTheScene) {
   for (const Triangle& triangle : triangles) boxes.push_back(box(triangle));
   const BoxTree tree(boxes);
   const MemoryModel model(triangles);
-  const Ball around({0, 0, 0}, 100), beyond({1000, 0, 0}, 1);
+  const Ball around{{0, 0, 0}, 100}, beyond{{1000, 0, 0}, 1};
   const TouchedMemory all = model.touched_by({&around, 1}), none = model.touched_by({&beyond, 1});
   EXPECT_EQ(all.nodes, static_cast<double>(tree.nodes().size()));
   EXPECT_EQ(all.leaves, static_cast<double>(tree.leaf_count()));
