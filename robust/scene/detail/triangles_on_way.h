@@ -14,7 +14,14 @@
 /// The triangles of a set, where they stand or in their own frame, and a moving ball that asks about them.
 namespace touchstone::scene::detail::inline TOUCHSTONE_TARGET {
 
-/// Passes the triangle to a search if the ball touches it before the search's end.
+/// Returns whether the moving ball certainly misses the triangle, by the signs of doubles.
+TOUCHSTONE_INLINE bool certainly_misses(const Motion& motion, const Triangle& triangle) {
+  filtered::detail::CapsuleSigns signs;
+  return capsule_filter(filtered::detail::view_of(motion, triangle), signs) == filtered::detail::FilterResult::No;
+}
+
+/// Passes the triangle to a search if the ball touches it before the search's end. Signs exclude most contacts that
+/// times leave open: they hold for larger numbers, and for degenerate triangles.
 inline void meet(const Triangle& triangle, std::uint32_t number, FirstContactSearch& search) {
   const filtered::detail::MotionTriangleView view = filtered::detail::view_of(search.motion(), triangle);
   const filtered::detail::MotionFilterResult known = filtered::detail::motion_filter(view);
@@ -23,7 +30,7 @@ inline void meet(const Triangle& triangle, std::uint32_t number, FirstContactSea
     if (known.earliest <= search.end()) search.meet(triangle, number, known.feature, known.earliest, known.latest);
   } else if (known.at_start == filtered::detail::FilterResult::Yes) {
     search.start(triangle, number);
-  } else {
+  } else if (!certainly_misses(search.motion(), triangle)) {
     filtered::NoCounts counts;
     search.meet(triangle, number, filtered::detail::later_first_contact(view, known, counts));
   }

@@ -120,9 +120,10 @@ TEST(Lanes, TouchedTrianglesAreNear) {
   EXPECT_LE(needed, bounds::kLaneDistance * kUnit);
 }
 
-// The support is the sum of two products. It is at most 4 times the point's length: no coordinate of a vertex seen from
-// the centre is more than 2 S, and 12 is less than 4^2. It is compared with a product of the limit and that
-// length.
+// The support is the sum of two products. It is at most 4 times the direction's length: no coordinate of a vertex seen
+// from the centre is more than 2 S, and 12 is less than 4^2. It is compared with a product of the limit and that
+// length. The direction may be any: that of a point, or one from a centre's way. Of a way, the lesser support of both
+// ends is that of the whole way, and S is the larger one.
 TEST(Lanes, MissedTrianglesAreFar) {
   const mpq_class of_products = 2 * 2 * mpq_class(bounds::kLaneProduct) * kUnit, of_sum = 4 * (1 + of_products) * kUnit;
   const mpq_class of_comparison = (1 + kLength) * (1 + kUnit) - 1;
@@ -133,7 +134,8 @@ TEST(Lanes, MissedTrianglesAreFar) {
 }
 
 // What is added to the square is much less than the square of a step; so is what products lose to underflow, divided by
-// a point's length. A point that is missed is at least this long, since the computed length and limit are not less.
+// a direction's length. Where a triangle is missed it is at least this long, since the computed length and limit are
+// not less. Directions from a way are less than 3 times as long as centres are far: `farthest` covers them.
 TEST(Lanes, UnderflowDoesNotMatter) {
   const mpq_class least_limit = bounds::kLaneStored * kSteps / 2, least_length = root_above(bounds::kLaneTiny) / 2;
   const mpq_class farthest = 8 * mpq_class(TriangleGroup::kReach) * kSteps;
