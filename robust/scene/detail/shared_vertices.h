@@ -36,8 +36,6 @@ class TrianglesOfSharedVertices {
     const Eigen::Vector3d* of_part = vertices_.data() + first_vertex_[place / kPart];
     return {of_part[corners[0]], of_part[corners[1]], of_part[corners[2]]};
   }
-  /// Fetches from memory what vertices the triangle has, and those after it.
-  __attribute__((always_inline)) void prefetch(std::size_t place) const { __builtin_prefetch(&corners_[place]); }
   /// Returns the bytes of all triangles.
   [[nodiscard]] std::size_t memory() const;
 
