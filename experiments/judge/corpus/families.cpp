@@ -297,8 +297,10 @@ std::optional<CorpusCase> draw_touching(std::uint64_t index) {
   };
   const auto fan = [&](Loop& loop, std::int64_t lowest) {
     loop.push_back(at(0, 0));
-    for (std::int64_t count = random.integer(2, 3); count > 0; --count)
-      loop.push_back(at(random.integer(-7, 7), random.integer(lowest, 7)));
+    for (std::int64_t count = random.integer(2, 3); count > 0; --count) {
+      const std::int64_t y = random.integer(lowest, 7), x = random.integer(-7, 7);
+      loop.push_back(at(x, y));
+    }
   };
   std::vector<Loop> loops(1);
   if (random.coin()) {
@@ -313,7 +315,8 @@ std::optional<CorpusCase> draw_touching(std::uint64_t index) {
     Polygon polygon(loops[0], {loops.begin() + 1, loops.end()});
     if (exact::validate(polygon)) return std::nullopt;
     const double height = static_cast<double>(random.integer(0, 2)), quarter = 0.25;
-    const Vector3d beside = quarter * at(random.integer(-6, 6), random.integer(-6, 6)), above = height * frame.w;
+    const std::int64_t y = random.integer(-6, 6), x = random.integer(-6, 6);
+    const Vector3d beside = quarter * at(x, y), above = height * frame.w;
     cases::Shapes shapes{Ball{beside + above, 0}, polygon};
     double radius = exact::answer(shapes.ball(), polygon).distance;
     if (random.coin()) radius = std::nextafter(radius, random.coin() ? 0.0 : 100.0);

@@ -49,8 +49,9 @@ std::vector<Motion> draw_motions(MotionLength length, const std::vector<Triangle
   for (std::uint64_t i = 0; i < count; ++i) {
     if (exact.any(balls[i])) continue;
     workloads::Random random(seed, i, 20 + static_cast<std::uint64_t>(length));
-    const Eigen::Vector3d to(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
-    motions.emplace_back(balls[i], balls[i].center + radii(length) * balls[i].radius * to.normalized());
+    const double z = random.unit() - 0.5, y = random.unit() - 0.5, x = random.unit() - 0.5;
+    const Eigen::Vector3d direction = Eigen::Vector3d(x, y, z).normalized();
+    motions.emplace_back(balls[i], balls[i].center + radii(length) * balls[i].radius * direction);
   }
   return motions;
 }

@@ -39,8 +39,8 @@ Points draw_points(const Box& box, std::uint64_t count, std::uint64_t seed) {
   points.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     workloads::Random random(seed, i, 30);
-    const Eigen::Vector3d share(random.unit(), random.unit(), random.unit());
-    points.emplace_back(box.low + share.cwiseProduct(box.high - box.low));
+    const double z = random.unit(), y = random.unit(), x = random.unit();
+    points.emplace_back(box.low + Eigen::Vector3d(x, y, z).cwiseProduct(box.high - box.low));
   }
   return std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(points));
 }

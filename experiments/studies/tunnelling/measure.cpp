@@ -24,7 +24,8 @@ constexpr std::uint64_t kStream = 0x74756e6e656c;
 /// Returns a direction, uniform on the sphere.
 Vector3d any_direction(workloads::Random& random) {
   for (;;) {
-    const Vector3d v(2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1);
+    const double z = 2 * random.unit() - 1, y = 2 * random.unit() - 1, x = 2 * random.unit() - 1;
+    const Vector3d v(x, y, z);
     const double square = v.squaredNorm();
     if (square > 0x1p-10 && square <= 1) return v / std::sqrt(square);
   }
@@ -37,8 +38,8 @@ Vector3d any_point(workloads::Random& random, const Polygon& polygon) {
     low = low.cwiseMin(polygon.vertex(i));
     high = high.cwiseMax(polygon.vertex(i));
   }
-  const Vector3d share(random.unit(), random.unit(), random.unit());
-  return low + share.cwiseProduct(high - low);
+  const double z = random.unit(), y = random.unit(), x = random.unit();
+  return low + Vector3d(x, y, z).cwiseProduct(high - low);
 }
 
 void count(const Motion& motion, const filtered::PreparedPolygon& polygon, Contacts& contacts) {

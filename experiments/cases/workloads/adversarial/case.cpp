@@ -186,7 +186,8 @@ Vector3d half_way(Random& random, const Case& drawn) {
     case 6: return edge.cross(from) / size;
     default: {
       const double length = size * std::abs(random.log_uniform(-40, 40));
-      return length * Vector3d(2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1);
+      const double z = 2 * random.unit() - 1, y = 2 * random.unit() - 1, x = 2 * random.unit() - 1;
+      return length * Vector3d(x, y, z);
     }
   }
 }
