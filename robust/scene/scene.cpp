@@ -200,7 +200,7 @@ std::vector<FaceId> Scene::touched(const Motion& motion, const Objects& objects)
 template <class Search>
 void Scene::search_on_way(Search& search, const Motion& motion, const Objects& objects) const {
   expect(objects);
-  any_near(motion, objects, [&](std::uint32_t number, const Object& object) {
+  const auto ask = [&](std::uint32_t number, const Object& object) {
     if (object.has_triangles()) {
       search.enter(object.first_triangle(number));
       fastest_walks().first_triangle(object.triangles, search);
@@ -210,7 +210,15 @@ void Scene::search_on_way(Search& search, const Motion& motion, const Objects& o
       fastest_walks().first_polygon(object.polygons, search);
     }
     return false;
-  });
+  };
+  if (by_boxes(objects)) {
+    for (const auto& [number, earliest] : index_->boxes.on_way(motion)) {
+      if (earliest > search.end()) break;
+      if (objects.has(number)) ask(number, *objects_[number]);
+    }
+  } else {
+    any_of(objects, ask);
+  }
 }
 std::vector<FirstFace> Scene::touched_in_order(const Motion& motion, const Objects& objects) const {
   const FloatingPointState nearest;

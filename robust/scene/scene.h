@@ -78,9 +78,8 @@ struct FirstFace {
 /// A set of named objects, each under a pose. Several threads may query a scene at once, while no object is added,
 /// moved or removed.
 ///
-/// A query comes only to the objects whose boxes the ball meets, or the box around the whole way of a moving ball. The
-/// time to find each grows with the logarithm of the number of objects, and so do those to add, move and remove one,
-/// unless many boxes overlap.
+/// A query comes only to the objects whose boxes the ball may touch, at rest or on its way. The time to find each grows
+/// with the logarithm of the number of objects, and so do those to add, move and remove one, unless many boxes overlap.
 class Scene {
  public:
   Scene();  ///< makes a scene without objects
@@ -215,9 +214,14 @@ class Scene {
   /// Calls f(number, object) for each of these, ascending. Stops if it returns true, and returns whether it did.
   template <class F>
   bool any_of(const Objects& objects, const F& f) const;
-  /// The same for those of these whose faces the ball or the motion may touch, and perhaps for others.
-  template <class Query, class F>
-  bool any_near(const Query& query, const Objects& objects, const F& f) const;
+  /// @{
+  /// The same for those of these whose faces the ball may touch, and perhaps for others. A moving ball comes to them in
+  /// any order.
+  template <class F>
+  bool any_near(const Ball& ball, const Objects& objects, const F& f) const;
+  template <class F>
+  bool any_near(const Motion& motion, const Objects& objects, const F& f) const;
+  /// @}
   /// Returns how many these are.
   [[nodiscard]] std::size_t count_of(const Objects& objects) const;
   /// Returns whether these are looked for by their boxes. If not, they are asked one by one.

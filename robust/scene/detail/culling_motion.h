@@ -51,38 +51,46 @@ TOUCHSTONE_INLINE T time_at(const T& side, const T& inverse, const T& offset) {
 /// motion cannot be scaled, no box is culled.
 class CullingMotion {
  public:
+  /// @{
   /// Requires round to nearest, without flush-to-zero.
-  TOUCHSTONE_INLINE CullingMotion(const Motion& motion, const BoxTree& tree) {
+  TOUCHSTONE_INLINE CullingMotion(const Motion& motion, const BoxTree& tree)
+      : CullingMotion(Motion({{scaled(motion.ball.center[0], tree), scaled(motion.ball.center[1], tree),
+                               scaled(motion.ball.center[2], tree)},
+                              scaled(motion.ball.radius, tree)},
+                             {scaled(motion.to[0], tree), scaled(motion.to[1], tree), scaled(motion.to[2], tree)})) {}
+  /// For boxes that are not scaled.
+  TOUCHSTONE_INLINE explicit CullingMotion(const Motion& motion) {
     double largest = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      center_[axis] = scaled(motion.ball.center[axis], tree), to_[axis] = scaled(motion.to[axis], tree);
+      center_[axis] = motion.ball.center[axis], to_[axis] = motion.to[axis];
       largest = std::max({largest, std::abs(center_[axis]), std::abs(to_[axis])});
     }
-    const double reach = scaled(motion.ball.radius, tree) + culling::kTiny;
-    const bool everywhere = !(largest < 0x1p500 && reach < 0x1p500);
-    if (everywhere) largest = 0;
-    squared_ = everywhere ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
+    const double reach = motion.ball.radius + culling::kTiny;
+    everywhere_ = !(largest < 0x1p500 && reach < 0x1p500);
+    if (everywhere_) largest = 0;
+    squared_ = everywhere_ ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
     largest = std::max(largest, reach);
-    margin_ = everywhere ? 0 : culling::kMargin * largest;
+    margin_ = everywhere_ ? 0 : culling::kMargin * largest;
     double longest = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      if (everywhere) center_[axis] = to_[axis] = 0;
+      if (everywhere_) center_[axis] = to_[axis] = 0;
       const double change = to_[axis] - center_[axis];
       longest = std::max(longest, std::abs(change));
-      if (!everywhere && std::abs(change) > culling::kStill * largest) {
+      if (!everywhere_ && std::abs(change) > culling::kStill * largest) {
         const double inverse = 1 / change, side = std::copysign(reach + margin_, change);
         inverse_[axis] = inverse;
         entry_[axis] = -culling::offset(center_[axis], side, inverse);
         exit_[axis] = -culling::offset(center_[axis], -side, inverse);
       } else {
-        // No side of a box times the inverse is more than 2^-350.
-        inverse_[axis] = 0x1p-400, entry_[axis] = -1, exit_[axis] = 2;
+        // No side of a box that the ball may touch, times the inverse, is more than 2^-90.
+        inverse_[axis] = 0x1p-600, entry_[axis] = -1, exit_[axis] = 2;
       }
       forward_[axis] = !(inverse_[axis] < 0);
     }
     timed_ = longest > 2 * reach;
     end_at(1);
   }
+  /// @}
 
   /// Shortens the motion: it ends at this time.
   TOUCHSTONE_INLINE void end_at(double time) {
@@ -107,18 +115,36 @@ class CullingMotion {
       touched |= half_touched(node, filtered::detail::kLanes, times) << filtered::detail::kLanes;
     return touched & all_children(node);
   }
+  /// The same for two boxes that are not scaled.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const Box (&boxes)[2],
+                                                     double (&times)[filtered::detail::kLanes]) const {
+    if (everywhere_) {
+      times[0] = times[1] = 0;
+      return 0b11;
+    }
+    Pack low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = filtered::detail::pack(boxes[0].low[axis], boxes[1].low[axis], 0, 0);
+      high[axis] = filtered::detail::pack(boxes[0].high[axis], boxes[1].high[axis], 0, 0);
+    }
+    return touched(low, high, times) & 0b11;
+  }
   /// Returns whether the ball may touch a box with this key, the earliest time at which it may.
   [[nodiscard]] bool may_touch(double time) const { return time <= end_; }
 
  private:
   /// Returns which of the boxes from `first` on the ball may touch, and writes the earliest times at which it may.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned half_touched(const BoxTree::Node& node, int first, double* times) const {
-    const Pack zero = filtered::detail::all_lanes(0);
     Pack low[3], high[3];
     for (int axis = 0; axis < 3; ++axis) {
       const Sides box = sides(node, axis);
       low[axis] = half(box.low, first), high[axis] = half(box.high, first);
     }
+    return touched(low, high, times + first);
+  }
+  /// The same for the boxes with these sides.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned touched(const Pack (&low)[3], const Pack (&high)[3], double* times) const {
+    const Pack zero = filtered::detail::all_lanes(0);
     const auto gap = [&](int axis) {
       return culling::gap(low[axis], high[axis], filtered::detail::all_lanes(low_[axis]),
                           filtered::detail::all_lanes(high_[axis]), zero);
@@ -133,14 +159,14 @@ class CullingMotion {
         exit = minimum(exit, culling::time_at(forward_[axis] ? high[axis] : low[axis], inverse,
                                               filtered::detail::all_lanes(exit_[axis])));
       }
-    store(times + first, entry);
+    store(times, entry);
     return ~negative_lanes(timed_ ? apart | (exit - entry) : apart) & ((1U << filtered::detail::kLanes) - 1);
   }
 
   double center_[3], to_[3];
   double low_[3], high_[3];  ///< the box around the centre's way until then
   double inverse_[3], entry_[3], exit_[3];
-  bool forward_[3], timed_;
+  bool forward_[3], timed_, everywhere_;
   double squared_, margin_, end_;
 };
 

@@ -85,11 +85,18 @@ inline bool Scene::by_boxes(const Objects& objects) const {
   return count >= kFewest && count >= index_->numbers.size() / kShare;
 }
 
-template <class Query, class F>
-bool Scene::any_near(const Query& query, const Objects& objects, const F& f) const {
+template <class F>
+bool Scene::any_near(const Ball& ball, const Objects& objects, const F& f) const {
   if (!by_boxes(objects)) return any_of(objects, f);
-  return std::ranges::any_of(index_->boxes.in_reach(detail::BoxesInReach(query)),
+  return std::ranges::any_of(index_->boxes.in_reach(detail::BoxesInReach(ball)),
                              [&](std::uint32_t number) { return objects.has(number) && f(number, *objects_[number]); });
+}
+template <class F>
+bool Scene::any_near(const Motion& motion, const Objects& objects, const F& f) const {
+  if (!by_boxes(objects)) return any_of(objects, f);
+  return std::ranges::any_of(index_->boxes.on_way(motion), [&](const detail::ObjectBoxes::OnWay& box) {
+    return objects.has(box.number) && f(box.number, *objects_[box.number]);
+  });
 }
 
 }  // namespace touchstone::scene

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robust/scene/detail/culling_ball.h"
+#include "robust/scene/detail/culling_motion.h"
 #include "robust/scene/posing.h"
 
 namespace touchstone::scene::detail {
@@ -34,9 +35,6 @@ BoxesInReach::BoxesInReach(const Ball& ball) : around_(box_around(ball)), center
   if (center_.lpNorm<Eigen::Infinity>() < 0x1p500 && reach < 0x1p500)
     squared_ = culling::squared_reach(reach, culling::kWide);
 }
-
-BoxesInReach::BoxesInReach(const Motion& motion)
-    : around_(box_around(motion.ball).joined(box_around(Ball{motion.to, motion.ball.radius}))) {}
 
 double BoxesInReach::squared_distance(const Box& box) const {
   const auto gap = [&](int axis) {
@@ -194,6 +192,28 @@ ObjectBoxes::Numbers ObjectBoxes::in_reach(const BoxesInReach& boxes) const {
   }
   std::ranges::sort(numbers);
   return numbers;
+}
+
+boost::container::small_vector<ObjectBoxes::OnWay, 32> ObjectBoxes::on_way(const Motion& motion) const {
+  const CullingMotion culling(motion);
+  boost::container::small_vector<OnWay, 32> found;
+  boost::container::small_vector<std::uint32_t, 64> stack{kAbove};
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.back()];
+    stack.pop_back();
+    double times[filtered::detail::kLanes];
+    const unsigned touched = culling.may_touch(node.box, times);
+    for (unsigned i = 0; i < 2; ++i) {
+      const std::uint32_t child = node.child[i];
+      if ((touched >> i & 1) == 0 || child == kNone) continue;
+      if (is_leaf(child))
+        found.push_back({child - kLeaf, times[i]});
+      else
+        stack.push_back(child);
+    }
+  }
+  std::ranges::sort(found, {}, [](const OnWay& box) { return std::pair(box.earliest, box.number); });
+  return found;
 }
 
 }  // namespace touchstone::scene::detail

@@ -23,8 +23,6 @@ namespace touchstone::scene::detail {
 class BoxesInReach {
  public:
   explicit BoxesInReach(const Ball& ball);
-  /// Tells which boxes meet the box around the way of the ball.
-  explicit BoxesInReach(const Motion& motion);
 
   [[nodiscard]] bool has(const Box& box) const { return meet(box, around_) && !(squared_distance(box) > squared_); }
 
@@ -48,6 +46,11 @@ class BoxesInReach {
 class ObjectBoxes {
  public:
   using Numbers = boost::container::small_vector<std::uint32_t, 32>;
+  /// A box that a moving ball may touch.
+  struct OnWay {
+    std::uint32_t number;
+    double earliest;  ///< a time that is not later than the one at which the ball touches the box first
+  };
 
   /// Sets the box of a number below 2^31; removes it if the box is empty. Cost: logarithmic, unless many boxes overlap.
   void set(std::uint32_t number, const Box& box);
@@ -56,6 +59,9 @@ class ObjectBoxes {
   [[nodiscard]] int height() const { return height(nodes_[kAbove].child[0]); }
   /// Returns the numbers of these boxes, ascending. Cost: logarithmic for each, unless many boxes overlap.
   [[nodiscard]] Numbers in_reach(const BoxesInReach& boxes) const;
+  /// Returns all boxes that the moving ball may touch, and perhaps others, in the order of their times. Cost: likewise.
+  /// Requires round to nearest, without flush-to-zero.
+  [[nodiscard]] boost::container::small_vector<OnWay, 32> on_way(const Motion& motion) const;
   /// Returns a number whose box is nearest to the point, as far as rounded distances tell, of those that `wanted`
   /// wants; nothing if it wants none.
   template <class Wanted>

@@ -63,7 +63,8 @@ TEST(CullingMotionMargin, CoversTheRoundingsOfTimesAndEnds) {
 }
 
 // Times are finite: an inverse is at most 1 / (kStill L), a side of a box is a float, and those of the ball are within
-// 2 L. A centre that moves less has no times.
+// 2 L. A centre that moves less has no times. A box that is not scaled may be so far away that they are infinite; the
+// ball then misses it.
 TEST(CullingMotionStill, KeepsTimesFinite) {
   const auto largest_time = [](const mpq_class& still) -> mpq_class {
     const mpq_class inverse = 1 / (still * kLeast) * (1 + 4 * kU);

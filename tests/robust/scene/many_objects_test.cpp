@@ -179,9 +179,7 @@ TEST(ObjectBoxes, AreFoundIfTheyAreInReach) {
     all[number] = random.unit() < 0.3 ? Box() : draw_box(2028, step);
     boxes.set(number, all[number]);
     const Box asked = draw_box(2029, step);
-    const scene::detail::BoxesInReach reach = step % 2 == 0
-                                                  ? scene::detail::BoxesInReach(Motion{{asked.low, 0}, asked.high})
-                                                  : scene::detail::BoxesInReach(Ball{asked.low, random.unit()});
+    const scene::detail::BoxesInReach reach(Ball{asked.low, random.unit()});
     const ObjectBoxes::Numbers found = boxes.in_reach(reach);
     std::vector<std::uint32_t> expected;
     for (std::uint32_t i = 0; i < kNumbers; ++i)
@@ -189,6 +187,61 @@ TEST(ObjectBoxes, AreFoundIfTheyAreInReach) {
     EXPECT_TRUE(std::ranges::equal(found, expected)) << "step " << step;
     EXPECT_LE(boxes.height(), 12) << "step " << step;  // 1.45 log2(300)
   }
+}
+
+// Against the exact distance after a drawn part of the way. The box that the ball touches there is hidden among others.
+TEST(ObjectBoxes, AreFoundOnTheWayOfABallNotTooLate) {
+  int found_early = 0, others = 0;
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    Random random(2028, i, 102);
+    const int scale = static_cast<int>(random.integer(-1020, 1015));
+    Box touched = draw_box(2032, i);
+    Eigen::Vector3d way, corner = random.unit() < 0.5 ? touched.low : touched.high;
+    for (double& x : way) x = random.unit() < 0.2 ? 0 : std::ldexp(2 * random.unit() - 1, 6);
+    for (double& x : corner) x += random.unit() < 0.3 ? 0 : 2 * random.unit() - 1;
+    const double eighths = static_cast<double>(random.integer(0, 8));
+    const Eigen::Vector3d from = corner - eighths / 8 * way, to = corner + (1 - eighths / 8) * way;
+    mpq_class square = 0;  // of the distance then
+    for (int axis = 0; axis < 3; ++axis) {
+      const mpq_class center = (mpq_class(from[axis]) * (8 - eighths) + mpq_class(to[axis]) * eighths) / 8;
+      const mpq_class gap =
+          std::max<mpq_class>({mpq_class(touched.low[axis]) - center, center - mpq_class(touched.high[axis]), 0});
+      square += gap * gap;
+    }
+    double radius = std::sqrt(square.get_d());
+    while (mpq_class(radius) * mpq_class(radius) < square) radius = std::nextafter(radius, 10);
+    const auto scaled = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
+      return {std::ldexp(point.x(), scale), std::ldexp(point.y(), scale), std::ldexp(point.z(), scale)};
+    };
+    const Motion motion({scaled(from), std::ldexp(radius, scale)}, scaled(to));
+    if (scale < -1000 && motion.ball.radius != 0) continue;  // scaling rounds
+    ObjectBoxes boxes;
+    constexpr std::uint32_t kBoxes = 8;
+    for (std::uint32_t k = 0; k < kBoxes; ++k) {
+      const Box box = k == 3 ? touched : draw_box(2033, kBoxes * i + k);
+      boxes.set(k, {scaled(box.low), scaled(box.high)});
+    }
+    const auto found = boxes.on_way(motion);
+    EXPECT_TRUE(std::ranges::is_sorted(found, {}, &ObjectBoxes::OnWay::earliest)) << i;
+    const auto it = std::ranges::find(found, 3U, &ObjectBoxes::OnWay::number);
+    ASSERT_NE(it, found.end()) << i;
+    EXPECT_LE(it->earliest, eighths / 8) << i;
+    found_early += it->earliest > 0 ? 1 : 0;
+    others += static_cast<int>(found.size()) - 1;
+  }
+  EXPECT_GT(found_early, 500) << "times are not computed";
+  EXPECT_LT(others, 5 * 4000) << "nothing is left out";
+}
+
+TEST(ObjectBoxes, BesideALongWayAreLeftOut) {
+  ObjectBoxes boxes;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    const Eigen::Vector3d low(i, 99 - i, 49);
+    boxes.set(i, {low, low + Eigen::Vector3d::Ones()});
+  }
+  const auto found = boxes.on_way(Motion({{0, 0, 0}, 1}, {100, 100, 100}));
+  EXPECT_GE(found.size(), 2U);
+  EXPECT_LE(found.size(), 6U);
 }
 
 TEST(ObjectBoxes, NameTheNearestThatIsWanted) {
