@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "geometry/detail/floating_point_state.h"
-#include "geometry/detail/parts_in_parallel.h"
 #include "geometry/detail/required.h"
+#include "robust/scene/detail/crowd_parts.h"
 #include "robust/scene/detail/object.h"
 #include "robust/scene/detail/walks.h"
 #include "robust/scene/posing.h"
@@ -102,9 +102,14 @@ std::uint32_t Scene::find(std::string_view name) const {
   throw std::invalid_argument("there is no object \"" + std::string(name) + "\"");
 }
 
-std::size_t Scene::face_count(std::uint32_t object) const {
-  const Object& o = at(object);
-  return o.triangle_count() + o.polygons.polygons.size();
+std::size_t Scene::face_count(std::uint32_t object) const { return at(object).face_count(); }
+std::size_t Scene::face_count(const Objects& objects) const {
+  std::size_t count = 0;
+  any_of(objects, [&](std::uint32_t, const Object& object) {
+    count += object.face_count();
+    return false;
+  });
+  return count;
 }
 
 std::size_t Scene::triangle_memory(std::uint32_t object) const { return at(object).triangles.memory(); }
@@ -237,9 +242,7 @@ void Scene::touches(std::span<const Motion> motions, std::span<bool> answers, co
   const FloatingPointState state;  // TBB clears the exception flags where it changes the rounding mode
   expect(objects);
   expect_equal_lengths("motions", motions.size(), "answers", answers.size());
-  parts_in_parallel(motions.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) answers[i] = touches(motions[i], objects);
-  });
+  each_motion(motions, face_count(objects), [&](std::size_t i) { answers[i] = touches(motions[i], objects); });
 }
 template <class Answer>
 std::vector<Answer> Scene::answers_to(std::span<const Motion> motions, const Objects& objects,
@@ -247,9 +250,7 @@ std::vector<Answer> Scene::answers_to(std::span<const Motion> motions, const Obj
   const FloatingPointState state;
   expect(objects);
   std::vector<Answer> answers(motions.size());
-  parts_in_parallel(motions.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) answers[i] = (this->*answer)(motions[i], objects);
-  });
+  each_motion(motions, face_count(objects), [&](std::size_t i) { answers[i] = (this->*answer)(motions[i], objects); });
   return answers;
 }
 std::vector<std::vector<FaceId>> Scene::touched(std::span<const Motion> motions, const Objects& objects) const {

@@ -180,7 +180,9 @@ class Scene {
   /// std::invalid_argument if the spans differ in length. Cost: 64 balls or more walk together through the triangles
   /// of each object, in any order, if there are at most 64 objects. In one object of a thousand to a million triangles,
   /// 100,000 balls take 0.4 to 0.9 of the time of single ones on one core, and a few hundred about as much: the less,
-  /// the nearer the balls are to each other.
+  /// the nearer the balls are to each other. Motions are asked one by one. Among 65,536 faces and more those that start
+  /// near each other follow each other: 100,000 among a million triangles take 0.7 of the time of single ones on one
+  /// core.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
                                                          const Objects& objects = {}) const;
@@ -222,6 +224,8 @@ class Scene {
   template <class F>
   bool any_near(const Motion& motion, const Objects& objects, const F& f) const;
   /// @}
+  /// Returns how many faces these have.
+  [[nodiscard]] std::size_t face_count(const Objects& objects) const;
   /// Returns how many these are.
   [[nodiscard]] std::size_t count_of(const Objects& objects) const;
   /// Returns whether these are looked for by their boxes. If not, they are asked one by one.

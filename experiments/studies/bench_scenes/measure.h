@@ -126,6 +126,10 @@ inline constexpr double kTimeTolerance = 1e-6;
 inline constexpr timing::Goal kShortGoal{2.5}, kLongGoal{6}, kSweepGoal{1, false};
 /// The name of the candidate that asks about the ball at its start.
 inline constexpr const char* kAtStart = "Scene, at the start";
+/// The name of the candidate that asks about all motions together, on one core, and the goal for its time in that of
+/// single ones.
+inline constexpr const char* kMotionsTogether = "Scene, all together";
+inline constexpr timing::Goal kMotionsTogetherGoal{0.5};
 
 /// Asks every library that knows motions when the balls touch first. A library is wrong about a motion if it finds a
 /// contact that does not exist, misses one, or finds another time, beyond the tolerance. The exact library is

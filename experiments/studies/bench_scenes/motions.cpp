@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -104,6 +106,31 @@ timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles, const
       });
     }
     benchmark.candidates.push_back(std::move(candidate));
+  }
+  if (const scene::Scene* const own = exact.scene->own_scene()) {
+    timing::Candidate together;
+    together.name = kMotionsTogether;
+    together.queries = motions->size();
+    together.ask = [own, motions](std::size_t count) {
+      std::uint64_t sum = 0;
+      tbb::task_arena(1).execute([&] {
+        for (const auto& face : own->first_contact(std::span(*motions).first(count))) sum += face ? 1 : 0;
+      });
+      return sum;
+    };
+    together.count_wrong = [own, motions](std::size_t count) {
+      const auto first = own->first_contact(std::span(*motions).first(count));
+      std::size_t wrong = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto alone = own->first_contact((*motions)[i]);
+        const bool same = first[i].has_value() == alone.has_value() &&
+                          (!alone || (first[i]->face == alone->face && first[i]->contact == alone->contact));
+        wrong += same ? 0 : 1;
+      }
+      return wrong;
+    };
+    together.comparison = {exact.library->name, kMotionsTogetherGoal};
+    benchmark.candidates.push_back(std::move(together));
   }
   return benchmark;
 }

@@ -48,6 +48,8 @@ struct Scene::Object {
 
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size()); }
 
+  [[nodiscard]] std::size_t face_count() const { return triangles.size() + polygons.polygons.size(); }
+
   static FaceId first_triangle(std::uint32_t number) { return {number, 0}; }
   [[nodiscard]] bool has_triangles() const { return triangles.size() > 0; }
   [[nodiscard]] bool has_polygons() const { return !polygons.polygons.empty(); }

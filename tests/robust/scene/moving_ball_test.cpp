@@ -157,6 +157,29 @@ TEST(MovingBallInScene, AnswersBatchesAsSingleQuestions) {
   }
 }
 
+TEST(MovingBallInScene, AnswersBatchesInLargeScenesInTheGivenOrder) {
+  Faces faces;
+  for (int i = 0; i < 1 << 16; ++i) {
+    const Eigen::Vector3d corner(i % 256, i / 256, 0);
+    faces.triangles.push_back({corner, corner + Eigen::Vector3d::UnitX(), corner + Eigen::Vector3d::UnitY()});
+  }
+  Scene scene;
+  scene.add("grid", std::move(faces));
+  std::vector<Motion> motions;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    workloads::Random random(2026, i, 31);
+    const double x = 256 * random.unit(), y = 256 * random.unit();
+    motions.emplace_back(Ball{{x, y, 1}, 0.125}, Eigen::Vector3d(y, x, -1));
+  }
+  const std::unique_ptr<bool[]> touches(new bool[motions.size()]);
+  scene.touches(std::span<const Motion>(motions), {touches.get(), motions.size()});
+  const auto first = scene.first_contact(motions);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    EXPECT_EQ(touches[i], scene.touches(motions[i])) << "motion " << i;
+    EXPECT_EQ(first[i], scene.first_contact(motions[i])) << "motion " << i;
+  }
+}
+
 TEST(MovingBallInScene, AnswersInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
   for_each_query(draw_motion, TOUCHSTONE_SAMPLES / 20,
                  [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {

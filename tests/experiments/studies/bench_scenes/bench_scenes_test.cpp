@@ -320,6 +320,8 @@ TEST(SceneBench, FirstContactsAreThoseOfBruteForceAndOthersAreCounted) {
     ASSERT_TRUE(measured("Scene")->wrong);
     EXPECT_GT(measured("Scene")->wrong->of, 5U);
     EXPECT_EQ(measured("Scene")->wrong->count, 0U);
+    ASSERT_TRUE(measured(kMotionsTogether)->wrong);
+    EXPECT_EQ(measured(kMotionsTogether)->wrong->count, 0U);
     for (const Library& library : all_libraries())
       EXPECT_EQ(library.knows_motions, measured(library.name) != benchmark.result.candidates.end()) << library.name;
   }
