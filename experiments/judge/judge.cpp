@@ -41,7 +41,10 @@ class VerdictReporter {
   /// gave no verdict.
   void report_answer(const cases::Line& line, const methods::Engine& engine, const cases::StatedAnswer& answer,
                      const std::string& fault);
-  /// Reports a fault of an engine with a case that is not rejected, before its answer.
+  /// Reports, before the answer, that a method gives none to a case that is not rejected. `is_told`: complains. A known
+  /// failure is not reported.
+  void report_no_answer(const cases::Line& line, std::string_view method, const std::string& fault, bool is_told);
+  /// Reports another fault of an engine after such a case.
   void blame_engine(const cases::Line& line, const methods::Engine& engine, const std::string& reason);
   [[nodiscard]] Status status() const { return status_; }
 
@@ -50,6 +53,9 @@ class VerdictReporter {
   void print(const std::string& verdict);
   void compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer,
                const std::string& fault);
+  [[nodiscard]] bool knows(const Failure& failure) const {
+    return order_.known != nullptr && order_.known->has(failure);
+  }
   [[nodiscard]] std::vector<std::string> compared_keys(const cases::StatedAnswer& expected) const;
 
   const Order& order_;
@@ -104,16 +110,22 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
       answered = method->prepare(shapes.polygon)->answer(shapes.question);
     } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
       fault = fmt::format("ended with: {}", error.what());
-      complain(fmt::format("{}: method {}: {}", name(line), method->name(), fault));
-      worsen(ExpectationNotMet);
+      report_no_answer(line, method->name(), fault, true);
     }
     if (!answered) {
       print(cases::unanswered_line(*given.id, method->name()));
       if (given.expected) {
         fault = "cannot answer about moving balls";
-        if (order_.prints_differences) complain(fmt::format("{}: method {}: {}", name(line), method->name(), fault));
-        worsen(ExpectationNotMet);
-        if (order_.judged) order_.judged({line, method->name(), {}, compared_keys(*given.expected), {}, fault});
+        report_no_answer(line, method->name(), fault, order_.prints_differences);
+        if (order_.judged)
+          order_.judged({line,
+                         method->name(),
+                         {},
+                         compared_keys(*given.expected),
+                         {},
+                         fault,
+                         false,
+                         knows({std::string(method->name()), *given.id, Failure::kNoAnswer})});
       }
       continue;
     }
@@ -122,6 +134,15 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
                               order_.explain ? std::optional(shapes.ball().radius) : std::nullopt));
     compare(line, method->name(), answer, fault);
   }
+}
+
+void VerdictReporter::report_no_answer(const cases::Line& line, std::string_view method, const std::string& fault,
+                                       bool is_told) {
+  const Failure failure{std::string(method), *line.read->id, Failure::kNoAnswer};
+  if (order_.known != nullptr) order_.known->judged(failure, true);
+  if (knows(failure)) return;
+  if (is_told) complain(fmt::format("{}: method {}: {}", name(line), method, fault));
+  worsen(ExpectationNotMet);
 }
 
 void VerdictReporter::blame_engine(const cases::Line& line, const methods::Engine& engine, const std::string& reason) {
@@ -158,12 +179,38 @@ void VerdictReporter::compare(const cases::Line& line, std::string_view method, 
                               const std::string& fault) {
   if (!line.read->expected) return;
   Judged judged{line, method, answer, compared_keys(*line.read->expected), {}, fault};
+  const auto failure = [&](const std::string& key) { return Failure{std::string(method), *line.read->id, key}; };
+  const bool answers = fault.empty(), is_known_fault = !answers && knows(failure(Failure::kNoAnswer));
+  std::optional<cases::AnswersWithin> within;
+  const auto is_within = [&](const cases::Difference& difference) {
+    const auto key = cases::find_key(difference.key);
+    if (!order_.beyond || !difference.found || !key) return false;
+    const auto& shapes = std::get<cases::Shapes>(line.read->content);
+    if (!within) within.emplace(shapes, order_.beyond->length(shapes));
+    return within->is_exact(*key, *line.read->expected) && within->has(*key, answer);
+  };
+  std::size_t known = 0;
   for (cases::Difference& difference : cases::differences(*line.read->expected, answer)) {
     if (std::ranges::find(judged.compared, difference.key) == judged.compared.end()) continue;
-    if (order_.prints_differences)
-      complain(fmt::format("{}: method {}: {}", name(line), method, to_string(difference)));
-    worsen(ExpectationNotMet);
+    if (is_within(difference)) {
+      judged.within = true;
+      continue;
+    }
+    if (answers ? knows(failure(difference.key)) : is_known_fault) {
+      ++known;
+    } else {
+      if (order_.prints_differences)
+        complain(fmt::format("{}: method {}: {}", name(line), method, to_string(difference)));
+      worsen(ExpectationNotMet);
+    }
     judged.differences.push_back(std::move(difference));
+  }
+  judged.known = is_known_fault || (known > 0 && known == judged.differences.size());
+  if (order_.known != nullptr && answers) {
+    order_.known->judged(failure(Failure::kNoAnswer), false);
+    for (const std::string& key : judged.compared)
+      order_.known->judged(failure(key), std::ranges::find(judged.differences, key, &cases::Difference::key) !=
+                                             judged.differences.end());
   }
   if (order_.judged) order_.judged(judged);
 }
@@ -190,7 +237,7 @@ class JudgedEngine {
       reporter_.complain(fmt::format("engine {}: {} before case {}", engine_.name, ended_before, io::legible(id)));
       reporter_.worsen(ExpectationNotMet);
     }
-    if (!answer) reporter_.blame_engine(line, engine_, reason);
+    if (!answer) reporter_.report_no_answer(line, engine_.name, reason, true);
     reporter_.report_answer(line, engine_, answer.value_or(cases::StatedAnswer()), reason);
   }
 

@@ -12,7 +12,9 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
+#include "experiments/cases/margin.h"
 #include "experiments/cases/method.h"
+#include "experiments/judge/known_failures.h"
 #include "experiments/methods/process/engine.h"
 
 namespace touchstone::judge {
@@ -25,6 +27,8 @@ struct Judged {
   std::vector<std::string> compared;           ///< keys of the expectation
   std::vector<cases::Difference> differences;  ///< the expectations that are not met
   std::string fault;                           ///< why there is no answer; else empty
+  bool within = false;  ///< whether an answer is wrong, but not by more than the margin of the order
+  bool known = false;   ///< whether there is a failure, and every one is known
 };
 
 /// A task for the judge: inputs, methods, and output streams.
@@ -34,6 +38,8 @@ struct Order {
   std::vector<methods::Engine> engines;       ///< commands that read cases and print verdicts; answer last
   std::chrono::milliseconds time_limit = methods::kTimeLimit;  ///< for each verdict of an engine
   std::vector<cases::Key> keys{};                              ///< only these are compared; empty: all
+  std::optional<cases::Margin> beyond{};                       ///< an answer that is off by no more is not wrong
+  KnownFailures* known = nullptr;  ///< failures that are neither complaints nor change the status; notes what occurs
   bool explain = false;
   bool at_rest = false;  ///< leave out the cases of moving balls
   bool prints_verdicts = true, prints_differences = true;

@@ -9,9 +9,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 
 #include "experiments/cases/key.h"
+#include "experiments/cases/margin.h"
 #include "experiments/judge/judge.h"
+#include "experiments/judge/known_failures.h"
 #include "experiments/judge/report.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/registry.h"
@@ -28,9 +31,9 @@ namespace {
 struct JudgeOptions {
   methods::Selection methods{{}};
   std::vector<std::string> files, keys;
-  std::string junit, report;
+  std::string junit, report, beyond, known;
   double time_limit = std::chrono::duration<double>(methods::kTimeLimit).count();
-  bool explain = false, at_rest = false, summary = false, json = false, quiet = false, force = false;
+  bool explain = false, at_rest = false, summary = false, json = false, quiet = false, force = false, update = false;
 };
 
 std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
@@ -63,7 +66,20 @@ judge::Order order_of(const JudgeOptions& options) {
   }
   if (options.methods.empty()) order.methods = methods::find_methods({"exact"});
   order.time_limit = std::chrono::milliseconds(std::lround(1000 * options.time_limit));
+  if (!options.beyond.empty()) order.beyond = cases::margin_of(options.beyond);
   return order;
+}
+
+/// Tells which known failures are mended and how many are new; with `update`, writes those that there are now.
+void tell_of_known(const judge::KnownFailures& known, const std::string& file, bool update) {
+  const auto mended = known.mended();
+  for (const judge::Failure& failure : mended)
+    fmt::print(stderr, "{}: mended: case {}: method {}: {}\n", file, io::legible(failure.id),
+               io::legible(failure.method), failure.key);
+  if (update) {
+    run::write_file(file, known.text(), true);
+    fmt::print(stderr, "{}: {} added, {} removed\n", file, known.new_ones(), mended.size());
+  }
 }
 
 /// Returns the number of bytes of all files, or nothing if one of them has no size, like a pipe.
@@ -83,6 +99,12 @@ int run_judge(const JudgeOptions& options) {
   for (const std::string& file : {options.junit, options.report})
     if (!file.empty()) run::refuse_overwrite(file, options.force);
 
+  std::optional<judge::KnownFailures> known;
+  if (!options.known.empty()) {
+    const bool begins = options.update && !std::filesystem::exists(options.known);
+    known = begins ? judge::KnownFailures() : judge::KnownFailures(options.known);
+    order.known = &*known;
+  }
   judge::Tally tally;
   judge::JunitReport junit;
   judge::Report report;
@@ -107,7 +129,8 @@ int run_judge(const JudgeOptions& options) {
     fmt::print("{}", judge::summary_text(tally, run::takes_colours(stdout)));
   if (!options.junit.empty()) run::write_file(options.junit, junit.text(), options.force);
   if (!options.report.empty()) run::write_file(options.report, report.text(tally), options.force);
-  return status;
+  if (known) tell_of_known(*known, options.known, options.update);
+  return options.update && status == judge::ExpectationNotMet ? judge::AllMet : status;
 }
 
 }  // namespace
@@ -126,6 +149,29 @@ run::Command judge_command() {
   command.names("--keys", options->keys, "Compare only these keys of answers, separated by commas, such as contact");
   command.flag("--at-rest", options->at_rest,
                "Leave out the cases of moving balls, for an engine that knows only balls at rest");
+  command
+      .text("--beyond", options->beyond,
+            "Count an answer as wrong only if it is still wrong when the radius is changed by this much: 2^-20 or 1e-6 "
+            "of the case's largest coordinate, or a length such as 1e-6m",
+            [](const std::string& text) -> std::string {
+              try {
+                (void)cases::margin_of(text);
+                return {};
+              } catch (const std::invalid_argument& error) {
+                return error.what();
+              }
+            })
+      .takes("MARGIN");
+  command
+      .text(
+          "--known", options->known,
+          "Failures that this file names are counted, but not told, and do not change the exit status; those that are "
+          "mended are told")
+      .takes("FILE");
+  command
+      .flag("--update", options->update,
+            "Write the failures that there are now to the file of --known, and exit with 0")
+      .needs("--known");
   command.flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
   command.flag(
       "--summary", options->summary,

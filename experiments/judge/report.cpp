@@ -68,18 +68,25 @@ std::string text_of(const MethodTally& tally, bool coloured, std::size_t most_ta
   text += rows("by family (file)", {tally.by_file.begin(), tally.by_file.end()}, coloured);
   const auto tags = worst_tags(tally.by_tag, most_tags);
   if (!tags.empty()) text += rows("by tag, the highest rates", tags, coloured);
+  if (tally.all.known > 0) text += fmt::format("known failures: {}\n", run::counted(tally.all.known, "case"));
+  if (tally.all.within > 0)
+    text += fmt::format("not counted as wrong: {} within the margin\n", run::counted(tally.all.within, "case"));
   return text;
 }
 
-nlohmann::ordered_json json_of(const Count& count) {
+enum class Of { Cases, Keys };
+
+nlohmann::ordered_json json_of(const Count& count, Of what) {
   const run::Rate rate = run::rate(count.wrong, count.given());
-  return {{"cases", count.cases}, {"wrong", count.wrong}, {"not_given", count.not_given},
-          {"rate", rate.share},   {"lower", rate.lower},  {"upper", rate.upper}};
+  nlohmann::ordered_json object{{"cases", count.cases}, {"wrong", count.wrong}, {"not_given", count.not_given}};
+  if (what == Of::Cases) object["known"] = count.known, object["within"] = count.within;
+  object.update({{"rate", rate.share}, {"lower", rate.lower}, {"upper", rate.upper}});
+  return object;
 }
 
-nlohmann::ordered_json json_of(const Counts& counts) {
+nlohmann::ordered_json json_of(const Counts& counts, Of what) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
-  for (const auto& [name, count] : counts) object[name] = json_of(count);
+  for (const auto& [name, count] : counts) object[name] = json_of(count, what);
   return object;
 }
 
@@ -130,11 +137,16 @@ void Tally::add(const Judged& judged) {
     sum.wrong += wrong ? 1 : 0;
     sum.not_given += not_given && !wrong ? 1 : 0;
   };
+  const auto count_case = [&](Count& sum) {
+    count(sum, any_wrong, any_missing);
+    sum.known += judged.known ? 1 : 0;
+    sum.within += judged.within && !any_wrong && !any_missing ? 1 : 0;
+  };
   for (const auto& [key, outcome] : keys) count(method->by_key[key], outcome.wrong > 0, outcome.not_given > 0);
-  count(method->all, any_wrong, any_missing);
-  count(method->by_file[family_of_file(judged.line.file)], any_wrong, any_missing);
+  count_case(method->all);
+  count_case(method->by_file[family_of_file(judged.line.file)]);
   const auto& tags = judged.line.read->tags;
-  for (const std::string& tag : std::set(tags.begin(), tags.end())) count(method->by_tag[tag], any_wrong, any_missing);
+  for (const std::string& tag : std::set(tags.begin(), tags.end())) count_case(method->by_tag[tag]);
 }
 
 std::string summary_text(const Tally& tally, bool coloured, std::size_t most_tags) {
@@ -148,10 +160,10 @@ std::string summary_json(const Tally& tally) {
   nlohmann::ordered_json methods = nlohmann::ordered_json::array();
   for (const MethodTally& method : tally.methods())
     methods.push_back({{"method", method.method},
-                       {"all", json_of(method.all)},
-                       {"keys", json_of(method.by_key)},
-                       {"families", json_of(method.by_file)},
-                       {"tags", json_of(method.by_tag)}});
+                       {"all", json_of(method.all, Of::Cases)},
+                       {"keys", json_of(method.by_key, Of::Keys)},
+                       {"families", json_of(method.by_file, Of::Cases)},
+                       {"tags", json_of(method.by_tag, Of::Cases)}});
   return nlohmann::ordered_json{{"methods", methods}}.dump() + "\n";
 }
 
@@ -164,7 +176,11 @@ void JunitReport::add(const Judged& judged) {
   std::string sentences;
   for (const cases::Difference& difference : judged.differences)
     sentences.append(sentences.empty() ? "" : "\n").append(to_string(difference));
-  if (!judged.fault.empty()) {
+  if (judged.known) {
+    ++suite.skipped;
+    suite.cases += fmt::format("><skipped message=\"known failure\">{}</skipped></testcase>\n",
+                               xml_text(judged.fault.empty() ? sentences : judged.fault));
+  } else if (!judged.fault.empty()) {
     ++suite.errors;
     suite.cases +=
         fmt::format("><error message=\"{}\">{}</error></testcase>\n", xml_text(judged.fault), xml_text(sentences));
@@ -184,14 +200,17 @@ std::string JunitReport::text() const {
     all.tests += suite.tests;
     all.failures += suite.failures;
     all.errors += suite.errors;
+    all.skipped += suite.skipped;
     suites += fmt::format(
-        "  <testsuite name=\"{}: {}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n{}  </testsuite>\n",
-        xml_text(names.first), xml_text(names.second), suite.tests, suite.failures, suite.errors, suite.cases);
+        "  <testsuite name=\"{}: {}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n{}"
+        "  </testsuite>\n",
+        xml_text(names.first), xml_text(names.second), suite.tests, suite.failures, suite.errors, suite.skipped,
+        suite.cases);
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"touchstone judge\" tests=\"{}\" failures=\"{}\" "
-      "errors=\"{}\">\n{}</testsuites>\n",
-      all.tests, all.failures, all.errors, suites);
+      "errors=\"{}\" skipped=\"{}\">\n{}</testsuites>\n",
+      all.tests, all.failures, all.errors, all.skipped, suites);
 }
 
 void Report::add(const Judged& judged) {
@@ -217,10 +236,12 @@ std::string Report::text(const Tally& tally) const {
   std::string body;
   for (const MethodTally& method : tally.methods()) {
     const run::Rate rate = run::rate(method.all.wrong, method.all.given());
-    body += fmt::format("<h1>{}</h1>\n<p>Wrong on {} of {}: {} ({} to {}, 95 % confidence). No answer on {}.</p>\n",
+    body += fmt::format("<h1>{}</h1>\n<p>Wrong on {} of {}: {} ({} to {}, 95 % confidence). No answer on {}.{}{}</p>\n",
                         xml_text(method.method), method.all.wrong, run::counted(method.all.given(), "case"),
                         percent(rate.share) + " %", percent(rate.lower) + " %", percent(rate.upper) + " %",
-                        method.all.not_given);
+                        method.all.not_given,
+                        method.all.known > 0 ? fmt::format(" Known failures: {}.", method.all.known) : "",
+                        method.all.within > 0 ? fmt::format(" Within the margin: {}.", method.all.within) : "");
     body += html_table("key", method.by_key) + html_table("family (file)", method.by_file);
     if (!method.by_tag.empty())
       body += "<details><summary>By tag</summary>\n" + html_table("tag", method.by_tag) + "</details>\n";

@@ -20,6 +20,8 @@ struct Count {
   std::uint64_t cases = 0;
   std::uint64_t wrong = 0;      ///< another value than the expected one
   std::uint64_t not_given = 0;  ///< no value, and none that is wrong
+  std::uint64_t known = 0;      ///< of these two: all failures are known
+  std::uint64_t within = 0;     ///< neither, but only within the margin
 
   [[nodiscard]] std::uint64_t given() const { return cases - not_given; }
 };
@@ -56,11 +58,13 @@ class Tally {
 [[nodiscard]] std::string summary_text(const Tally& tally, bool coloured, std::size_t most_tags = 10);
 
 /// Returns all counts as one JSON object, with a line end: `{"methods":[{"method":...,"all":{"cases":...,"wrong":...,
-/// "not_given":...,"rate":...,"lower":...,"upper":...},"keys":{...},"families":{...},"tags":{...}}]}`.
+/// "not_given":...,"known":...,"within":...,"rate":...,"lower":...,"upper":...},"keys":{...},"families":{...},
+/// "tags":{...}}]}`. `known` and `within` count whole cases, so `keys` do not have them.
 [[nodiscard]] std::string summary_json(const Tally& tally);
 
 /// A report in the XML of JUnit, which CI services show: a test suite for each method and file, a test case for each
-/// case. An expectation that is not met is a failure; no answer is an error.
+/// case. An expectation that is not met is a failure; no answer is an error; a case whose failures are all known is
+/// skipped.
 class JunitReport {
  public:
   void add(const Judged& judged);
@@ -69,7 +73,7 @@ class JunitReport {
 
  private:
   struct Suite {
-    std::uint64_t tests = 0, failures = 0, errors = 0;
+    std::uint64_t tests = 0, failures = 0, errors = 0, skipped = 0;
     std::string cases;
   };
   std::map<std::pair<std::string, std::string>, Suite> suites_;  ///< by method and file

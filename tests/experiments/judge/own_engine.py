@@ -69,6 +69,22 @@ class OwnEngine(unittest.TestCase):
         self.assertIn("--force", done.stderr)
         self.assertEqual((self.folder / "it.html").read_text(), "precious")
 
+    def test_the_judge_fails_by_new_failures_alone(self):
+        judge = ("judge", "--keys", "contact", "--known", "known.jsonl", "--json", SOURCE / "tests/corpus/edge.jsonl", "--engine")
+        self.run_it(*judge, self.vertices + "=mine", status=2)  # there is no such file yet
+        wrote = self.run_it(*judge, self.vertices + "=mine", "--update")
+        known = (self.folder / "known.jsonl").read_text()
+        failures = known.count("\n")
+        self.assertGreater(failures, 10)
+        self.assertIn(f"known.jsonl: {failures} added, 0 removed", wrote.stderr)
+        again = self.run_it(*judge, self.vertices + "=mine")
+        self.assertEqual(again.stderr, "")
+        self.assertEqual(json.loads(again.stdout)["methods"][0]["all"]["known"], failures)
+        mended = self.run_it(*judge, EXACT.replace("precise", "mine"), "--update")
+        self.assertEqual(mended.stderr.count(": mended: "), failures)
+        self.assertEqual((self.folder / "known.jsonl").read_text(), "")
+        self.run_it(*judge, self.vertices + "=mine", status=1)
+
     def test_what_cannot_be_started_ends_at_once(self):
         for engine in ("./nothing", "./vertices.py"):
             done = self.run_it("judge", "--engine", engine, SOURCE / "tests/corpus/edge.jsonl", status=2)

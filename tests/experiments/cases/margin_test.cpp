@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which wrong answers are right about a ball of nearly the same radius.
+#include "experiments/cases/margin.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "experiments/cases/verdict.h"
+#include "experiments/cases/workloads/random.h"
+
+namespace touchstone::cases {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Polygon square() { return Polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}); }
+
+/// Is this value of a key, as JSON, within the margin?
+bool within(const Shapes& shapes, double margin, const std::string& key, const std::string& value) {
+  const StatedAnswer answer = stated_in(nlohmann::json::parse("{\"" + key + "\":" + value + "}"));
+  return AnswersWithin(shapes, margin).has(*find_key(key), answer);
+}
+
+TEST(Margin, IsAShareOfTheLargestCoordinateOrALength) {
+  const Shapes shapes{Ball{{1, 2, 3}, 0.5}, square()};
+  EXPECT_EQ(margin_of("2^-20").length(shapes), 4 * 0x1p-20);
+  EXPECT_EQ(margin_of("1e-6").length(shapes), 4e-6);
+  EXPECT_EQ(margin_of("1e-6m").length(shapes), 1e-6);
+  EXPECT_EQ(margin_of("2^-3m").length(shapes), 0.125);
+  EXPECT_EQ(margin_of("0.5").length({Ball{{1, 2, 3}, 8}, square()}), 4);
+  EXPECT_EQ(margin_of("0.5").length({Motion(Ball{{1, 2, 3}, 0.5}, {0, 0, -16}), square()}), 8);
+  for (const char* text : {"", "m", "2^", "2^0.5", "0", "-1", "1e999", "2^2000", "nan", "1 m", "2^-2000"})
+    EXPECT_THROW((void)margin_of(text), std::invalid_argument) << text;
+}
+
+// The ball touches the square in a face, an edge or a vertex if its radius grows by `gap`.
+TEST(AnswersWithin, HaveAContactIfAndOnlyIfTheRadiusIsOffByNoMore) {
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    workloads::Random random(2026, i, 61);
+    const double gap = std::ldexp(1.0, -static_cast<int>(random.integer(3, 30)));
+    const double x = random.coin() ? 2 : 7, y = random.coin() ? 2 : -4;  // distances 0, 3, 4 and 5 in the plane
+    const bool apart = random.coin();
+    const double distance = std::hypot(x > 4 ? 3 : 0, y < 0 ? 4 : 0);
+    const Ball ball{{x, y, distance > 0 ? 0.0 : 1.0}, (distance > 0 ? distance : 1) + (apart ? -gap : gap)};
+    const Shapes shapes{ball, square()};
+    const std::string contact = apart ? "true" : "false", relation = apart ? "\"overlapping\"" : "\"separate\"";
+    EXPECT_EQ(within(shapes, gap, "contact", contact), apart) << i;  // touching balls touch
+    EXPECT_TRUE(within(shapes, gap * 1.01, "contact", contact)) << i;
+    EXPECT_FALSE(within(shapes, gap * 0.99, "contact", contact)) << i;
+    EXPECT_TRUE(within(shapes, gap * 1.01, "relation", relation)) << i;
+    EXPECT_FALSE(within(shapes, gap * 0.99, "relation", relation)) << i;
+    EXPECT_TRUE(within(shapes, gap * 1.01, "relation", "\"touching\"")) << i;
+    EXPECT_FALSE(within(shapes, gap * 0.99, "relation", "\"touching\"")) << i;
+  }
+}
+
+TEST(AnswersWithin, HaveThePlaneAndItsTangentWithTheRadius) {
+  const Shapes shapes{Ball{{2, 2, 1}, 0.75}, square()};
+  EXPECT_TRUE(within(shapes, 0.25, "plane", "\"intersects\""));
+  EXPECT_FALSE(within(shapes, 0.125, "plane", "\"intersects\""));
+  EXPECT_FALSE(within(shapes, 0.25, "plane", "\"behind\""));
+  EXPECT_TRUE(within(shapes, 0.25, "plane_tangent", "true"));
+  EXPECT_FALSE(within(shapes, 0.125, "plane_tangent", "true"));
+}
+
+TEST(AnswersWithin, HaveTheEdgesBetweenThoseOfTheSmallestAndTheLargestBall) {
+  const Shapes shapes{Ball{{2, 1, 0}, 1.5}, square()};  // edge 0 at 1; edges 1 and 3 at 2; edge 2 at 3
+  EXPECT_TRUE(within(shapes, 0.5, "edges_hit", "[0,1]"));
+  EXPECT_TRUE(within(shapes, 0.5, "edges_hit", "[0,1,3]"));
+  EXPECT_FALSE(within(shapes, 0.25, "edges_hit", "[0,1]"));
+  EXPECT_FALSE(within(shapes, 0.5, "edges_hit", "[1]")) << "edge 0 is hit in any case";
+  EXPECT_FALSE(within(shapes, 0.5, "edges_hit", "[0,2]"));
+  EXPECT_FALSE(within(shapes, 0.5, "edges_hit", "[1,0]"));
+}
+
+TEST(AnswersWithin, HaveNumbersThatAreOffByTheMargin) {
+  const Shapes shapes{Ball{{2, 2, 1}, 0.75}, square()};
+  for (const char* key : {"distance", "depth", "off_plane"}) {
+    const double exact = key == std::string("distance") ? 1 : key == std::string("depth") ? -0.25 : 0;
+    EXPECT_TRUE(within(shapes, 0.125, key, std::to_string(exact + 0.125))) << key;
+    EXPECT_FALSE(within(shapes, 0.125, key, std::to_string(exact - 0.25))) << key;
+    EXPECT_FALSE(within(shapes, 0.125, key, "null")) << key;
+  }
+}
+
+TEST(AnswersWithin, HavePointsNearThePolygonThatAreHardlyFartherThanTheClosest) {
+  const Shapes shapes{Ball{{2, 2, 1}, 0.75}, square()};
+  EXPECT_TRUE(within(shapes, 0.01, "point", "[2.1,2,0.005]")) << "farther by 0.0004";
+  EXPECT_FALSE(within(shapes, 0.01, "point", "[2.5,2,0]")) << "on the polygon, and too far";
+  EXPECT_FALSE(within(shapes, 0.01, "point", "[2,2,0.02]")) << "off the polygon";
+  EXPECT_FALSE(within(shapes, 0.01, "point", "[2,2,null]"));
+  // Closest points in two places: both are right with any margin.
+  const Shapes middle{Ball{{2, 2, 0}, 1}, Polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
+                                                  {{{1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}}})};
+  EXPECT_TRUE(within(middle, 0x1p-40, "point", "[2,3,0]"));
+}
+
+TEST(AnswersWithin, HaveNormalsThatLeadToSuchPoints) {
+  const Shapes shapes{Ball{{2, 2, 1}, 0.75}, square()};
+  EXPECT_TRUE(within(shapes, 0.01, "contact_normal", "[0.1,0,0.995]"));
+  EXPECT_FALSE(within(shapes, 0.01, "contact_normal", "[0.3,0,0.954]"));
+  EXPECT_FALSE(within(shapes, 0.01, "contact_normal", "[0,0,-1]"));
+  EXPECT_FALSE(within(shapes, 0.01, "contact_normal", "[0,0,1.01]")) << "too long";
+}
+
+TEST(AnswersWithin, HaveTheFootOnEitherSideOfABoundaryThatIsNear) {
+  const Shapes inner{Ball{{3.875, 2, 100}, 1}, square()}, middle{Ball{{2, 2, 100}, 1}, square()};
+  for (const char* foot : {"\"boundary\"", "\"outside\""}) {
+    EXPECT_TRUE(within(inner, 0.125, "foot", foot));
+    EXPECT_FALSE(within(inner, 0.0625, "foot", foot));
+    EXPECT_FALSE(within(middle, 0.125, "foot", foot));
+  }
+}
+
+TEST(AnswersWithin, HaveFeaturesThatAreHardlyFartherThanTheNearest) {
+  const Shapes shapes{Ball{{3.875, 2, 0.5}, 1}, square()};  // the face at 0.5, edge 1 at 0.515
+  EXPECT_TRUE(within(shapes, 0.03, "nearest", R"({"kind":"edge","index":1})"));
+  EXPECT_FALSE(within(shapes, 0.01, "nearest", R"({"kind":"edge","index":1})"));
+  EXPECT_FALSE(within(shapes, 0.03, "nearest", R"({"kind":"edge","index":3})"));
+  EXPECT_FALSE(within(shapes, 0.03, "nearest", R"({"kind":"edge","index":99})"));
+  const Shapes corner{Ball{{5, 3.875, 0}, 1}, square()};  // edge 1 at 1, vertex 2 at 1.008
+  EXPECT_TRUE(within(corner, 0.01, "nearest", R"({"kind":"vertex","index":2})"));
+  EXPECT_FALSE(within(corner, 0.005, "nearest", R"({"kind":"vertex","index":2})"));
+  EXPECT_FALSE(within(corner, 0.01, "nearest", R"({"kind":"vertex","index":99})"));
+  const Shapes outer{Ball{{4.125, 2, 0.5}, 1}, square()};  // the foot is outside
+  EXPECT_TRUE(within(outer, 0.125, "nearest", R"({"kind":"face"})"));
+  EXPECT_FALSE(within(outer, 0.0625, "nearest", R"({"kind":"face"})"));
+}
+
+TEST(AnswersWithin, HaveTimesBetweenThoseOfTheOuterRadii) {
+  const Shapes falls{Motion(Ball{{2, 2, 3}, 1}, {2, 2, -1}), square()};  // touches at 1/2
+  EXPECT_TRUE(within(falls, 0.25, "time", "0.5625"));
+  EXPECT_FALSE(within(falls, 0.125, "time", "0.5625"));
+  EXPECT_FALSE(within(falls, 0.25, "time", "null"));
+  EXPECT_TRUE(within(falls, 0.25, "point", "[2.1,2,0]"));
+  EXPECT_FALSE(within(falls, 0.25, "point", "[4,2,0]"));
+  EXPECT_TRUE(within(falls, 0.25, "contact_normal", "[0,0,1]"));
+  EXPECT_FALSE(within(falls, 0.25, "contact_normal", "[0,0,-1]"));
+  const Shapes ends_above{Motion(Ball{{2, 2, 3}, 1}, {2, 2, 1.125}), square()};
+  EXPECT_TRUE(within(ends_above, 0.125, "contact", "true"));
+  EXPECT_TRUE(within(ends_above, 0.25, "first", "\"way\""));
+  EXPECT_FALSE(within(ends_above, 0.0625, "first", "\"way\""));
+  EXPECT_TRUE(within(ends_above, 0.25, "time", "1"));
+  EXPECT_FALSE(within(ends_above, 0.25, "time", "0.5"));
+}
+
+TEST(AnswersWithin, LackWhatDoesNotHaveTheFormOfTheContract) {
+  const Shapes shapes{Ball{{2, 2, 1}, 0.75}, square()};
+  EXPECT_FALSE(within(shapes, kInfinity, "contact", "1"));
+  EXPECT_FALSE(AnswersWithin(shapes, 1).has(*find_key("contact"), {}));
+}
+
+}  // namespace
+}  // namespace touchstone::cases

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A judge that knows of failures reports new ones alone, and one with a margin those beyond it.
+#include "experiments/judge/known_failures.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "experiments/judge/report.h"
+#include "tests/experiments/judge/run_judge.h"
+
+namespace touchstone::judge {
+namespace {
+
+constexpr auto kKnown = R"({"method":"exact","case":"t","key":"contact"})"
+                        "\n"
+                        R"({"method":"exact","case":"t","key":"depth"})"
+                        "\n"
+                        R"({"method":"other","case":"t","key":"contact"})"
+                        "\n";
+
+/// What the judge says of a touching ball that is expected to have this answer.
+struct Ratchet {
+  explicit Ratchet(const std::string& expected, const std::string& known_text, Order order = {})
+      : known(write_file("known.jsonl", known_text)) {
+    order.known = &known;
+    order.judged = [this](const Judged& judged) {
+      tally.add(judged);
+      junit.add(judged);
+    };
+    result = run(with(kTouching, R"(,"expected":)" + expected), order);
+  }
+  KnownFailures known;
+  Tally tally;
+  JunitReport junit;
+  Result result;
+};
+
+TEST(KnownFailures, AreNotToldAndDoNotFail) {
+  const Ratchet ratchet(R"({"contact":false,"depth":1})", kKnown);
+  EXPECT_EQ(ratchet.result.status, AllMet);
+  EXPECT_EQ(ratchet.result.complaints, "");
+  EXPECT_EQ(ratchet.tally.methods().front().all.wrong, 1U) << "they are counted";
+  EXPECT_EQ(ratchet.tally.methods().front().all.known, 1U);
+  EXPECT_NE(ratchet.junit.text().find("failures=\"0\" errors=\"0\" skipped=\"1\""), std::string::npos);
+  EXPECT_TRUE(ratchet.known.mended().empty());
+  EXPECT_EQ(ratchet.known.new_ones(), 0U);
+  EXPECT_EQ(ratchet.known.text(), kKnown);
+}
+
+TEST(KnownFailures, DoNotHideNewOnes) {
+  const Ratchet ratchet(R"({"contact":false,"depth":1,"distance":2})", kKnown);
+  EXPECT_EQ(ratchet.result.status, ExpectationNotMet);
+  EXPECT_EQ(ratchet.result.complaints, "case t: method exact: distance: expected 2, found 1\n");
+  EXPECT_EQ(ratchet.tally.methods().front().all.known, 0U);
+  EXPECT_EQ(ratchet.known.new_ones(), 1U);
+  EXPECT_NE(ratchet.known.text().find("\"distance\""), std::string::npos);
+}
+
+TEST(KnownFailures, ThatAreMendedAreNamed) {
+  const Ratchet ratchet(R"({"contact":true,"depth":1})", kKnown);
+  EXPECT_EQ(ratchet.known.mended(), (std::vector<Failure>{{"exact", "t", "contact"}}));
+  EXPECT_EQ(ratchet.known.text().find(R"("exact","case":"t","key":"contact")"), std::string::npos);
+}
+
+// Another run may ask other keys, cases and methods: what it does not judge is neither mended nor forgotten.
+TEST(KnownFailures, ThatAreNotJudgedStay) {
+  Order order;
+  order.keys = {*cases::find_key("distance")};
+  const Ratchet ratchet(R"({"contact":true,"distance":1})", kKnown, order);
+  EXPECT_TRUE(ratchet.known.mended().empty());
+  EXPECT_EQ(ratchet.known.text(), kKnown);
+}
+
+TEST(KnownFailures, MayBeThatThereIsNoAnswer) {
+  const std::string known = R"({"method":"exit 0","case":"t","key":"no answer"})"
+                            "\n";
+  const Ratchet silent(R"({"contact":true})", known, engine("exit 0"));
+  EXPECT_EQ(silent.result.status, AllMet) << silent.result.complaints;
+  EXPECT_EQ(silent.known.text(), known);
+  const Ratchet unknown(R"({"contact":true})", "", engine("exit 0"));
+  EXPECT_EQ(unknown.result.status, ExpectationNotMet);
+  EXPECT_EQ(unknown.known.text(), known);
+}
+
+TEST(KnownFailures, OfAFaultyFileAreRefusedWithItsLine) {
+  for (const char* line :
+       {"nonsense", "{}", R"({"method":"a","case":"b"})", R"({"method":"a","case":"b","key":3})", "[]"})
+    try {
+      (void)KnownFailures(write_file("faulty.jsonl", std::string(kKnown) + line + "\n"));
+      ADD_FAILURE() << line;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("faulty.jsonl: line 4: "), std::string::npos) << error.what();
+    }
+  EXPECT_THROW((void)KnownFailures("/no/such/file"), std::runtime_error);
+}
+
+TEST(Beyond, CountsOnlyAnswersThatAreWrongByMoreThanTheMargin) {
+  const auto judged = [](const std::string& answer, const char* expected, const char* margin) {
+    Order order = engine("while read line; do echo '{\"id\":\"t\"," + answer + "}'; done");
+    order.beyond = cases::margin_of(margin);
+    return Ratchet(expected, "", order);
+  };
+  constexpr auto kWrong = R"("contact":false,"distance":1.0000001)", kTrue = R"({"contact":true,"distance":1})";
+  const Ratchet within = judged(kWrong, kTrue, "2^-20");
+  EXPECT_EQ(within.result.status, AllMet) << within.result.complaints;
+  EXPECT_EQ(within.tally.methods().front().all.wrong, 0U);
+  EXPECT_EQ(within.tally.methods().front().all.within, 1U);
+  const Ratchet beyond = judged(kWrong, kTrue, "2^-30");
+  EXPECT_EQ(beyond.result.status, ExpectationNotMet);
+  EXPECT_EQ(beyond.result.complaints.find("contact: expected"), std::string::npos)
+      << "a touching ball has contact by no margin";
+  EXPECT_EQ(judged(R"("contact":true)", kTrue, "2^-20").result.status, ExpectationNotMet) << "a key is missing";
+  EXPECT_EQ(judged(kWrong, R"({"contact":true,"distance":1.0000002})", "2^-20").result.status, ExpectationNotMet)
+      << "the expectation is wrong";
+}
+
+}  // namespace
+}  // namespace touchstone::judge
