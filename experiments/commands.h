@@ -10,6 +10,7 @@
 // The subcommands of `touchstone`, with those of studies.h. Each is defined beside what it runs.
 namespace touchstone::commands {
 
+[[nodiscard]] run::Command ask_command();
 [[nodiscard]] run::Command judge_command();
 [[nodiscard]] run::Command methods_command();
 [[nodiscard]] run::Command cases_command();
