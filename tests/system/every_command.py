@@ -38,6 +38,7 @@ CASE = ('{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0
 # Of each subcommand, calls that take a moment: they print something, and those with OUTPUT write it. Those of the studies with a
 # chapter follow.
 COMMANDS = {
+    "ask": [["--ball", "1,1,1,1", "--polygon", "0 0, 4 0, 0 4"]],
     "judge": [["--methods", "fast", "case.jsonl"]],
     "methods": [[]],
     "angles": [["--methods", "fast", "--families", "l", "--samples", "1", "--output", OUTPUT]],
@@ -72,7 +73,7 @@ for study in studies.modules().values():
         COMMANDS[name] = [[*("mesh.obj" if word == studies.MESHES else word for word in options), "--output", OUTPUT]]
 
 # What prints no table: cases, pages, scripts, or a line that says what was written.
-WITHOUT_TABLE = ("cases", "show", "completion", "manual", "cell new", "cell export", "cell serve", "cell cases", "corpus make",
+WITHOUT_TABLE = ("ask", "cases", "show", "completion", "manual", "cell new", "cell export", "cell serve", "cell cases", "corpus make",
                  "corpus check", "corpus shrink", "plan", "soak --samples 5 --print")
 WITHOUT_JSON = WITHOUT_TABLE + ("scenes",)  # its answers are lines of JSON already
 LISTS = ("methods", "columns")  # one JSON array; they print nothing else, so that --quiet would mean nothing

@@ -41,14 +41,18 @@ struct MakeOptions {
 int make(const MakeOptions& options) {
   const run::OutputFolder held(options.folder, options.line, {.force = options.force});
   const auto files = corpus::make_corpus(options.threads);
-  for (const auto& [name, text] : files) run::write_file(std::filesystem::path(options.folder) / name, text);
+  for (const auto& [name, text] : files) {
+    const std::filesystem::path file = std::filesystem::path(options.folder) / name;
+    std::filesystem::create_directories(file.parent_path());
+    run::write_file(file, text);
+  }
   fmt::print("{} in {}\n", run::counted(files.size(), "file"), io::all_legible(options.folder));
   return 0;
 }
 
 std::vector<std::string> corpus_files() {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(run::data("tests/corpus")))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(run::data("tests/corpus")))
     if (entry.path().extension() == ".jsonl") files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;

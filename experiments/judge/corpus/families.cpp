@@ -21,6 +21,7 @@
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/in_floats.h"
 #include "experiments/run/input.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
@@ -35,7 +36,7 @@ using workloads::Placement;
 using workloads::Workload;
 
 /// Throws std::runtime_error with the fault of the line.
-std::string completed(const std::string& text, const std::string& name) {
+std::string completed(const std::string& text, const std::string& name, Numbers numbers) {
   const cases::Case read = cases::read_case(text);
   if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
     const auto code = std::string(to_string(rejection->code));
@@ -43,7 +44,7 @@ std::string completed(const std::string& text, const std::string& name) {
       throw std::runtime_error(fmt::format("rejected: {}: {}", code, rejection->message));
     if (!cases::differences(*read.expected, cases::stated(*rejection)).empty())
       throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, read.expected->texts.at("error")));
-    return text + "\n";
+    return numbers == Numbers::Doubles ? text + "\n" : "";
   }
   const auto& shapes = std::get<cases::Shapes>(read.content);
   const cases::PartialAnswer truth = exact_answer(shapes);
@@ -52,19 +53,22 @@ std::string completed(const std::string& text, const std::string& name) {
       throw std::runtime_error(to_string(difference));
   Labels labels = labels_of(text);
   if (std::ranges::find(labels.tags, name) == labels.tags.end()) labels.tags.insert(labels.tags.begin(), name);
-  return line_of({*read.id, shapes, labels.tags, labels.origin.empty() ? "by hand" : labels.origin}, truth);
+  CorpusCase whole{*read.id, shapes, labels.tags, labels.origin.empty() ? "by hand" : labels.origin};
+  if (numbers == Numbers::Doubles) return line_of(whole, truth);
+  const auto rounded = in_floats(std::move(whole));
+  return rounded ? line_of(*rounded, exact_answer(rounded->shapes)) : "";
 }
 
 /// Returns the cases of experiments/judge/corpus/given/NAME.jsonl, each with its whole answer. They were made by hand,
 /// or found once and cannot be drawn again: in files that are not part of the sources, or in programs with planted
 /// bugs. A line with an expected rejection is kept byte for byte; every expectation of a line must hold. Throws
 /// std::runtime_error, which names file and line.
-std::string given_text(const std::string& name) {
+std::string given_text(const std::string& name, Numbers numbers) {
   const auto file = run::data("experiments/judge/corpus/given/" + name + ".jsonl");
   std::ifstream stream = run::open_file(file);
   std::string text, line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) try {
-      text += completed(line, name);
+      text += completed(line, name, numbers);
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("{}: line {}: {}", file.string(), number, error.what()));
     }
@@ -81,6 +85,8 @@ struct Stream {
 
 /// A predicate: whether the case, given its answer, is of the kind of the family.
 using Kind = std::function<bool(const CorpusCase&, const cases::PartialAnswer& truth)>;
+
+bool any_kind(const CorpusCase&, const PartialAnswer&) { return true; }
 
 constexpr std::uint64_t kSeed = 1;
 constexpr std::size_t kLongestLine = 2'400;
@@ -122,13 +128,17 @@ Stream soak_stream(workloads::adversarial::Family family, std::size_t count) {
 }
 
 /// Returns, one per line, the first cases of each stream that are of that kind and that a witness gets wrong. Skips
-/// long lines, because people read the cases.
-std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
+/// long lines, because people read the cases. Of floats it takes some more, because few outlines have any.
+std::string drawn_text(const std::vector<Stream>& streams, Numbers numbers, const Kind& kind = any_kind) {
   std::string text;
   for (const Stream& stream : streams) {
     std::size_t found = 0;
-    for (std::uint64_t index = 0; found < stream.count && index < stream.most; ++index) {
-      const auto drawn = stream.draw(index);
+    const bool floats = numbers == Numbers::Floats;
+    const std::size_t count = floats ? std::max(stream.count + 1, 6 * stream.count / 5) : stream.count;
+    const std::uint64_t most = floats ? std::min(stream.most, 100 * count) : stream.most;
+    for (std::uint64_t index = 0; found < count && index < most; ++index) {
+      auto drawn = stream.draw(index);
+      if (drawn && floats) drawn = in_floats(std::move(*drawn));
       if (!drawn) continue;
       const cases::PartialAnswer truth = exact_answer(drawn->shapes);
       if (!kind(*drawn, truth) || failing_witnesses(drawn->shapes, truth).empty()) continue;
@@ -140,8 +150,6 @@ std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
   }
   return text;
 }
-
-bool any_kind(const CorpusCase&, const PartialAnswer&) { return true; }
 
 bool is_nearest(const PartialAnswer& truth, Feature::Kind kind) { return truth.nearest->kind == kind; }
 
@@ -166,25 +174,28 @@ std::vector<Stream> outlines_near(BallPlace place, std::size_t count) {
   return streams;
 }
 
-std::string face() {
+std::string face(Numbers numbers) {
   auto streams = outlines_near(BallPlace::NearFace, 2);
   streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
-  return drawn_text(
-      streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Face); });
+  return drawn_text(streams, numbers, [](const CorpusCase&, const PartialAnswer& truth) {
+    return is_nearest(truth, Feature::Kind::Face);
+  });
 }
 
-std::string edge() {
+std::string edge(Numbers numbers) {
   auto streams = outlines_near(BallPlace::NearEdge, 2);
   streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
-  return drawn_text(
-      streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Edge); });
+  return drawn_text(streams, numbers, [](const CorpusCase&, const PartialAnswer& truth) {
+    return is_nearest(truth, Feature::Kind::Edge);
+  });
 }
 
-std::string vertex() {
+std::string vertex(Numbers numbers) {
   auto streams = outlines_near(BallPlace::NearVertex, 2);
   streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
-  return drawn_text(
-      streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Vertex); });
+  return drawn_text(streams, numbers, [](const CorpusCase&, const PartialAnswer& truth) {
+    return is_nearest(truth, Feature::Kind::Vertex);
+  });
 }
 
 /// Returns whether the interior angle at the vertex nearest to the foot is greater than 180 degrees. In doubles.
@@ -204,33 +215,33 @@ bool is_reflex_near_foot(const CorpusCase& drawn, const PartialAnswer&) {
   return convex_in_loop == (loop != 0);  // a convex corner of a hole is a reflex corner of the face
 }
 
-std::string reflex_vertex() {
+std::string reflex_vertex(Numbers numbers) {
   std::vector<Stream> streams;
   for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
     add_outlines(streams, {.ball = BallPlace::FootNearVertex, .vertices = 9, .holes = holes}, holes == 0 ? 8 : 4);
-  return drawn_text(streams, is_reflex_near_foot);
+  return drawn_text(streams, numbers, is_reflex_near_foot);
 }
 
-std::string foot_on_edge() {
+std::string foot_on_edge(Numbers numbers) {
   std::vector<Stream> streams;
   for (const std::size_t vertices : {std::size_t{12}, std::size_t{6}})
     for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
       add_outlines(streams, {.ball = BallPlace::FootNearEdge, .vertices = vertices, .holes = holes},
                    vertices == 12 ? 1 : 3);
   streams.push_back(soak_stream(workloads::adversarial::Family::Foot, 100));
-  return drawn_text(streams, any_kind);
+  return drawn_text(streams, numbers);
 }
 
-std::string foot_on_vertex() {
+std::string foot_on_vertex(Numbers numbers) {
   std::vector<Stream> streams;
   for (const std::size_t vertices : {std::size_t{12}, std::size_t{6}})
     for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
       add_outlines(streams, {.ball = BallPlace::FootNearVertex, .vertices = vertices, .holes = holes},
                    vertices == 12 ? 1 : 4);
-  return drawn_text(streams, any_kind);
+  return drawn_text(streams, numbers);
 }
 
-std::string tangent_lattice() {
+std::string tangent_lattice(Numbers numbers) {
   std::vector<Stream> streams;
   for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
     add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 12, .holes = holes}, 1);
@@ -238,44 +249,48 @@ std::string tangent_lattice() {
     add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 6, .doubles = doubles}, 3);
   streams.push_back(soak_stream(workloads::adversarial::Family::Lattice, 80));
   streams.push_back(soak_stream(workloads::adversarial::Family::Tangent, 80));
-  return drawn_text(streams, any_kind);
+  return drawn_text(streams, numbers);
 }
 
-std::string sliver() { return drawn_text({soak_stream(workloads::adversarial::Family::Needle, 320)}, any_kind); }
+std::string sliver(Numbers numbers) {
+  return drawn_text({soak_stream(workloads::adversarial::Family::Needle, 320)}, numbers);
+}
 
-std::string far() {
+std::string far(Numbers numbers) {
   std::vector<Stream> streams;
   for (const double distance : {0x1p10, 0x1p18, 0x1p25})
     for (const BallPlace place : {BallPlace::NearFace, BallPlace::NearEdge, BallPlace::FootNearEdge})
       add_outlines(streams, {.ball = place, .vertices = 5, .origin_distance = distance}, 1);
   streams.push_back(soak_stream(workloads::adversarial::Family::FarAway, 60));
   streams.push_back(soak_stream(workloads::adversarial::Family::Grazing, 60));
-  return drawn_text(streams, any_kind);
+  return drawn_text(streams, numbers);
 }
 
-std::string exponents() {
+std::string exponents(Numbers numbers) {
   return drawn_text({soak_stream(workloads::adversarial::Family::Exponents, 110),
                      soak_stream(workloads::adversarial::Family::Scaled, 110),
                      soak_stream(workloads::adversarial::Family::Close, 60)},
-                    any_kind);
+                    numbers);
 }
 
-std::string point() { return drawn_text({soak_stream(workloads::adversarial::Family::Point, 250)}, any_kind); }
+std::string point(Numbers numbers) {
+  return drawn_text({soak_stream(workloads::adversarial::Family::Point, 250)}, numbers);
+}
 
-std::string off_plane() {
-  return drawn_text({soak_stream(workloads::adversarial::Family::Outline, 190)},
+std::string off_plane(Numbers numbers) {
+  return drawn_text({soak_stream(workloads::adversarial::Family::Outline, 190)}, numbers,
                     [](const CorpusCase& drawn, const PartialAnswer& truth) {
                       const double off = *truth.off_plane;
                       return std::isfinite(off) && off > 0x1p-30 * workloads::extent_of(drawn.shapes.polygon);
                     });
 }
 
-std::string holes() {
+std::string holes(Numbers numbers) {
   std::vector<Stream> streams;
   for (const BallPlace place : {BallPlace::NearEdge, BallPlace::NearVertex, BallPlace::FootNearEdge})
     for (const std::size_t holes : {std::size_t{1}, std::size_t{2}})
       add_outlines(streams, {.ball = place, .vertices = 7, .holes = holes}, holes == 1 ? 2 : 1);
-  return drawn_text(streams, [](const CorpusCase& drawn, const PartialAnswer& truth) {
+  return drawn_text(streams, numbers, [](const CorpusCase& drawn, const PartialAnswer& truth) {
     return !is_nearest(truth, Feature::Kind::Face) && truth.nearest->index >= drawn.shapes.polygon.loop_end(0);
   });
 }
@@ -327,9 +342,44 @@ std::optional<CorpusCase> draw_touching(std::uint64_t index) {
   }
 }
 
-std::string touching() { return drawn_text({{.draw = draw_touching, .count = 240}}, any_kind); }
+/// A disc and a polygon in the plane z = 0, as engines for two dimensions see them: a drawn polygon without one of its
+/// coordinates, and a ball whose radius is the distance or a double beside it. Nothing if the ball's centre is on it.
+std::optional<CorpusCase> draw_flat(std::uint64_t index) {
+  const auto& outlines = workloads::all_families();
+  const Workload workload{.family = outlines[index % outlines.size()],
+                          .placement = Placement::LatticeFrame,
+                          .ball = index % 2 == 0 ? BallPlace::NearEdge : BallPlace::NearVertex,
+                          .vertices = 8,
+                          .holes = index % 5 == 0 ? 1U : 0U};
+  const workloads::Sample sample = workloads::sample(workload, kSeed, index);
+  const auto flat = [](const Vector3d& point) -> Vector3d { return {point.x(), point.y(), 0}; };
+  try {
+    std::vector<Loop> loops;
+    for (std::size_t loop = 0; loop < sample.polygon.loop_count(); ++loop) {
+      loops.emplace_back();
+      for (std::size_t i = sample.polygon.loop_begin(loop); i < sample.polygon.loop_end(loop); ++i)
+        loops.back().push_back(flat(sample.polygon.vertex(i)));
+    }
+    Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
+    if (exact::validate(polygon)) return std::nullopt;
+    const Vector3d center = flat(cases::ball_of(sample.question()).center);
+    const double distance = exact::answer({center, 0}, polygon).distance;
+    if (distance == 0) return std::nullopt;  // equal to 0 only where the centre is on the polygon, or next to it
+    const double towards[] = {0, distance, 2 * distance};
+    return CorpusCase{fmt::format("flat-{}", index),
+                      {Ball{center, std::nextafter(distance, towards[index % 3])}, std::move(polygon)},
+                      {std::string(to_string(workload.family))},
+                      "touchstone corpus make"};
+  } catch (const Rejected&) {
+    return std::nullopt;  // the plane of the drawn polygon is upright
+  }
+}
 
-std::string moving() {
+std::string flat(Numbers numbers) { return drawn_text({{.draw = draw_flat, .count = 200}}, numbers); }
+
+std::string touching(Numbers numbers) { return drawn_text({{.draw = draw_touching, .count = 240}}, numbers); }
+
+std::string moving(Numbers numbers) {
   using workloads::Way;
   std::vector<Stream> streams;
   const auto add = [&](Way way, BallPlace place, std::size_t holes) {
@@ -344,7 +394,7 @@ std::string moving() {
   add(Way::End, BallPlace::NearEdge, 0);
   add(Way::Rest, BallPlace::NearVertex, 0);
   add(Way::Anywhere, BallPlace::Anywhere, 0);
-  return given_text("moving") + drawn_text(streams, any_kind);
+  return given_text("moving", numbers) + drawn_text(streams, numbers);
 }
 
 }  // namespace
@@ -352,9 +402,9 @@ std::string moving() {
 const std::vector<Family>& all_families() {
   static const std::vector<Family> families{
       {"rejections", "each error code, and which comes first where several apply",
-       [] { return given_text("rejections"); }},
+       [](Numbers numbers) { return given_text("rejections", numbers); }},
       {"features", "each key of an answer, ties, the lift, holes and islands, extreme exponents, in small numbers",
-       [] { return given_text("features"); }},
+       [](Numbers numbers) { return given_text("features", numbers); }},
       {"face", "the radius is the double nearest to the distance, or next to it; the face is nearest", face},
       {"edge", "the same, an edge is nearest", edge},
       {"vertex", "the same, a vertex is nearest", vertex},
@@ -371,14 +421,15 @@ const std::vector<Family>& all_families() {
       {"off-plane", "loops that are off their plane: the lift matters", off_plane},
       {"holes", "an edge or a vertex of a hole is nearest", holes},
       {"touching", "loops that touch: a point visited twice, a hole with a vertex on the outline", touching},
+      {"flat", "a disc and a polygon in the plane z = 0, as in two dimensions", flat},
       {"moving", "moving balls: grazing, sliding, starting or ending in contact, passing through holes, at rest",
        moving},
       {"real-meshes", "faces of third-party models of robots and a milling centre, on which methods err the most",
-       [] { return given_text("real-meshes"); }},
+       [](Numbers numbers) { return given_text("real-meshes", numbers); }},
       {"gripper", "the sphere of the thesis's gripper and the faces that it comes near to in its cell",
-       [] { return given_text("gripper"); }},
+       [](Numbers numbers) { return given_text("gripper", numbers); }},
       {"planted-bugs", "found for planted bugs that no other case detects; the tags name the bugs",
-       [] { return given_text("planted-bugs"); }},
+       [](Numbers numbers) { return numbers == Numbers::Doubles ? given_text("planted-bugs", numbers) : ""; }},
   };
   return families;
 }

@@ -9,15 +9,18 @@
 namespace touchstone::corpus {
 
 /// The version of the corpus, raised whenever a case is added, changes or is removed.
-inline constexpr int kVersion = 5;
+inline constexpr int kVersion = 6;
 /// The maximal size of a file, because people read it.
 inline constexpr std::size_t kMostBytes = 350'000;
 
-/// One file of the corpus.
+/// The numbers of the cases: any doubles, or floats alone (in_floats.h).
+enum class Numbers { Doubles, Floats };
+
+/// One file of the corpus, or two: one of doubles and one of floats.
 struct Family {
-  std::string_view name;     ///< of the file, without `.jsonl`
-  std::string_view subject;  ///< what it tests
-  std::string (*text)();     ///< its lines
+  std::string_view name;         ///< of the file, without `.jsonl`
+  std::string_view subject;      ///< what it tests
+  std::string (*text)(Numbers);  ///< its lines; empty if the family has no cases in these numbers
 };
 
 /// Returns the families in the order of the page that describes them.

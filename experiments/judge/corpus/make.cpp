@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <boost/algorithm/string/replace.hpp>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -29,16 +30,22 @@ struct FileCounts {
   std::vector<std::pair<std::string, std::size_t>> failed_by;  ///< cases in which a witness gets a decisive key wrong
 };
 
+constexpr const char* kFloats = "floats/";
+
 constexpr const char* kPage = R"(# The corpus
 
 Version {version}: {cases} cases in the contract's format, each with its exact answer or the error that it must produce.
 `touchstone corpus make tests/corpus --force` generates all `.jsonl` files of this folder, `corpus.json` (version and
-counts) and this page, always with the same bytes. `touchstone corpus check` derives every answer twice, by `exact` and by a
+counts) and this page, always with the same bytes. The cases in `floats/` have coordinates and radii that are floats, for
+engines that compute in floats: those engines need not round the question. `touchstone corpus check` derives every answer twice, by `exact` and by a
 separate implementation over GMP's rationals, which shares no arithmetic, rounding or sweep with it. The second program
 for moving balls is `filtered`, which asks `exact` where doubles decide nothing. The test of the corpus compares every
 answer with a third program, the independent checker in `tests/system/independent`.
 
 {table}
+And the cases in floats:
+
+{floats}
 The columns of the methods count the cases on which each is wrong in a decisive key, one that is not a rounded number:
 plain doubles (`fast`), floats, double-doubles, the thesis's method, and CGAL's kernel of doubles. The last two cannot
 answer about moving balls. These cases carry the
@@ -54,8 +61,8 @@ case, raise the version in `experiments/judge/corpus/families.h`.
 
     touchstone judge --engine './my-engine' tests/corpus/*.jsonl
 
-sends every case to a program that reads lines of JSON and writes verdicts. The exit status is 0 if all expectations are
-met. `docs/engines.md` has engines of ten lines to start from. `touchstone judge --methods NAME` judges a
+sends every case to a program that reads lines of JSON and writes verdicts; one that computes in floats gets
+`tests/corpus/floats/*.jsonl`. The exit status is 0 if all expectations are met. `docs/engines.md` has engines of ten lines to start from. `touchstone judge --methods NAME` judges a
 method of this program.
 
 To make a case small on which a method fails, from this folder or any other, run
@@ -95,10 +102,13 @@ void replace(std::string& text, const std::string& mark, const std::string& by) 
 
 /// Returns the page of the corpus, in Markdown.
 std::string page_text(const std::vector<FileCounts>& files) {
+  std::vector<FileCounts> of_doubles, of_floats;
+  for (const FileCounts& file : files) (file.file.starts_with(kFloats) ? of_floats : of_doubles).push_back(file);
   std::string text = kPage;
   replace(text, "{version}", std::to_string(kVersion));
   replace(text, "{cases}", std::to_string(sum(files, [](const auto& file) { return file.cases; })));
-  replace(text, "{table}", table(files));
+  replace(text, "{table}", table(of_doubles));
+  replace(text, "{floats}", table(of_floats));
   return text;
 }
 
@@ -134,17 +144,25 @@ void check_ids(const std::vector<FileCounts>& files, const std::vector<std::stri
 }  // namespace
 
 std::map<std::string, std::string> make_corpus(unsigned threads) {
-  const auto& families = all_families();
-  std::vector<std::string> texts(families.size());
+  struct Task {
+    const Family& family;
+    Numbers numbers;
+  };
+  std::vector<Task> tasks;
+  for (const Numbers numbers : {Numbers::Doubles, Numbers::Floats})
+    for (const Family& family : all_families()) tasks.push_back({family, numbers});
+  std::vector<std::string> texts(tasks.size());
   const std::atomic<bool> never = false;
   run::run_blocks(
-      families.size(), threads, never, [](std::uint64_t) {},
-      [&](unsigned, std::uint64_t i) { texts[i] = families[i].text(); });
+      tasks.size(), threads, never, [](std::uint64_t) {},
+      [&](unsigned, std::uint64_t i) { texts[i] = tasks[i].family.text(tasks[i].numbers); });
 
   std::vector<FileCounts> counts;
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    FileCounts file{std::string(families[i].name) + ".jsonl",
-                    std::string(families[i].subject),
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const auto& [family, numbers] = tasks[i];
+    FileCounts file{fmt::format("{}{}.jsonl", numbers == Numbers::Floats ? kFloats : "", family.name),
+                    numbers == Numbers::Floats ? boost::replace_all_copy(std::string(family.subject), "double", "float")
+                                               : std::string(family.subject),
                     occurrences(texts[i], "\n"),
                     texts[i].size(),
                     {}};
@@ -154,12 +172,13 @@ std::map<std::string, std::string> make_corpus(unsigned threads) {
       const std::string name(method->name());
       file.failed_by.emplace_back(name, occurrences(texts[i], fmt::format("\"fails:{}\"", name)));
     }
-    counts.push_back(std::move(file));
+    if (file.cases > 0) counts.push_back(std::move(file));
   }
+  std::erase(texts, "");
   check_ids(counts, texts);
 
   std::map<std::string, std::string> files{{"README.md", page_text(counts)}, {"corpus.json", manifest_text(counts)}};
-  for (std::size_t i = 0; i < families.size(); ++i) files[counts[i].file] = texts[i];
+  for (std::size_t i = 0; i < counts.size(); ++i) files[counts[i].file] = texts[i];
   return files;
 }
 

@@ -17,7 +17,7 @@ from running import run  # noqa: E402
 
 def main(touchstone, corpus, scratch):
     corpus, scratch = pathlib.Path(corpus), pathlib.Path(scratch)
-    files = sorted(corpus.glob("*.jsonl"))
+    files = sorted(corpus.rglob("*.jsonl"))
     cases = scratch / "cases.jsonl"
     verdicts = scratch / "verdicts.jsonl"
     shutil.rmtree(scratch, ignore_errors=True)
@@ -30,16 +30,16 @@ def main(touchstone, corpus, scratch):
     for method in ("fast", "thesis"):  # the corpus is there to fail them
         run(touchstone, "judge", "--methods", method, cases, expected=1)
 
-    stored = {file.name: file.read_bytes() for file in [*files, corpus / "README.md", corpus / "corpus.json"]}
+    stored = {str(file.relative_to(corpus)): file.read_bytes() for file in [*files, corpus / "README.md", corpus / "corpus.json"]}
     again = scratch / "again"
     run(touchstone, "corpus", "make", "--threads", "3", again)  # stored: by two
-    made = {file.name: file.read_bytes() for file in again.iterdir()}
+    made = {str(file.relative_to(again)): file.read_bytes() for file in again.rglob("*") if file.is_file()}
     faults = [f"{name} is not what make writes" for name in sorted(stored.keys() | made.keys())
                if stored.get(name) != made.get(name)]
     faults += [f"{name} is larger than 350 kB" for name, content in stored.items() if len(content) > 350_000]
     counted = {entry["file"]: entry["cases"] for entry in json.loads(stored["corpus.json"])["files"]}
-    faults += [f"{file.name}: corpus.json counts {counted.get(file.name)} cases" for file in files
-               if counted.get(file.name) != stored[file.name].count(b"\n")]
+    faults += [f"{name}: corpus.json counts {counted.get(name)} cases" for name, content in stored.items()
+               if name.endswith(".jsonl") and counted.get(name) != content.count(b"\n")]
     print("\n".join(faults) or f"{sum(counted.values())} cases in {len(files)} files: all is well")
     return 1 if faults else 0
 
