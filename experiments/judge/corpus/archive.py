@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: archive.py SOURCE FOLDER
 
-Packs the certified corpus as FOLDER/touchstone-corpus-VERSION.tar.gz: the cases, the pages that say what they mean and how
-they were made, the licences, and SHA256SUMS. The same sources give the same bytes. Prints the archive's name and checksum.
+Packs the certified corpus as FOLDER/touchstone-corpus-VERSION.tar.gz: the cases, those in floats as code, the pages that say
+what they mean and how they were made, the licences, and SHA256SUMS. The same sources give the same bytes. Prints the archive's name and checksum.
 """
 import gzip
 import hashlib
@@ -15,11 +15,14 @@ import re
 import sys
 import tarfile
 
+import as_code
+
 CORPUS = pathlib.PurePosixPath("tests/corpus")
 PAGES = {  # in the sources: its name in the archive
     "tests/corpus/README.md": "README.md", "tests/corpus/DATASHEET.md": "DATASHEET.md", "geometry/contact/CONTRACT.md": "CONTRACT.md",
     "docs/engines.md": "JUDGING.md", "docs/contract.svg": "contract.svg", "CITATION.cff": "CITATION.cff", "LICENSE": "LICENSE",
     "LICENSE-APACHE": "LICENSE-APACHE", "LICENSE-GPL": "LICENSE-GPL"}
+UNDER_GPL = ("floats/real-meshes.jsonl",)
 LINK = re.compile(r"(!?)\[([^]]*)\]\(([^)\s#]*)(#[^)\s]*)?\)")
 
 
@@ -42,6 +45,9 @@ def files(source):
     found = {"corpus.json": record.read_bytes()}
     for entry in json.loads(found["corpus.json"])["files"]:
         found[entry["file"]] = (source / CORPUS / entry["file"]).read_bytes()
+    free = [source / CORPUS / name for name in found if name.startswith("floats/") and name not in UNDER_GPL]
+    for language, name in {"c": "touchstone_cases.h", "rust": "touchstone_cases.rs", "python": "touchstone_cases.py"}.items():
+        found[f"code/{name}"] = as_code.text(language, free).encode()
     for page, name in PAGES.items():
         content = (source / page).read_bytes()
         found[name] = with_links(page, content.decode()).encode() if page.endswith(".md") else content
