@@ -19,7 +19,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kPanel = 400, kGap = 20, kTitle = 46, kWidth = 2 * kPanel + 3 * kGap;
-constexpr double kRow = 22, kNames = 170;
+constexpr double kRow = 22, kNames = 170, kAboveRows = 126;
 const std::string kPolygon = "#c9b458", kBall = "#2a6f97", kPoint = "#b3261e", kFoot = "#444", kGrid = "#ccc",
                   kWrong = "#d62828";
 
@@ -139,7 +139,7 @@ void draw_section(Svg& svg, const FlatCase& flat, bool moves) {
   svg.end_panel();
 }
 
-/// An offset as people read it: whole up to a million, so that neighbours differ, and powers of two.
+/// An offset as people read it: whole up to a million, and powers of two.
 std::string offset_text(std::int64_t offset) {
   const auto size = static_cast<std::uint64_t>(std::abs(offset));
   const std::string sign = offset < 0 ? "-" : offset > 0 ? "+" : "";
@@ -147,6 +147,16 @@ std::string offset_text(std::int64_t offset) {
   if (size < 1000 || (size < 1'000'000 && !is_power)) return sign + std::to_string(size);
   if (is_power) return fmt::format("{}2^{}", sign, std::countr_zero(size));
   return fmt::format("{}2^{:.1f}", sign, std::log2(static_cast<double>(size)));
+}
+
+/// The offsets of radii next to the least one with contact, c, differ in their last digits alone.
+constexpr std::int64_t kFarFromBall = 1'000'000, kNearChange = 1000;
+
+/// Returns the label of a column, which differs from those beside it: an offset, or, far from the ball's radius and near
+/// the least one with contact, what is added to that one.
+std::string column_text(std::int64_t offset, const std::optional<std::int64_t>& least) {
+  if (!least || std::abs(*least) < kFarFromBall || std::abs(offset - *least) > kNearChange) return offset_text(offset);
+  return offset == *least ? "c" : fmt::format("c{:+}", offset - *least);
 }
 
 /// The columns of the radii.
@@ -213,19 +223,31 @@ std::vector<std::optional<bool>> contact_of(const CaseView& view, const Verdict&
   return contact;
 }
 
-/// Returns the height of what it has drawn.
+/// Returns the offset of the least radius with contact, in doubles from the ball's.
+std::optional<std::int64_t> least_of(const CaseView& view) {
+  return view.radii.margin ? std::optional(-*view.radii.margin) : std::nullopt;
+}
+
+std::string about_least(const CaseView& view) {
+  const auto least = least_of(view);
+  return least && std::abs(*least) >= kFarFromBall ? "; c, at " + offset_text(*least) + ", touches first" : "";
+}
+
 void draw_radii(Svg& svg, const CaseView& view, double top) {
-  svg.text({kGap, top - 10},
-           view.radii.every_double
-               ? "zoom: one column is one double of the radius; 0 is the ball's"
-               : "zoom: the radius in doubles from the ball's, 0; every double where the answer changes",
-           13);
-  const double rows_top = top + 112;
+  svg.text(
+      {kGap, top - 10},
+      view.radii.every_double
+          ? "zoom: one column is one double of the radius; 0 is the ball's"
+          : "zoom: the radius in doubles from the ball's, 0; every double where the answer changes" + about_least(view),
+      13);
+  const double rows_top = top + kAboveRows;
   const Columns columns(view.radii, rows_top);
   draw_surfaces(svg, view, columns, top);
-  for (std::size_t i = 0; i < view.radii.offsets.size(); ++i)
-    svg.text({columns.x(i), top + 102}, offset_text(view.radii.offsets[i]), view.radii.every_double ? 11 : 9, "middle",
-             "#555");
+  for (std::size_t i = 0; i < view.radii.offsets.size(); ++i) {
+    const bool lower = !view.radii.every_double && i % 2 == 1;  // long labels beside each other do not overlap
+    svg.text({columns.x(i), top + (lower ? 116 : 102)}, column_text(view.radii.offsets[i], least_of(view)), 12,
+             "middle", "#555");
+  }
   std::vector<std::optional<bool>> exact(view.radii.contact.begin(), view.radii.contact.end());
   draw_row(svg, view, columns, 0, "contact by exact", exact);
   for (std::size_t v = 0; v < view.verdicts.size(); ++v)
@@ -246,8 +268,13 @@ table { border-collapse: collapse; font-size: 13px; margin: .6em 0; }
 td, th { border: 1px solid #ddd; padding: 3px 8px; text-align: left; vertical-align: top; }
 td.number { text-align: right; } td.key { font-family: monospace; }
 td.wrong { background: #fbe3e4; color: #a01b1b; } td.missing { color: #888; }
-.scroll { overflow-x: auto; } svg { max-width: 100%; height: auto; border: 1px solid #eee; }
-p.tags { color: #666; font-size: 13px; })";
+.scroll { overflow-x: auto; } .scroll > svg { border: 1px solid #eee; }
+p.tags { color: #666; font-size: 13px; }
+@media (prefers-color-scheme: dark) {
+  body { background: #181a1b; color: #ddd; } td, th { border-color: #444; } p.tags { color: #aaa; }
+  td.wrong { background: #4a1f22; color: #ffb3b0; } td.missing { color: #999; }
+  .scroll > svg { filter: invert(0.9) hue-rotate(180deg); }
+})";
 
 /// Returns a value of JSON, shortened for a table.
 std::string cell_text(const std::string& value) {
@@ -286,7 +313,7 @@ std::string table_of(const CaseView& view) {
 
 Svg picture(const CaseView& view) {
   const double rows = static_cast<double>(view.verdicts.size() + 1), top = kTitle + kPanel + 40, legend = 44;
-  const double height = top + 112 + kRow * rows + legend;
+  const double height = top + kAboveRows + kRow * rows + legend;
   Svg svg(kWidth, height);
   svg.rectangle({0, 0}, {kWidth, height}, {.fill = "#fff"});
   svg.text({kGap, 18}, io::legible(view.id, 90), 14);
@@ -301,13 +328,13 @@ Svg picture(const CaseView& view) {
   const double y = height - 14;
   const auto key = [&](double x, const std::string& colour, const char* meaning) {
     svg.circle({x, y - 4}, 4, {.fill = colour});
-    svg.text({x + 9, y}, meaning, 11, "start", "#555");
+    svg.text({x + 9, y}, meaning, 12, "start", "#555");
   };
   key(kGap + 4, kPoint, moves ? "first touched point" : "nearest point");
-  key(kGap + 134, kFoot, "foot of the centre");
-  key(kGap + 264, kBall, "centre");
-  key(kGap + 344, "#333", "contact (hollow: none)");
-  key(kGap + 494, kWrong, "wrong");
+  key(kGap + 154, kFoot, "foot of the centre");
+  key(kGap + 304, kBall, "centre");
+  key(kGap + 384, "#333", "contact (hollow: none)");
+  key(kGap + 554, kWrong, "wrong");
   return svg;
 }
 
@@ -322,7 +349,8 @@ std::string section_of(const CaseView& view) {
   const Polygon& polygon = view.shapes.polygon;
   about += fmt::format("; a polygon of {} vertices", polygon.vertex_count());
   if (polygon.loop_count() > 1) about += fmt::format(" with {} holes", polygon.loop_count() - 1);
-  return fmt::format("<section>\n<h2>{}</h2>\n<p>{}.</p>\n{}{}\n{}</section>\n", xml_text(view.id), xml_text(about),
+  return fmt::format("<section>\n<h2>{}</h2>\n<p>{}.</p>\n{}<div class=\"scroll\">{}</div>\n{}</section>\n",
+                     xml_text(view.id), xml_text(about),
                      tags.empty() ? "" : "<p class=\"tags\">" + xml_text(tags) + "</p>\n",
                      picture(view).text_of_file("Case " + view.id + ": " + margin_text(view)), table_of(view));
 }

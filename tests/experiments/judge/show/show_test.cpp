@@ -133,6 +133,21 @@ TEST(Picture, LabelsNeighboursApart) {
   EXPECT_TRUE(has(text, ">+1844<") && has(text, ">+1845<")) << text;
 }
 
+TEST(Picture, LabelsNeighboursOfAChangeThatIsFarAwayByIt) {
+  const std::string text = picture(view({Ball{{0.5, 0.5, 2}, 1}, kSquare})).text_of_file("it");
+  for (const char* label : {">c-1<", ">c<", ">c+1<", "c, at +2^52, touches first", ">+2^48<"})
+    EXPECT_TRUE(has(text, label)) << label;
+  EXPECT_FALSE(has(text, ">+2^52.0<")) << "two columns would have this label";
+}
+
+TEST(Picture, HasNoTextThatIsTooSmallToRead) {
+  for (const double radius : {1.0, 2.0}) {
+    const std::string text = picture(view({Ball{{0.5, 0.5, 2}, radius}, kSquare})).text_of_file("it");
+    for (std::size_t at = text.find("font-size=\""); at != std::string::npos; at = text.find("font-size=\"", at + 1))
+      EXPECT_GE(std::stod(text.substr(at + 11)), 12);
+  }
+}
+
 TEST(Page, IsSelfContainedAndEscaped) {
   CaseView shown = view({Ball{{1, 1, 1}, kBelow}, kTriangle});
   shown.verdicts.push_back({"<script>", {}, "no <b>verdict</b>", {}});
@@ -142,6 +157,8 @@ TEST(Page, IsSelfContainedAndEscaped) {
   EXPECT_TRUE(has(page, "<h2>a&lt;b</h2>"));
   EXPECT_TRUE(has(page, "no &lt;b&gt;verdict"));
   EXPECT_TRUE(has(page, "class=\"wrong\">true"));
+  EXPECT_TRUE(has(page, "<div class=\"scroll\"><svg")) << "a narrow screen scrolls pictures and does not shrink them";
+  EXPECT_TRUE(has(page, "prefers-color-scheme: dark"));
   for (const char* forbidden : {"<script", "href", "src=", "url(", "@import"})
     EXPECT_FALSE(has(page, forbidden)) << forbidden;
 }
