@@ -152,8 +152,8 @@ std::string offset_text(std::int64_t offset) {
 /// The offsets of radii next to the least one with contact, c, differ in their last digits alone.
 constexpr std::int64_t kFarFromBall = 1'000'000, kNearChange = 1000;
 
-/// Returns the label of a column, which differs from those beside it: an offset, or, far from the ball's radius and near
-/// the least one with contact, what is added to that one.
+/// Returns the label of a column, which differs from those beside it: an offset, or, far from the ball's radius and
+/// near the least one with contact, what is added to that one.
 std::string column_text(std::int64_t offset, const std::optional<std::int64_t>& least) {
   if (!least || std::abs(*least) < kFarFromBall || std::abs(offset - *least) > kNearChange) return offset_text(offset);
   return offset == *least ? "c" : fmt::format("c{:+}", offset - *least);
