@@ -6,7 +6,8 @@ status 1 otherwise. --write updates the page.
 
 files.jsonl holds mesh files. `content` has one character for each byte. A file with `faces` must be read as these, in
 this order ("square": two triangles), with the `warning`, if there is one. A file with `refused` must be refused, with
-its name, the place and the word. cases.jsonl holds cases with what an exact method must answer.
+its name, the place and the word. cases.jsonl holds cases with what an exact method must answer; those with `engines` are also
+asked of the engines that Debian has, if the program was built with them.
 """
 
 import itertools
@@ -105,6 +106,39 @@ def judged():
     return [] if checked.returncode == 0 else checked.stdout.splitlines()
 
 
+# Those of Debian that answer about spheres and triangles, and the packages that have them.
+ENGINES = {"fcl": "libfcl-dev", "libccd": "libccd-dev", "bullet": "libbullet-dev", "ode": "libode-dev", "embree-fast": "libembree-dev"}
+
+
+def engine_names():
+    """Each method with the version of its package; nothing if the program was built without one of them."""
+    known = subprocess.run([PROGRAM, "methods"], capture_output=True, text=True, check=True).stdout.split("\n")
+    if not ENGINES.keys() <= {line.split()[0] for line in known if line}:
+        return []
+    listed = subprocess.run(["dpkg-query", "-W", "-f", "${Package}=${Version}\n", *ENGINES.values()], capture_output=True, text=True, check=True)
+    versions = dict(line.split("=") for line in listed.stdout.split())
+    return [f"`{name}` {re.split('[-+~]', versions[package].split(':')[-1])[0]}" for name, package in ENGINES.items()]
+
+
+def engine_rows(cases):
+    """What these engines say of contact."""
+    said = {}
+    run = subprocess.run([PROGRAM, "judge", "--methods", ",".join(ENGINES), "--keys", "contact", "--quiet", DATA / "cases.jsonl"],
+                         capture_output=True, text=True)
+    for line in run.stdout.splitlines():
+        answer = json.loads(line)
+        said[answer["id"], answer["method"]] = answer.get("contact")
+
+    def word(case, engine):
+        found, right = said[case["id"], engine], case["expected"]["contact"]
+        if found is None:
+            return "no answer"
+        return "right" if found == right else "**wrong**: contact" if found else "**wrong**: none"
+
+    return [[case["id"], case["source"], "contact" if case["expected"]["contact"] else "none", *(word(case, engine) for engine in ENGINES)]
+            for case in cases if case.get("engines")]
+
+
 def table(head, rows):
     cells = [head, ["---"] * len(head), *rows]
     return "".join("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |\n" for row in cells)
@@ -126,9 +160,12 @@ def main(*options):
             rows.append([f"`{record['file']}`", record["about"], record["source"], text])
             if complaint:
                 wrong.append(f"{record['file']}: {complaint}")
-    cases = [[case["id"], case["about"], case["source"], answer_text(case["expected"])] for case in lines_of("cases.jsonl")]
+    asked = lines_of("cases.jsonl")
+    cases = [[case["id"], case["about"], case["source"], answer_text(case["expected"])] for case in asked]
     tables = {"files": table(["file", "what is odd", "public report", "verdict"], rows),
               "cases": table(["case", "question", "public report", "verdict"], cases)}
+    if engines := engine_names():
+        tables["engines"] = table(["case", "public report", "exact", *engines], engine_rows(asked))
     for name, made in tables.items():
         before, found, after = markers.split(PAGE, name)
         if "--write" in options:
