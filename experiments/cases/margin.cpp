@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 #include "geometry/io/detail/text_number.h"
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 
 namespace touchstone::cases {
 namespace {
@@ -26,28 +26,50 @@ PartialAnswer answer_with(const Shapes& shapes, double radius) {
   return exact_answer({with_radius(shapes.question, radius), shapes.polygon});
 }
 
-/// Returns the foot of the perpendicular from a point to the supporting plane, each coordinate truncated to a double.
-Eigen::Vector3d foot_of(const Eigen::Vector3d& center, const Polygon& polygon) {
-  using Vector = std::array<mpq_class, 3>;
-  const auto exactly = [](const Eigen::Vector3d& v) { return Vector{v.x(), v.y(), v.z()}; };
-  const auto dot = [](const Vector& a, const Vector& b) -> mpq_class {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  };
-  const std::size_t vertices = polygon.loop_end(0);  // of the outer loop
-  Vector normal{0, 0, 0}, sum{0, 0, 0};
-  for (std::size_t i = 0; i < vertices; ++i) {
-    const Vector p = exactly(polygon.vertex(i)), q = exactly(polygon.vertex(polygon.next(i)));
-    for (std::size_t k = 0; k < 3; ++k) {
-      normal[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
-      sum[k] += p[k];
+/// The supporting plane of a polygon, in rationals.
+class SupportingPlane {
+ public:
+  explicit SupportingPlane(const Polygon& polygon) {
+    const std::size_t vertices = polygon.loop_end(0);  // of the outer loop
+    for (std::size_t i = 0; i < vertices; ++i) {
+      const Vector p = exactly(polygon.vertex(i)), q = exactly(polygon.vertex(polygon.next(i)));
+      for (std::size_t k = 0; k < 3; ++k) {
+        normal_[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
+        mean_[k] += p[k] / static_cast<unsigned long>(vertices);
+      }
     }
+    const auto below = [](const mpq_class& a, const mpq_class& b) { return abs(a) < abs(b); };
+    axis_ = static_cast<std::size_t>(std::ranges::max_element(normal_, below) - normal_.begin());
   }
-  Vector foot = exactly(center), from = foot;
-  for (std::size_t k = 0; k < 3; ++k) from[k] -= sum[k] / static_cast<unsigned long>(vertices);
-  const mpq_class share = dot(normal, from) / dot(normal, normal);
-  for (std::size_t k = 0; k < 3; ++k) foot[k] -= share * normal[k];
-  return {foot[0].get_d(), foot[1].get_d(), foot[2].get_d()};
-}
+
+  /// Returns the foot of the perpendicular from a point, each coordinate truncated to a double.
+  [[nodiscard]] Eigen::Vector3d foot(const Eigen::Vector3d& point) const {
+    const mpq_class share = height(point) / dot(normal_, normal_);
+    Vector foot = exactly(point);
+    for (std::size_t k = 0; k < 3; ++k) foot[k] -= share * normal_[k];
+    return {foot[0].get_d(), foot[1].get_d(), foot[2].get_d()};
+  }
+  /// Returns a vertex as it is lifted, truncated likewise.
+  [[nodiscard]] Eigen::Vector3d lifted(Eigen::Vector3d vertex) const {
+    const auto axis = static_cast<Eigen::Index>(axis_);
+    vertex[axis] = mpq_class(vertex[axis] - height(vertex) / normal_[axis_]).get_d();
+    return vertex;
+  }
+
+ private:
+  using Vector = std::array<mpq_class, 3>;
+  static Vector exactly(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+  static mpq_class dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  /// Times the length of the normal.
+  [[nodiscard]] mpq_class height(const Eigen::Vector3d& point) const {
+    Vector from = exactly(point);
+    for (std::size_t k = 0; k < 3; ++k) from[k] -= mean_[k];
+    return dot(normal_, from);
+  }
+
+  Vector normal_{0, 0, 0}, mean_{0, 0, 0};
+  std::size_t axis_;  ///< the dropped one
+};
 
 bool has_text(const PartialAnswer& answer, const std::string& key, const std::string& text) {
   const StatedAnswer all = stated(answer);
@@ -55,11 +77,15 @@ bool has_text(const PartialAnswer& answer, const std::string& key, const std::st
   return found != all.texts.end() && found->second == text;
 }
 
+/// Returns a distance in doubles. Squares neither underflow nor overflow.
 double distance_to_segment(const Eigen::Vector3d& point, const std::array<Eigen::Vector3d, 2>& ends) {
-  const Eigen::Vector3d along = ends[1] - ends[0];
-  const double squared = along.squaredNorm();
-  const double share = squared > 0 ? std::clamp(along.dot(point - ends[0]) / squared, 0.0, 1.0) : 0;
-  return (point - ends[0] - share * along).norm();
+  const Eigen::Vector3d along = ends[1] - ends[0], from = point - ends[0];
+  const double scale = std::max(along.lpNorm<Eigen::Infinity>(), from.lpNorm<Eigen::Infinity>());
+  if (!(scale > 0) || !std::isfinite(scale)) return scale;
+  const Eigen::Vector3d unit = along / scale, there = from / scale;
+  const double squared = unit.squaredNorm();
+  const double share = squared > 0 ? std::clamp(unit.dot(there) / squared, 0.0, 1.0) : 0;
+  return scale * (there - share * unit).norm();
 }
 
 }  // namespace
@@ -102,23 +128,26 @@ bool AnswersWithin::has(const Key& key, const StatedAnswer& answer) const {
 }
 
 bool AnswersWithin::is_between(const Key& key, const PartialAnswer& found) const {
-  const auto near = [&](const std::optional<double>& number, const std::optional<double>& exact) {
-    return exact && std::abs(*number - *exact) <= margin_;
-  };
   const auto is = [&](auto member) { return key == key_of(member); };
+  const auto is_near = [&](auto member) {
+    const auto& exact = (truth().*member).has_value() ? truth().*member : largest().*member;
+    return exact && std::abs(*(found.*member) - *exact) <= margin_;
+  };
   if (is(&PartialAnswer::relation))
     return *smallest().relation <= *found.relation && *found.relation <= *largest().relation;
   if (is(&PartialAnswer::first)) return *largest().first <= *found.first && *found.first <= *smallest().first;
-  if (is(&PartialAnswer::time)) return *largest().time <= *found.time && *found.time <= *smallest().time;
+  if (is(&PartialAnswer::time)) return *largest().time <= *found.time && *found.time <= std::min(*smallest().time, 1.0);
+  if (is(&PartialAnswer::momentary))
+    return smallest().momentary != truth().momentary || truth().momentary != largest().momentary;
   if (is(&PartialAnswer::plane_tangent)) return smallest().plane != largest().plane;
   if (is(&PartialAnswer::edges_hit)) {
     const auto includes = [](const auto& all, const auto& some) { return std::ranges::includes(*all, *some); };
     return std::ranges::is_sorted(*found.edges_hit) && includes(largest().edges_hit, found.edges_hit) &&
            includes(found.edges_hit, smallest().edges_hit);
   }
-  if (is(&PartialAnswer::distance)) return near(found.distance, truth().distance);
-  if (is(&PartialAnswer::depth)) return near(found.depth, truth().depth);
-  if (is(&PartialAnswer::off_plane)) return near(found.off_plane, truth().off_plane);
+  if (is(&PartialAnswer::distance)) return is_near(&PartialAnswer::distance);
+  if (is(&PartialAnswer::depth)) return is_near(&PartialAnswer::depth);
+  if (is(&PartialAnswer::off_plane)) return is_near(&PartialAnswer::off_plane);
   if (is(&PartialAnswer::point)) return has_point(*found.point);
   if (is(&PartialAnswer::contact_normal)) return has_normal(*found.contact_normal);
   if (is(&PartialAnswer::nearest)) return has_feature(*found.nearest);
@@ -126,54 +155,59 @@ bool AnswersWithin::is_between(const Key& key, const PartialAnswer& found) const
   return false;
 }
 
-bool AnswersWithin::reaches(const Eigen::Vector3d& point, double distance) const {
-  return point.allFinite() && std::isfinite(distance) && exact::contact({point, distance}, shapes_.polygon);
+bool AnswersWithin::reaches(const Motion& motion) const {
+  return !find_fault(motion) && exact::contact(motion, shapes_.polygon);
 }
 
-std::array<Eigen::Vector3d, 2> AnswersWithin::uncertain_way() const {
-  const Motion& motion = *shapes_.motion();
-  const auto at = [&](double time) -> Eigen::Vector3d {
-    return motion.ball.center + std::min(time, 1.0) * (motion.to - motion.ball.center);
-  };
+double AnswersWithin::distance() const {
+  if (shapes_.motion() == nullptr) return *truth().distance;
+  return shapes_.ball().radius - (*truth().contact ? *truth().depth : 0);
+}
+
+std::array<Eigen::Vector3d, 2> AnswersWithin::centers() const {
+  const Eigen::Vector3d& first = shapes_.ball().center;
+  const Motion* motion = shapes_.motion();
+  if (motion == nullptr) return {first, first};
+  const auto at = [&](double time) -> Eigen::Vector3d { return first + std::min(time, 1.0) * (motion->to - first); };
   return {at(*largest().time), at(*smallest().time)};
 }
 
 bool AnswersWithin::has_point(const Eigen::Vector3d& point) const {
-  if (!reaches(point, margin_)) return false;
-  if (shapes_.motion() == nullptr) return (point - shapes_.ball().center).norm() <= *truth().distance + margin_;
-  const double reach = std::max(shapes_.ball().radius, *truth().contact ? shapes_.ball().radius - *truth().depth : 0);
-  return distance_to_segment(point, uncertain_way()) <= reach + margin_;
+  const bool touches = shapes_.motion() == nullptr || *largest().contact;
+  return touches && reaches(Motion({point, margin_}, point)) &&
+         distance_to_segment(point, centers()) <= distance() + margin_;
 }
 
 bool AnswersWithin::has_normal(const Eigen::Vector3d& normal) const {
-  if (!(std::abs(normal.norm() - 1) * size(shapes_) <= margin_)) return false;
-  if (shapes_.motion() == nullptr) return reaches(shapes_.ball().center - *truth().distance * normal, margin_);
-  if (!*truth().contact) return false;
-  const auto way = uncertain_way();
-  const double distance = shapes_.ball().radius - *truth().depth;
-  return reaches(way[0] - distance * normal, margin_ + (way[1] - way[0]).norm());
+  const bool touches = shapes_.motion() == nullptr || *largest().contact;
+  if (!touches || !(std::abs(normal.norm() - 1) * size(shapes_) <= margin_)) return false;
+  const auto [begin, end] = centers();
+  const Eigen::Vector3d to_polygon = -distance() * normal;
+  return reaches(Motion({begin + to_polygon, margin_}, end + to_polygon));
 }
 
 bool AnswersWithin::has_feature(const Feature& feature) const {
   const Eigen::Vector3d& center = shapes_.ball().center;
   const double reach = *truth().distance + margin_;
+  if (!std::isfinite(reach)) return false;
+  const auto distance_to = [&](const Eigen::Vector3d& point) { return distance_to_segment(point, {center, center}); };
+  const SupportingPlane plane(shapes_.polygon);
   switch (feature.kind) {
     case Feature::Kind::Face: {
-      const Eigen::Vector3d foot = foot_of(center, shapes_.polygon);
-      return reaches(foot, margin_) && (foot - center).norm() <= reach;
+      const Eigen::Vector3d foot = plane.foot(center);
+      return reaches(Motion({foot, margin_}, foot)) && distance_to(foot) <= reach;
     }
     case Feature::Kind::Edge:
-      return std::isfinite(reach) &&
-             std::ranges::binary_search(exact::edges_hit({center, reach}, shapes_.polygon), feature.index);
+      return std::ranges::binary_search(exact::edges_hit({center, reach}, shapes_.polygon), feature.index);
     case Feature::Kind::Vertex: break;
   }
   return feature.index < shapes_.polygon.vertex_count() &&
-         (shapes_.polygon.vertex(feature.index) - center).norm() <= reach + *truth().off_plane;
+         distance_to(plane.lifted(shapes_.polygon.vertex(feature.index))) <= reach;
 }
 
 bool AnswersWithin::foot_is_near_boundary() const {
-  const Eigen::Vector3d foot = foot_of(shapes_.ball().center, shapes_.polygon);
-  return foot.allFinite() && !exact::edges_hit({foot, margin_}, shapes_.polygon).empty();
+  const Eigen::Vector3d foot = SupportingPlane(shapes_.polygon).foot(shapes_.ball().center);
+  return foot.allFinite() && std::isfinite(margin_) && !exact::edges_hit({foot, margin_}, shapes_.polygon).empty();
 }
 
 }  // namespace touchstone::cases

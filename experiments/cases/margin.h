@@ -36,18 +36,18 @@ class AnswersWithin {
   /// Returns whether the value of this key in an answer is within the margin:
   ///  (1) if it is that of the question with one of the three radii;
   ///  (2) `relation`, `first`, `time`: if it is between those of the outer radii; `plane_tangent`: if `plane` differs
-  ///      between these; `edges_hit`: if it has the edges that the smallest ball hits, and no edge that the largest
-  ///      misses;
-  ///  (3) `distance`, `depth`, `off_plane`: if it is off by the margin at most;
+  ///      between these; `momentary`: if it differs among the three; `edges_hit`: if it has the edges that the smallest
+  ///      ball hits, and no edge that the largest misses;
+  ///  (3) `distance`, `depth`, `off_plane`: if it is off by the margin at most; a `depth` for a moving ball that does
+  ///      not touch, if it is off by as much from that of the largest;
   ///  (4) `point`: if a ball around it with the margin as its radius touches the polygon, and it is no farther from the
-  ///      centre than the closest point, by more than the margin; of a moving ball, no farther than the radius from the
-  ///      part of the way between the first contacts of the outer radii, likewise;
-  ///  (5) `contact_normal`: if its length is off 1 by the margin in sizes of the case at most, and the point against
-  ///      that direction, at the distance, meets the first half of (4); of a moving ball, within the length of that
-  ///      part of the way, too;
+  ///      centre than the closest point, by more than the margin. For a moving ball the centre may be anywhere between
+  ///      the first contacts of the outer radii, and the closest point is at the radius, unless the ball touches at its
+  ///      start;
+  ///  (5) `contact_normal`: if its length is off 1 by the margin in sizes of the case at most, and the point at that
+  ///      distance against its direction, from such a centre, is within the margin of the polygon;
   ///  (6) `foot`: if the foot, rounded to doubles, is within the margin of the boundary;
-  ///  (7) `nearest`: if the distance to that feature exceeds the least by the margin at most. A vertex may be off the
-  ///      plane by `off_plane`, too.
+  ///  (7) `nearest`: if the distance to that feature exceeds the least by the margin at most.
   /// Distances of (4), (5) and (7) are computed in doubles. A key that the answer lacks, or whose value does not have
   /// the form of the contract, is not within it.
   [[nodiscard]] bool has(const Key& key, const StatedAnswer& answer) const;
@@ -62,10 +62,11 @@ class AnswersWithin {
   [[nodiscard]] bool has_normal(const Eigen::Vector3d& normal) const;
   [[nodiscard]] bool has_feature(const Feature& feature) const;
   [[nodiscard]] bool foot_is_near_boundary() const;
-  /// Returns whether the polygon is no farther from the point.
-  [[nodiscard]] bool reaches(const Eigen::Vector3d& point, double distance) const;
-  /// Returns the part of the way between the first contacts of the outer radii; its end if there is none.
-  [[nodiscard]] std::array<Eigen::Vector3d, 2> uncertain_way() const;
+  [[nodiscard]] bool reaches(const Motion& motion) const;
+  /// Returns the exact distance of the centre at that time or place, rounded.
+  [[nodiscard]] double distance() const;
+  /// Returns where the centre may be: its place, or the ends of the part of its way between the first contacts.
+  [[nodiscard]] std::array<Eigen::Vector3d, 2> centers() const;
 
   const Shapes& shapes_;
   double margin_;

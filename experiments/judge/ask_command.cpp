@@ -45,6 +45,8 @@ template <class F>
 auto of_option(const std::string& option, const F& f) {
   try {
     return f();
+  } catch (const run::UsageError&) {
+    throw;
   } catch (const Rejected& rejected) {
     throw run::UsageError(option,
                           fmt::format("rejected: {}: {}", to_string(rejected.rejection().code), rejected.what()));
@@ -65,9 +67,11 @@ cases::Question question_of(const AskOptions& options) {
 
 Polygon polygon_of(const AskOptions& options) {
   return of_option("--polygon", [&] {
-    if (!std::filesystem::is_regular_file(options.polygon)) return judge::polygon_of(options.polygon);
+    std::error_code too_long;  // loops of many points are not the name of a file
+    if (!std::filesystem::is_regular_file(options.polygon, too_long)) return judge::polygon_of(options.polygon);
     std::ifstream stream = run::open_file(options.polygon);
-    return judge::polygon_of(std::string(std::istreambuf_iterator<char>(stream), {}));
+    return of_option("--polygon " + options.polygon,
+                     [&] { return judge::polygon_of(std::string(std::istreambuf_iterator<char>(stream), {})); });
   });
 }
 
@@ -95,7 +99,7 @@ std::string error_of(const cases::Key& key, const cases::PartialAnswer& exact, c
       const std::string counted = run::counted(static_cast<std::uint64_t>(doubles), "double");
       return fmt::format("; off by {:.2g}{}", std::abs(*b - *a), doubles <= 1e6 ? ", " + counted : "");
     } else if constexpr (std::is_same_v<decltype(member), cases::Member<Eigen::Vector3d>>) {
-      return a && b && b->allFinite() ? fmt::format("; off by {:.2g}", (*b - *a).norm()) : std::string();
+      return a && b && b->allFinite() ? fmt::format("; off by {:.2g}", (*b - *a).stableNorm()) : std::string();
     }
     return {};
   });
@@ -179,16 +183,22 @@ run::Command ask_command() {
                        "Answer one question about a ball and a polygon or mesh, in words: exact, and fast beside it");
   auto options = std::make_shared<AskOptions>();
   command.text("--ball", options->ball, "The centre and the radius: X,Y,Z,R").takes("BALL").required();
-  command.text("--to", options->to, "The ball moves: its centre ends here, at X,Y,Z").takes("POINT");
+  const auto not_empty = [](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; };
+  command.text("--to", options->to, "The ball moves: its centre ends here, at X,Y,Z", not_empty).takes("POINT");
   command
       .text("--polygon", options->polygon,
-            "Loops such as '0 0 0, 4 0 0, 0 4 0', holes after a semicolon; or a POLYGON of WKT; or a file of either")
+            "Loops such as '0 0 0, 4 0 0, 0 4 0', holes after a semicolon; or a POLYGON of WKT; or a file of either",
+            not_empty)
       .takes("LOOPS");
-  command.text("--mesh", options->mesh, "A mesh instead: OBJ, OFF, PLY or STL").takes("FILE");
+  command.text("--mesh", options->mesh, "A mesh instead: OBJ, OFF, PLY or STL", not_empty).takes("FILE");
   command.require_one_of({"--polygon", "--mesh"});
   methods::declare_methods(command, options->methods);
-  command.text("--show", options->show, "Also draw it, on a page in this file (HTML, self-contained)").takes("FILE");
-  command.flag("--print", options->print, "Only print the question as a case, as `judge` and `show` take it");
+  command.text("--show", options->show, "Also draw it, on a page in this file (HTML, self-contained)", not_empty)
+      .takes("FILE");
+  command.flag("--print", options->print, "Only print the question as a case, as `judge` and `show` take it")
+      .excludes("--methods")
+      .excludes("--engine")
+      .excludes("--show");
   command.force(options->force);
   command.footer(
       "exact is certified. Another method is listed by what it answers otherwise. Exit status: 2 for wrong input, else "

@@ -8,6 +8,7 @@
 #include <deque>
 #include <exception>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -33,6 +34,8 @@ class VerdictReporter {
 
   void complain(const std::string& sentence);
   void worsen(Status status);
+  /// Reports a case whose id an earlier one has, if failures are known by ids.
+  void report_repeated_id(const cases::Line& line);
   /// Reports a line that is not a case.
   void report_unread(const cases::Line& line);
   /// Reports the verdicts of the methods of the order, or the rejection.
@@ -53,6 +56,10 @@ class VerdictReporter {
   void print(const std::string& verdict);
   void compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer,
                const std::string& fault);
+  /// Worsens the status by a failure that is not known, if the known ones can note it.
+  void worsen_by_new_failure() {
+    if (!order_.new_ones_pass) worsen(ExpectationNotMet);
+  }
   [[nodiscard]] bool knows(const Failure& failure) const {
     return order_.known != nullptr && order_.known->has(failure);
   }
@@ -60,6 +67,7 @@ class VerdictReporter {
 
   const Order& order_;
   Status status_ = AllMet;
+  std::set<std::string> ids_;  ///< if failures are known
 };
 
 void VerdictReporter::complain(const std::string& sentence) {
@@ -68,6 +76,14 @@ void VerdictReporter::complain(const std::string& sentence) {
 }
 
 void VerdictReporter::worsen(Status status) { status_ = std::max(status_, status); }
+
+void VerdictReporter::report_repeated_id(const cases::Line& line) {
+  const auto& id = line.read->id;
+  if (order_.known == nullptr || !id || ids_.insert(*id).second) return;
+  complain(fmt::format("touchstone: {}: case {}: its id is not unique, so its failures cannot be known", line.place,
+                       io::legible(*id)));
+  worsen(InputRejected);
+}
 
 void VerdictReporter::report_unread(const cases::Line& line) {
   complain("touchstone: " + line.complaint);
@@ -125,7 +141,7 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
                          {},
                          fault,
                          false,
-                         knows({std::string(method->name()), *given.id, Failure::kNoAnswer})});
+                         knows({std::string(method->name()), *given.id, std::string(Failure::kNoAnswer)})});
       }
       continue;
     }
@@ -138,11 +154,11 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
 
 void VerdictReporter::report_no_answer(const cases::Line& line, std::string_view method, const std::string& fault,
                                        bool is_told) {
-  const Failure failure{std::string(method), *line.read->id, Failure::kNoAnswer};
+  const Failure failure{std::string(method), *line.read->id, std::string(Failure::kNoAnswer)};
   if (order_.known != nullptr) order_.known->judged(failure, true);
   if (knows(failure)) return;
   if (is_told) complain(fmt::format("{}: method {}: {}", name(line), method, fault));
-  worsen(ExpectationNotMet);
+  worsen_by_new_failure();
 }
 
 void VerdictReporter::blame_engine(const cases::Line& line, const methods::Engine& engine, const std::string& reason) {
@@ -177,10 +193,12 @@ std::vector<std::string> VerdictReporter::compared_keys(const cases::StatedAnswe
 /// Compares an answer with the expectation of the case.
 void VerdictReporter::compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer,
                               const std::string& fault) {
+  const Failure no_answer{std::string(method), *line.read->id, std::string(Failure::kNoAnswer)};
+  if (order_.known != nullptr && fault.empty()) order_.known->judged(no_answer, false);
   if (!line.read->expected) return;
   Judged judged{line, method, answer, compared_keys(*line.read->expected), {}, fault};
   const auto failure = [&](const std::string& key) { return Failure{std::string(method), *line.read->id, key}; };
-  const bool answers = fault.empty(), is_known_fault = !answers && knows(failure(Failure::kNoAnswer));
+  const bool answers = fault.empty(), is_known_fault = !answers && knows(no_answer);
   std::optional<cases::AnswersWithin> within;
   const auto is_within = [&](const cases::Difference& difference) {
     const auto key = cases::find_key(difference.key);
@@ -201,17 +219,15 @@ void VerdictReporter::compare(const cases::Line& line, std::string_view method, 
     } else {
       if (order_.prints_differences)
         complain(fmt::format("{}: method {}: {}", name(line), method, to_string(difference)));
-      worsen(ExpectationNotMet);
+      worsen_by_new_failure();
     }
     judged.differences.push_back(std::move(difference));
   }
   judged.known = is_known_fault || (known > 0 && known == judged.differences.size());
-  if (order_.known != nullptr && answers) {
-    order_.known->judged(failure(Failure::kNoAnswer), false);
+  if (order_.known != nullptr && answers)
     for (const std::string& key : judged.compared)
       order_.known->judged(failure(key), std::ranges::find(judged.differences, key, &cases::Difference::key) !=
                                              judged.differences.end());
-  }
   if (order_.judged) order_.judged(judged);
 }
 
@@ -274,10 +290,12 @@ Status judge(const Order& order) {
     const auto* shapes = line.read ? std::get_if<cases::Shapes>(&line.read->content) : nullptr;
     if (order.at_rest && shapes != nullptr && shapes->motion() != nullptr) return true;
     complain_of_surplus();
-    if (line.read)
+    if (line.read) {
+      reporter.report_repeated_id(line);
       reporter.report_own_methods(line);
-    else
+    } else {
       reporter.report_unread(line);
+    }
     if (shapes != nullptr)
       for (JudgedEngine& engine : engines) engine.ask(line);
     if (order.progress) order.progress(line.end);

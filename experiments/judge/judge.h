@@ -39,7 +39,9 @@ struct Order {
   std::chrono::milliseconds time_limit = methods::kTimeLimit;  ///< for each verdict of an engine
   std::vector<cases::Key> keys{};                              ///< only these are compared; empty: all
   std::optional<cases::Margin> beyond{};                       ///< an answer that is off by no more is not wrong
-  KnownFailures* known = nullptr;  ///< failures that are neither complaints nor change the status; notes what occurs
+  /// Failures that are neither complaints nor change the status; notes what occurs. A repeated id is then wrong input.
+  KnownFailures* known = nullptr;
+  bool new_ones_pass = false;  ///< failures that `known` notes do not change the status, either
   bool explain = false;
   bool at_rest = false;  ///< leave out the cases of moving balls
   bool prints_verdicts = true, prints_differences = true;
@@ -57,7 +59,7 @@ enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 ///
 /// A rejected case gets its verdict, and the judge continues. Lines that are not JSON and files that cannot be read are
 /// reported as complaints; blank lines are skipped. Memory does not grow with the number of lines. The judge does not
-/// check whether ids are unique.
+/// check whether ids are unique, unless failures are known.
 ///
 /// Each engine gets one case after the other. If it is late, ends, or prints anything except one line that is a verdict
 /// on the case, the judge reports this with the case, ends the engine and the processes that it has started, and

@@ -50,7 +50,7 @@ std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
 
 judge::Order order_of(const JudgeOptions& options) {
   judge::Order order;
-  order.files = options.files;
+  if (options.files != std::vector<std::string>{"-"}) order.files = options.files;
   order.keys = find_keys(options.keys);
   order.explain = options.explain;
   order.at_rest = options.at_rest;
@@ -104,6 +104,7 @@ int run_judge(const JudgeOptions& options) {
     const bool begins = options.update && !std::filesystem::exists(options.known);
     known = begins ? judge::KnownFailures() : judge::KnownFailures(options.known);
     order.known = &*known;
+    order.new_ones_pass = options.update;
   }
   judge::Tally tally;
   judge::JunitReport junit;
@@ -130,7 +131,7 @@ int run_judge(const JudgeOptions& options) {
   if (!options.junit.empty()) run::write_file(options.junit, junit.text(), options.force);
   if (!options.report.empty()) run::write_file(options.report, report.text(tally), options.force);
   if (known) tell_of_known(*known, options.known, options.update);
-  return options.update && status == judge::ExpectationNotMet ? judge::AllMet : status;
+  return status;
 }
 
 }  // namespace
@@ -166,11 +167,12 @@ run::Command judge_command() {
       .text(
           "--known", options->known,
           "Failures that this file names are counted, but not told, and do not change the exit status; those that are "
-          "mended are told")
+          "mended are told",
+          [](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; })
       .takes("FILE");
   command
       .flag("--update", options->update,
-            "Write the failures that there are now to the file of --known, and exit with 0")
+            "Write the failures that there are now to the file of --known; new ones do not change the exit status")
       .needs("--known");
   command.flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
   command.flag(
@@ -185,7 +187,7 @@ run::Command judge_command() {
             "Also write a page to this file: the summary, and the worst cases as pictures (HTML, self-contained)")
       .takes("FILE");
   command.force(options->force);
-  command.texts("FILE", options->files, "Files of cases; none: standard input");
+  command.texts("FILE", options->files, "Files of cases; none, or -: standard input");
   command.footer(
       "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for wrong input "
       "or an engine that cannot be started, 130 if interrupted.");

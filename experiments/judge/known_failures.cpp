@@ -4,24 +4,46 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "experiments/cases/key.h"
+#include "experiments/run/input.h"
 #include "experiments/run/json.h"
 
 namespace touchstone::judge {
 
+namespace {
+
+Failure read_failure(const std::string& line) {
+  const run::StrictJson text = run::read_strict_json(line);
+  const auto word = [&](const char* key) {
+    const bool has = text.value.is_object() && text.value.contains(key) && text.value[key].is_string();
+    if (!has)
+      throw std::invalid_argument(
+          fmt::format("it needs the words method, case and key alone, and \"{}\" is missing", key));
+    return text.value[key].get<std::string>();
+  };
+  Failure failure{word("method"), word("case"), word("key")};
+  if (text.duplicate_key || text.value.size() != 3)
+    throw std::invalid_argument("it has more than method, case and key, once each");
+  constexpr std::array<std::string_view, 3> kOthers{Failure::kNoAnswer, "error", "message"};
+  if (!cases::find_key(failure.key) && std::ranges::find(kOthers, failure.key) == kOthers.end())
+    throw std::invalid_argument(fmt::format("no answer has a key \"{}\"", failure.key));
+  return failure;
+}
+
+}  // namespace
+
 KnownFailures::KnownFailures(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error(file + ": cannot be read");
+  std::ifstream in = run::open_file(file);
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
     try {
-      const auto value = run::read_strict_json(line).value;
-      if (value.size() != 3) throw std::invalid_argument("must have three keys");
-      known_.insert({value.at("method"), value.at("case"), value.at("key")});
+      known_.insert(read_failure(line));
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("{}: line {}: is not a known failure: {}", file, number, error.what()));
     }

@@ -5,13 +5,14 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchstone::judge {
 
 /// A failure of a method: a key of a case whose expectation it does not meet, or an answer that it does not give.
 struct Failure {
-  static constexpr const char* kNoAnswer = "no answer";  ///< in place of the key
+  static constexpr std::string_view kNoAnswer = "no answer";  ///< in place of the key
 
   std::string method, id, key;
   friend auto operator<=>(const Failure&, const Failure&) = default;

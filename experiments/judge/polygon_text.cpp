@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
+#include <cctype>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
+#include "experiments/run/numbers.h"
 #include "geometry/io/detail/text_number.h"
 #include "geometry/same_number.h"
 #include "geometry/shapes/rejection.h"
@@ -45,7 +47,8 @@ double number_of(const std::string& word, const std::string& what) {
 Eigen::Vector3d point_of(const std::string& text, const std::string& what) {
   const Texts words = words_of(text);
   if (words.size() != 2 && words.size() != 3)
-    fail(what, fmt::format("\"{}\" has {} numbers, not two or three", boost::trim_copy(text), words.size()));
+    fail(what,
+         fmt::format("\"{}\" has {}, not two or three", boost::trim_copy(text), run::counted(words.size(), "number")));
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < words.size(); ++k) point[static_cast<Eigen::Index>(k)] = number_of(words[k], what);
   return point;
@@ -83,7 +86,8 @@ Texts loops_of_wkt(std::string_view text) {
 Polygon polygon_of(std::string_view text) {
   const std::string trimmed = boost::trim_copy(std::string(text));
   const bool is_wkt = boost::istarts_with(trimmed, "POLYGON");
-  if (!is_wkt && !trimmed.empty() && std::isalpha(static_cast<unsigned char>(trimmed.front())) != 0)
+  const bool is_word = !trimmed.empty() && std::isalpha(static_cast<unsigned char>(trimmed.front())) != 0;
+  if (!is_wkt && (is_word || trimmed.find(',') == std::string::npos))
     fail(fmt::format("\"{}\"", trimmed.substr(0, 40)), "is neither loops, nor a POLYGON of WKT, nor a file");
   std::vector<Loop> loops;
   for (const std::string& loop : is_wkt ? loops_of_wkt(trimmed) : split_at(trimmed, ';')) {
@@ -102,7 +106,7 @@ Polygon polygon_of(std::string_view text) {
 Eigen::VectorXd numbers_of(std::string_view text, int count) {
   const Texts words = split_at(text, ',');
   if (words.size() != static_cast<std::size_t>(count))
-    fail(fmt::format("\"{}\"", text), fmt::format("has {} numbers, not {}", words.size(), count));
+    fail(fmt::format("\"{}\"", text), fmt::format("has {}, not {}", run::counted(words.size(), "number"), count));
   Eigen::VectorXd numbers(count);
   for (std::size_t i = 0; i < words.size(); ++i)
     numbers[static_cast<Eigen::Index>(i)] = number_of(boost::trim_copy(words[i]), fmt::format("number {}", i));

@@ -31,7 +31,10 @@ class Case:
         self.center, self.radius = case["ball"]["center"], case["ball"]["radius"]
         self.moves = "motion" in case
         self.to = case["motion"]["to"] if self.moves else self.center
-        self.loops = [case["polygon"]["outer"], *case["polygon"].get("holes", [])]
+        polygon = case["polygon"]
+        self.loops = [polygon["outer"], *polygon.get("holes", [])]
+        if polygon.get("closed"):  # the first point of each loop is there again
+            self.loops = [loop[:-1] for loop in self.loops]
         self.vertices = [vertex for loop in self.loops for vertex in loop]
         self.planar, self.contact = answer["off_plane"] == 0, answer["contact"]
         self.time, self.distance, self.depth = (answer.get(key) for key in ("time", "distance", "depth"))
@@ -53,14 +56,35 @@ def is_float(number):
 def read(files):
     cases = []
     for file in files:
-        for number, line in enumerate(pathlib.Path(file).read_text().splitlines(), 1):
+        try:
+            lines = pathlib.Path(file).read_text(encoding="utf-8").split("\n")
+        except (OSError, UnicodeDecodeError) as error:
+            raise SystemExit(f"{file}: cannot be read: {error}")
+        for number, line in enumerate(lines, 1):
             try:
+                if not line.strip():
+                    continue
                 case = json.loads(line)
                 if "error" not in case["expected"]:
                     cases.append(Case(case))
             except (ValueError, KeyError, TypeError) as error:
                 raise SystemExit(f"{file}: line {number}: is not a case with its whole answer: {error!r}")
+    if not cases:
+        raise SystemExit("there is no case with an answer")
     return cases
+
+
+def quoted(text, escape):
+    """A string of C or Rust: all that is not a plain character is escaped."""
+    return '"' + "".join(c if c.isascii() and c.isprintable() and c not in '"\\?' else escape(c) for c in text) + '"'
+
+
+def octal(character):
+    return "".join(f"\\{byte:03o}" for byte in character.encode("utf-8", "surrogatepass"))
+
+
+def scalar(character):
+    return f"\\u{{{ord(character) if not 0xD800 <= ord(character) < 0xE000 else 0xFFFD:x}}}"  # Rust has no surrogates
 
 
 def code(cases, comment, vector, case, begin_vertices, begin_loops, begin_cases, end, before, after=""):
@@ -87,7 +111,7 @@ def in_c(cases, real):
 
     def case(one, loops, vertices):
         return "{" + ", ".join((
-            json.dumps(one.id), vector(one.center), exact(one.radius), str(int(one.moves)), vector(one.to), str(len(one.loops)),
+            quoted(one.id, octal), vector(one.center), exact(one.radius), str(int(one.moves)), vector(one.to), str(len(one.loops)),
             f"touchstone_loops + {loops}", f"touchstone_vertices + {vertices}", str(int(one.planar)), str(int(one.contact)),
             number(one.time), number(one.distance), number(one.depth), vector(one.point, number), vector(one.normal, number),
             number(one.size))) + "}"
@@ -128,7 +152,7 @@ def in_rust(cases, real):
         return "[" + ", ".join(map(number, v)) + "]"
 
     def case(one, loops, vertices):
-        fields = {"id": json.dumps(one.id), "center": vector(one.center), "radius": number(one.radius), "moves": str(one.moves).lower(),
+        fields = {"id": quoted(one.id, scalar), "center": vector(one.center), "radius": number(one.radius), "moves": str(one.moves).lower(),
                   "to": vector(one.to), "loops": f"({loops}, {len(one.loops)})", "vertices": f"({vertices}, {len(one.vertices)})",
                   "planar": str(one.planar).lower(), "contact": str(one.contact).lower(), "time": number(one.time),
                   "distance": number(one.distance), "depth": number(one.depth), "point": vector(one.point),

@@ -11,6 +11,7 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/random.h"
+#include "experiments/cases/workloads/workload.h"
 
 namespace touchstone::cases {
 namespace {
@@ -146,6 +147,65 @@ TEST(AnswersWithin, HaveTimesBetweenThoseOfTheOuterRadii) {
   EXPECT_FALSE(within(ends_above, 0.0625, "first", "\"way\""));
   EXPECT_TRUE(within(ends_above, 0.25, "time", "1"));
   EXPECT_FALSE(within(ends_above, 0.25, "time", "0.5"));
+}
+
+// The exact answers about the same ball with a slightly larger or smaller radius are within the margin, key by key.
+TEST(AnswersWithin, HaveTheAnswersOfEveryRadiusInBetween) {
+  using workloads::BallPlace;
+  int asked = 0;
+  for (const auto way : {workloads::Way::Static, workloads::Way::Across, workloads::Way::Along, workloads::Way::Start})
+    for (const BallPlace place : {BallPlace::NearFace, BallPlace::NearEdge, BallPlace::LatticeTangent})
+      for (std::uint64_t i = 0; i < 60; ++i) {
+        workloads::Sample sample = workloads::sample({.ball = place, .vertices = 6, .way = way}, 3, i);
+        const Shapes shapes{sample.question(), std::move(sample.polygon)};
+        const double margin = margin_of("2^-20").length(shapes);
+        const AnswersWithin within(shapes, margin);
+        for (const double share : {-0.9, -0.5, 0.5, 0.9}) {
+          const double radius = std::max(shapes.ball().radius + share * margin, 0.0);
+          const PartialAnswer answer = exact_answer({with_radius(shapes.question, radius), shapes.polygon});
+          const StatedAnswer other = stated(answer);
+          for (const auto& [name, text] : other.texts) {
+            EXPECT_TRUE(within.has(*find_key(name), other))
+                << sample.id << ", " << share << ", " << name << ' ' << text;
+            ++asked;
+          }
+        }
+      }
+  EXPECT_GT(asked, 20'000);
+}
+
+TEST(AnswersWithin, DependOnNoScale) {
+  for (const int scale : {-660, 0, 660}) {
+    const auto at = [&](double x, double y, double z) -> Eigen::Vector3d {
+      return {std::ldexp(x, scale), std::ldexp(y, scale), std::ldexp(z, scale)};
+    };
+    const auto text = [](const Eigen::Vector3d& v) { return nlohmann::json{v.x(), v.y(), v.z()}.dump(); };
+    const Polygon wide({at(-50, -50, 0), at(50, -50, 0), at(50, 50, 0), at(-50, 50, 0)});
+    const Shapes shapes{Ball{at(0, 0, 10), std::ldexp(10.0, scale)}, wide};
+    const double margin = std::ldexp(0x1p-14, scale);
+    EXPECT_FALSE(within(shapes, margin, "point", text(at(40, 0, 0)))) << scale;
+    EXPECT_TRUE(within(shapes, margin, "point", text(at(0x1p-12, 0, 0)))) << scale;
+    EXPECT_FALSE(within(shapes, margin, "nearest", R"({"kind":"vertex","index":2})")) << scale;
+  }
+}
+
+TEST(AnswersWithin, OfMovingBallsAreNotThoseOfOtherTimes) {
+  const Polygon wide({{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}});
+  const Shapes starts{Motion(Ball{{0, 0, 10}, 100}, {0, 0, 5}), wide};
+  EXPECT_FALSE(within(starts, 1e-4, "point", "[40,0,0]"));
+  EXPECT_TRUE(within(starts, 1e-4, "point", "[0.0001,0,0]"));
+  const Shapes grazes{Motion(Ball{{-100, 0, 10}, 10}, {100, 0, 10}), wide};
+  EXPECT_TRUE(within(grazes, 1e-4, "contact_normal", "[0,0,1]"));
+  EXPECT_FALSE(within(grazes, 1e-4, "contact_normal", "[0,0,-1]"));
+  const Shapes ends{Motion(Ball{{0, 0, 100}, 10}, {0, 0, 10}), wide};
+  EXPECT_FALSE(within(ends, 1e-4, "time", "7"));
+  const Shapes misses{Motion(Ball{{0, 0, 100}, 10}, {0, 0, 12.5}), wide};
+  EXPECT_FALSE(within(misses, 2, "point", "[0,0,1.5]"));
+}
+
+TEST(AnswersWithin, HaveLiftedVertices) {
+  const Shapes shapes{Ball{{10, 7, 1}, 1}, Polygon({{0, 0, 0}, {10, 0, 10}, {10, 10, 0}, {0, 10, 10}})};
+  EXPECT_FALSE(within(shapes, 0.01, "nearest", R"({"kind":"vertex","index":2})")) << "as lifted it is at 5";
 }
 
 TEST(AnswersWithin, LackWhatDoesNotHaveTheFormOfTheContract) {

@@ -77,6 +77,9 @@ TEST(Ask, TakesFilesAndMovingBalls) {
   const std::string file = write_file("holed.wkt", "POLYGON Z ((0 0 1,4 0 1,0 4 1,0 0 1),(1 1 1,2 1 1,1 2 1,1 1 1))\n");
   const std::string text = asked({"--ball", "1.25,1.25,0,0.25", "--to", "0.5,0.5,0.875", "--polygon", file});
   EXPECT_NE(text.find("  first           way\n"), std::string::npos) << text;
+  std::string loops;  // longer than a name of a file may be
+  for (int i = 0; i < 400; ++i) loops += (i == 0 ? "" : ", ") + std::to_string(i) + " " + std::to_string(i * i);
+  EXPECT_NE(asked({"--ball", "0,0,1,1", "--polygon", loops}).find("vertex 0"), std::string::npos);
 }
 
 TEST(Ask, NamesTheFacesOfAMesh) {
@@ -106,6 +109,13 @@ TEST(Ask, RefusesWhatIsNoQuestion) {
   EXPECT_EQ(refused({"--ball", "0,0,0,1", "--polygon", "0 0, 1 1, 2 2"}),
             "--polygon: rejected: zero-normal: the outer loop: its Newell normal is zero");
   EXPECT_NE(refused({"--ball", "0,0,0,1", "--mesh", "/no/such.obj"}).find("--mesh: "), std::string::npos);
+  const std::string file = write_file("faulty.txt", "0 0, 1 0, 0 x");
+  EXPECT_EQ(refused({"--ball", "0,0,0,1", "--polygon", file}),
+            "--polygon " + file + ": the outer loop: point 2: \"x\" is not a number");
+  EXPECT_NE(refused({"--ball", "0,0,0,1", "--polygon", "no-such-file.txt"}).find("is neither loops"),
+            std::string::npos);
+  EXPECT_NE(refused({"--ball", "0,0,0,1", "--to", "", "--polygon", "0 0, 1 0, 0 1"}).find("--to: "), std::string::npos);
+  EXPECT_NE(refused({"--ball", "0,0,0,1", "--print", "--show", "x.html", "--polygon", "0 0, 1 0, 0 1"}), "");
 }
 
 }  // namespace

@@ -83,9 +83,46 @@ TEST(KnownFailures, MayBeThatThereIsNoAnswer) {
   EXPECT_EQ(unknown.known.text(), known);
 }
 
+TEST(KnownFailures, ThatThereIsNoAnswerAreMendedWithoutAnExpectation) {
+  const std::string known = R"({"method":"exact","case":"t","key":"no answer"})"
+                            "\n";
+  KnownFailures failures(write_file("known.jsonl", known));
+  Order order;
+  order.known = &failures;
+  (void)run(with(kTouching, ""), order);
+  EXPECT_EQ(failures.mended().size(), 1U);
+}
+
+// A failure is known by the id of its case, so another case with that id would hide a new one.
+TEST(KnownFailures, NeedIdsThatAreUnique) {
+  KnownFailures failures;
+  Order order;
+  order.known = &failures;
+  const std::string line = with(kTouching, R"(,"expected":{"contact":true})");
+  const Result repeated = run(line + "\n" + line, order);
+  EXPECT_EQ(repeated.status, InputRejected);
+  EXPECT_NE(repeated.complaints.find("line 2: case t: its id is not unique"), std::string::npos) << repeated.complaints;
+  EXPECT_EQ(run(line + "\n" + line).status, AllMet);
+}
+
+// An update passes what it writes. What it cannot write fails as ever.
+TEST(KnownFailures, ThatCannotBeNotedDoNotPass) {
+  KnownFailures failures;
+  Order order = engine("while read line; do echo '{\"id\":\"t\",\"contact\":false}'; done; exit 7");
+  order.known = &failures;
+  order.new_ones_pass = true;
+  const std::string line = with(kTouching, R"(,"expected":{"contact":true})");
+  EXPECT_EQ(run(line, order).status, ExpectationNotMet) << "it ends with 7";
+  order.engines.front().command = "while read line; do echo '{\"id\":\"t\",\"contact\":false}'; done";
+  EXPECT_EQ(run(line, order).status, AllMet);
+  EXPECT_EQ(failures.new_ones(), 1U);
+}
+
 TEST(KnownFailures, OfAFaultyFileAreRefusedWithItsLine) {
   for (const char* line :
-       {"nonsense", "{}", R"({"method":"a","case":"b"})", R"({"method":"a","case":"b","key":3})", "[]"})
+       {"nonsense", "{}", R"({"method":"a","case":"b"})", R"({"method":"a","case":"b","key":3})", "[]",
+        R"({"method":"a","case":"b","key":"contact","key":"depth"})",
+        R"({"method":"a","case":"b","key":"contact","more":1})", R"({"method":"a","case":"b","key":"nonsense"})"})
     try {
       (void)KnownFailures(write_file("faulty.jsonl", std::string(kKnown) + line + "\n"));
       ADD_FAILURE() << line;
@@ -93,6 +130,7 @@ TEST(KnownFailures, OfAFaultyFileAreRefusedWithItsLine) {
       EXPECT_NE(std::string(error.what()).find("faulty.jsonl: line 4: "), std::string::npos) << error.what();
     }
   EXPECT_THROW((void)KnownFailures("/no/such/file"), std::runtime_error);
+  EXPECT_THROW((void)KnownFailures("/"), std::runtime_error) << "a folder";
 }
 
 TEST(Beyond, CountsOnlyAnswersThatAreWrongByMoreThanTheMargin) {

@@ -154,6 +154,27 @@ class AsCode(unittest.TestCase):
             self.assertEqual((name, contact == "true", float(radius), float(last)),
                              (case["id"], case["expected"]["contact"], case["ball"]["radius"], vertex[2]))
 
+    def test_ids_of_any_characters_and_closed_loops_are_code(self):
+        case = json.loads((SOURCE / "tests/corpus/features.jsonl").read_text().splitlines()[0])
+        case["id"] = 'a"b\\c ??/ \u0001 \u00e9 \u2028 \U0001f600 end'
+        case["polygon"] = {"closed": True, "outer": [*case["polygon"]["outer"], case["polygon"]["outer"][0]]}
+        (self.folder / "odd.jsonl").write_text("\n" + json.dumps(case, ensure_ascii=False) + "\n  \n")
+        self.write("c", "touchstone_cases.h", [self.folder / "odd.jsonl"])
+        printed = self.compiled(PRINT).stdout
+        self.assertEqual(printed.split(" end ")[0] + " end", case["id"])
+        self.assertEqual(len(printed.split(" loop ")[1].split()), 3 * (len(case["polygon"]["outer"]) - 1))
+        if shutil.which("rustc"):
+            self.write("rust", "cases.rs", [self.folder / "odd.jsonl"])
+            (self.folder / "main.rs").write_text('#![allow(dead_code)]\nmod cases;\nfn main() { println!("{}", cases::CASES[0].id); }\n')
+            subprocess.run(["rustc", "--edition", "2021", "main.rs"], cwd=self.folder, check=True)
+            self.assertEqual(subprocess.run(["./main"], cwd=self.folder, capture_output=True, text=True, check=True).stdout, case["id"] + "\n")
+
+    def test_nothing_is_not_code(self):
+        for files in ([SOURCE / "tests/corpus/rejections.jsonl"], ["/no/such/file"]):
+            done = subprocess.run([sys.executable, "-B", AS_CODE, "c", *files], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertNotIn("Traceback", done.stderr)
+
     def test_a_faulty_case_is_named(self):
         (self.folder / "faulty.jsonl").write_text('{"id":"a"}\n')
         done = subprocess.run([sys.executable, "-B", AS_CODE, "c", self.folder / "faulty.jsonl"], capture_output=True, text=True)
