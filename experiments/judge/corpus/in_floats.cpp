@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-#include "experiments/cases/workloads/workload.h"
+#include "experiments/cases/workloads/loops.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"

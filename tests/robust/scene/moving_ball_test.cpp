@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cases/workloads/random.h"
 #include "robust/filtered/motion.h"
 #include "robust/scene/detail/first_contact_search.h"
 #include "tests/robust/scene/brute_force.h"
@@ -20,6 +21,7 @@ namespace touchstone::scene_tests {
 namespace {
 
 using scene::FaceId;
+using scene::Faces;
 using scene::Scene;
 
 TEST(MovingBallInScene, TouchesExactlyTheFacesOnItsWay) {
