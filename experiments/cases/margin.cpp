@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "geometry/io/detail/text_number.h"
@@ -110,7 +111,7 @@ AnswersWithin::AnswersWithin(const Shapes& shapes, double margin)
     : shapes_(shapes),
       margin_(margin),
       answers_{answer_with(shapes, std::max(shapes.ball().radius - margin, 0.0)), exact_answer(shapes),
-               answer_with(shapes, shapes.ball().radius + margin)} {}
+               answer_with(shapes, std::min(shapes.ball().radius + margin, std::numeric_limits<double>::max()))} {}
 
 bool AnswersWithin::is_exact(const Key& key, const StatedAnswer& expected) const {
   const std::string name(key.name);
@@ -174,7 +175,7 @@ std::array<Eigen::Vector3d, 2> AnswersWithin::centers() const {
 
 bool AnswersWithin::has_point(const Eigen::Vector3d& point) const {
   const bool touches = shapes_.motion() == nullptr || *largest().contact;
-  return touches && reaches(Motion({point, margin_}, point)) &&
+  return touches && std::isfinite(distance()) && reaches(Motion({point, margin_}, point)) &&
          distance_to_segment(point, centers()) <= distance() + margin_;
 }
 

@@ -26,7 +26,7 @@ struct Margin {
 [[nodiscard]] Margin margin_of(const std::string& text);
 
 /// The exact answers to a question with the radius as it is and off by a margin to either side. The smaller radius is 0
-/// at least; both are rounded to the nearest double.
+/// at least, the larger one a finite double; both are rounded to the nearest double.
 class AnswersWithin {
  public:
   AnswersWithin(const Shapes& shapes, double margin);

@@ -183,17 +183,16 @@ run::Command ask_command() {
                        "Answer one question about a ball and a polygon or mesh, in words: exact, and fast beside it");
   auto options = std::make_shared<AskOptions>();
   command.text("--ball", options->ball, "The centre and the radius: X,Y,Z,R").takes("BALL").required();
-  const auto not_empty = [](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; };
-  command.text("--to", options->to, "The ball moves: its centre ends here, at X,Y,Z", not_empty).takes("POINT");
+  command.text("--to", options->to, "The ball moves: its centre ends here, at X,Y,Z", run::not_empty).takes("POINT");
   command
       .text("--polygon", options->polygon,
             "Loops such as '0 0 0, 4 0 0, 0 4 0', holes after a semicolon; or a POLYGON of WKT; or a file of either",
-            not_empty)
+            run::not_empty)
       .takes("LOOPS");
-  command.text("--mesh", options->mesh, "A mesh instead: OBJ, OFF, PLY or STL", not_empty).takes("FILE");
+  command.text("--mesh", options->mesh, "A mesh instead: OBJ, OFF, PLY or STL", run::not_empty).takes("FILE");
   command.require_one_of({"--polygon", "--mesh"});
   methods::declare_methods(command, options->methods);
-  command.text("--show", options->show, "Also draw it, on a page in this file (HTML, self-contained)", not_empty)
+  command.text("--show", options->show, "Also draw it, on a page in this file (HTML, self-contained)", run::not_empty)
       .takes("FILE");
   command.flag("--print", options->print, "Only print the question as a case, as `judge` and `show` take it")
       .excludes("--methods")

@@ -168,7 +168,7 @@ run::Command judge_command() {
           "--known", options->known,
           "Failures that this file names are counted, but not told, and do not change the exit status; those that are "
           "mended are told",
-          [](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; })
+          run::not_empty)
       .takes("FILE");
   command
       .flag("--update", options->update,

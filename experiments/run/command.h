@@ -29,6 +29,9 @@ class UsageError : public std::runtime_error {
   explicit UsageError(const std::string& message) : std::runtime_error(message) {}
 };
 
+/// A check of the text of an option: returns the fault if it is empty, else nothing.
+[[nodiscard]] inline std::string not_empty(const std::string& text) { return text.empty() ? "is empty" : ""; }
+
 struct CommandParts;
 struct Declared;
 

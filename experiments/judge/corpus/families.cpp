@@ -352,17 +352,14 @@ std::optional<CorpusCase> draw_flat(std::uint64_t index) {
                           .vertices = 8,
                           .holes = index % 5 == 0 ? 1U : 0U};
   const workloads::Sample sample = workloads::sample(workload, kSeed, index);
-  const auto flat = [](const Vector3d& point) -> Vector3d { return {point.x(), point.y(), 0}; };
+  std::vector<Loop> loops = workloads::loops_of(sample.polygon);
+  for (Loop& loop : loops)
+    for (Vector3d& vertex : loop) vertex.z() = 0;
+  Vector3d center = cases::ball_of(sample.question()).center;
+  center.z() = 0;
   try {
-    std::vector<Loop> loops;
-    for (std::size_t loop = 0; loop < sample.polygon.loop_count(); ++loop) {
-      loops.emplace_back();
-      for (std::size_t i = sample.polygon.loop_begin(loop); i < sample.polygon.loop_end(loop); ++i)
-        loops.back().push_back(flat(sample.polygon.vertex(i)));
-    }
-    Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
+    Polygon polygon = workloads::polygon_of(loops);
     if (exact::validate(polygon)) return std::nullopt;
-    const Vector3d center = flat(cases::ball_of(sample.question()).center);
     const double distance = exact::answer({center, 0}, polygon).distance;
     if (distance == 0) return std::nullopt;  // equal to 0 only where the centre is on the polygon, or next to it
     const double towards[] = {0, distance, 2 * distance};

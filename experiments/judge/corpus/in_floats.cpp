@@ -54,14 +54,11 @@ double off_plane(const Polygon& polygon) { return exact::answer({polygon.vertex(
 
 /// Returns the polygon of the nearest floats; nothing if it is rejected.
 std::optional<Polygon> rounded(const Polygon& polygon) {
-  std::vector<Loop> loops;
-  for (std::size_t loop = 0; loop < polygon.loop_count(); ++loop) {
-    loops.emplace_back();
-    for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
-      loops.back().push_back(nearest_floats(polygon.vertex(i)));
-  }
+  std::vector<Loop> loops = workloads::loops_of(polygon);
+  for (Loop& loop : loops)
+    for (Eigen::Vector3d& vertex : loop) vertex = nearest_floats(vertex);
   try {
-    Polygon result(loops.front(), {loops.begin() + 1, loops.end()});
+    Polygon result = workloads::polygon_of(loops);
     if (exact::validate(result)) return std::nullopt;
     return result;
   } catch (const Rejected&) {

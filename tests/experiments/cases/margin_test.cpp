@@ -189,6 +189,17 @@ TEST(AnswersWithin, DependOnNoScale) {
   }
 }
 
+// The distance rounds to infinity, so it does not tell which points are near the closest one.
+TEST(AnswersWithin, OfBallsFarAwayAreTheExactOnes) {
+  constexpr double kHuge = 0x1.8p1023;
+  const Shapes shapes{Ball{{kHuge, kHuge, kHuge}, 1}, square()};
+  EXPECT_TRUE(within(shapes, kHuge, "distance", "null"));
+  EXPECT_FALSE(within(shapes, 1, "point", "[0,0,0]"));
+  EXPECT_FALSE(within(shapes, 1, "nearest", R"({"kind":"vertex","index":0})"));
+  const Shapes large{Ball{{0, 0, 1}, kHuge}, square()};
+  EXPECT_TRUE(within(large, kHuge, "contact", "true")) << "no radius is infinite";
+}
+
 TEST(AnswersWithin, OfMovingBallsAreNotThoseOfOtherTimes) {
   const Polygon wide({{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}});
   const Shapes starts{Motion(Ball{{0, 0, 10}, 100}, {0, 0, 5}), wide};
