@@ -15,6 +15,7 @@
 #include "experiments/run/input.h"
 #include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
+#include "geometry/io/read_mesh.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 #include "robust/exact/validate.h"
@@ -106,6 +107,60 @@ class Reader {
     return loops;
   }
 
+  /// Returns whether the case asks about a mesh.
+  [[nodiscard]] bool has_mesh() const {
+    const bool has_mesh = text_.value.contains("mesh");
+    if (has_mesh && text_.value.contains("polygon")) malformed("the case has both a polygon and a mesh");
+    if (!has_mesh && text_.value.contains("pose")) malformed("the case has a pose, but no mesh");
+    return has_mesh;
+  }
+
+  [[nodiscard]] Mesh mesh(const std::filesystem::path& folder) const {
+    const json& mesh = text_.value["mesh"];
+    if (!mesh.is_object()) malformed("mesh is not an object");
+    if (const auto file = mesh.find("file"); file != mesh.end()) {
+      if (!file->is_string()) malformed("mesh.file is not a string");
+      if (mesh.size() != 1) malformed("mesh has other keys beside \"file\"");
+      try {
+        return read_mesh(folder / file->get<std::string>()).mesh;
+      } catch (const BrokenMesh& error) {
+        malformed(std::string("mesh.file: ") + error.what());
+      }
+    }
+    Mesh read;
+    read.vertices = points_of(member(mesh, "vertices", "mesh"), "mesh.vertices");
+    const json& faces = member(mesh, "faces", "mesh");
+    if (!faces.is_array() || faces.empty()) malformed("mesh.faces is not an array of faces");
+    for (const json& face : faces) {
+      const std::string where = "mesh.faces[" + std::to_string(read.faces.size()) + "]";
+      if (!face.is_array()) malformed(where + " is not an array of vertex numbers");
+      auto& corners = read.faces.emplace_back();
+      for (const json& corner : face) {
+        const auto number = index_in(corner);
+        if (!number) malformed(where + " is not an array of vertex numbers");
+        if (*number >= read.vertices.size())
+          malformed(fmt::format("{}: vertex {} is out of range: there are {}", where, *number, read.vertices.size()));
+        corners.push_back(static_cast<std::uint32_t>(*number));
+      }
+    }
+    return read;
+  }
+
+  [[nodiscard]] Pose pose() const {
+    Pose pose;
+    const auto given = text_.value.find("pose");
+    if (given == text_.value.end()) return pose;
+    if (!given->is_object()) malformed("pose is not an object");
+    if (const auto rows = given->find("rotation"); rows != given->end()) {
+      if (!rows->is_array() || rows->size() != 3) malformed("pose.rotation is not an array of three rows");
+      for (std::size_t i = 0; i < 3; ++i)
+        pose.rotation.row(static_cast<Eigen::Index>(i)) = point((*rows)[i], fmt::format("pose.rotation[{}]", i));
+    }
+    if (const auto moved = given->find("translation"); moved != given->end())
+      pose.translation = point(*moved, "pose.translation");
+    return pose;
+  }
+
  private:
   [[noreturn]] static void malformed(const std::string& message) {
     throw Rejected({RejectionCode::MalformedCase, message});
@@ -159,25 +214,43 @@ class Reader {
   const Expected& expected_;
 };
 
-Shapes read_shapes(const Reader& reader) {
-  reader.check_form();
-  Question question = reader.question();
-  const std::vector<Loop> loops = reader.loops();
-  reader.check_expected_is_finite();
-
+/// Calls `build`, which throws the rejection of the polygon or the mesh, after the rejections of `question` that
+/// precede it.
+template <class Build>
+auto built_after(const Question& question, const Build& build) {
   const auto fault = std::visit([](const auto& asked) { return find_fault(asked); }, question);
   if (fault && fault->code == RejectionCode::NotFinite) throw Rejected(*fault);
   try {
-    Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
+    auto built = build();
     if (fault) throw Rejected(*fault);
-    if (const auto rejection = exact::validate(polygon)) throw Rejected(*rejection);
-    return {std::move(question), std::move(polygon)};
+    return built;
   } catch (const Rejected& rejected) {
     // In the order of rejections, a negative radius precedes every fault of the loops except numbers that are not
     // finite.
     if (fault && rejected.rejection().code != RejectionCode::NotFinite) throw Rejected(*fault);
     throw;
   }
+}
+
+Shapes read_shapes(const Reader& reader) {
+  Question question = reader.question();
+  const std::vector<Loop> loops = reader.loops();
+  reader.check_expected_is_finite();
+  Polygon polygon = built_after(question, [&] {
+    Polygon built(loops.front(), {loops.begin() + 1, loops.end()});
+    if (const auto rejection = exact::validate(built)) throw Rejected(*rejection);
+    return built;
+  });
+  return {std::move(question), std::move(polygon)};
+}
+
+MeshShapes read_mesh_shapes(const Reader& reader, const std::filesystem::path& folder) {
+  Question question = reader.question();
+  Mesh mesh = reader.mesh(folder);
+  const Pose pose = reader.pose();
+  reader.check_expected_is_finite();
+  PosedMesh posed = built_after(question, [&] { return PosedMesh(std::move(mesh), pose); });
+  return {std::move(question), std::move(posed)};
 }
 
 using Take = std::function<bool(Line&&)>;
@@ -191,7 +264,7 @@ bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& b
     line.file = name;
     line.end = bytes;
     try {
-      line.read = read_case(text);
+      line.read = read_case(text, std::filesystem::path(name).parent_path());
     } catch (const run::NotJson& error) {
       line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
     } catch (const std::bad_alloc&) {
@@ -215,7 +288,43 @@ PartialAnswer exact_answer(const Shapes& shapes) {
   return PartialAnswer::of(answer, "");
 }
 
-Case read_case(std::string_view line) {
+PartialAnswer exact_answer(const MeshShapes& shapes) {
+  std::vector<exact::PreparedPolygon> faces;
+  for (const Polygon& face : shapes.mesh.faces()) faces.emplace_back(face);
+  const auto precedes = [&](const exact::PreparedPolygon& a, const exact::PreparedPolygon& b) {
+    const auto* motion = std::get_if<Motion>(&shapes.question);
+    return (motion ? exact::compare_times(*motion, a, b) : exact::compare_distances(ball_of(shapes.question), a, b)) <
+           0;
+  };
+  const std::size_t first = *std::ranges::min_element(
+      shapes.mesh.order(), [&](std::size_t a, std::size_t b) { return precedes(faces[a], faces[b]); });
+  std::vector<std::size_t> touched;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+    if (std::visit([&](const auto& asked) { return exact::contact(asked, faces[face]); }, shapes.question))
+      touched.push_back(face);
+  return PartialAnswer::of_mesh(exact_answer(Shapes{shapes.question, shapes.mesh.faces()[first]}), first,
+                                std::move(touched));
+}
+
+PartialAnswer exact_answer(const AnyShapes& shapes) {
+  return std::visit([](const auto& one) { return exact_answer(one); }, shapes);
+}
+
+const Question& question_of(const AnyShapes& shapes) {
+  return std::visit([](const auto& one) -> const Question& { return one.question; }, shapes);
+}
+
+std::unique_ptr<PreparedMethod> prepare(const Method& method, const AnyShapes& shapes) {
+  if (const auto* one = std::get_if<Shapes>(&shapes)) return method.prepare(one->polygon);
+  return method.prepare(std::get<MeshShapes>(shapes).mesh);
+}
+
+AnyShapes Case::shapes() const {
+  if (const auto* one = std::get_if<Shapes>(&content)) return *one;
+  return std::get<MeshShapes>(content);
+}
+
+Case read_case(std::string_view line, const std::filesystem::path& folder) {
   const run::StrictJson text = run::read_strict_json(line);
   Case result{.id = {}, .expected = {}, .content = Rejection{}};
   if (text.value.is_object()) {
@@ -224,8 +333,15 @@ Case read_case(std::string_view line) {
   }
   Expected expected = read_expected(text);
   try {
-    result.content = read_shapes(Reader(text, expected));
-    result.closed = text.value["polygon"].value("closed", false);
+    const Reader reader(text, expected);
+    reader.check_form();
+    if (reader.has_mesh()) {
+      result.content = read_mesh_shapes(reader, folder);
+      result.rewritten = text.value["mesh"].contains("file");
+    } else {
+      result.content = read_shapes(reader);
+      result.rewritten = text.value["polygon"].value("closed", false);
+    }
     if (text.value.contains("tags")) result.tags = text.value["tags"].get<std::vector<std::string>>();
   } catch (const Rejected& rejected) {
     result.content = rejected.rejection();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
+#include "experiments/cases/posed_mesh.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
@@ -28,27 +30,49 @@ struct Shapes {
   [[nodiscard]] const Motion* motion() const { return std::get_if<Motion>(&question); }
 };
 
-/// Returns the exact answer with all its keys.
+/// A valid ball, at a place or moving, and a mesh: input for every method.
+struct MeshShapes {
+  Question question;
+  PosedMesh mesh;
+};
+
+/// A question about a polygon or a mesh.
+using AnyShapes = std::variant<Shapes, MeshShapes>;
+[[nodiscard]] const Question& question_of(const AnyShapes& shapes);
+/// Prepares the polygon or the mesh.
+[[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Method& method, const AnyShapes& shapes);
+
+/// @{
+/// Returns the exact answer with all its keys. About a mesh it compares the exact distances or times of all faces.
 [[nodiscard]] PartialAnswer exact_answer(const Shapes& shapes);
+[[nodiscard]] PartialAnswer exact_answer(const MeshShapes& shapes);
+[[nodiscard]] PartialAnswer exact_answer(const AnyShapes& shapes);
+/// @}
 
 /// One line of a file of cases, read according to the contract.
 struct Case {
-  std::optional<std::string> id;            ///< absent only from malformed cases
-  std::optional<StatedAnswer> expected;     ///< keys of an answer, or `error`; absent if malformed
-  std::variant<Shapes, Rejection> content;  ///< the message of the rejection names the loop, vertex or edge
-  std::vector<std::string> tags{};          ///< empty if malformed
-  bool closed = false;                      ///< whether its loops repeat their first point at the end
+  std::optional<std::string> id;         ///< absent only from malformed cases
+  std::optional<StatedAnswer> expected;  ///< keys of an answer, or `error`; absent if malformed
+  /// The message of the rejection names the loop, vertex or edge, or the face.
+  std::variant<Shapes, MeshShapes, Rejection> content;
+  std::vector<std::string> tags{};  ///< empty if malformed
+  bool rewritten = false;  ///< whether engines are to read it otherwise: its loops repeat their first point at the end,
+                           ///< or its mesh is a file
+
+  /// Returns the content of a case that is not rejected.
+  [[nodiscard]] AnyShapes shapes() const;
 };
 
 /// Reads one case and reports the first rejection of the contract that applies, in the order of the contract.
 ///
-/// Numbers are read as the nearest doubles; a number beyond the finite doubles is `not-finite`. Besides `id`, `ball`,
-/// `motion`, `polygon`, `expected` and `tags`, unknown keys are allowed and ignored. If `polygon.closed` is true, each
-/// loop ends with its first point again, as in GeoJSON; a loop that does not is malformed. Within `expected`, an
-/// unknown key makes the case malformed. A duplicate key anywhere, or arrays and objects nested deeper than
-/// kMostLevels, also make it malformed. Throws NotJson. Cost: that of exact::validate, plus time linear in the length
-/// of the line.
-[[nodiscard]] Case read_case(std::string_view line);
+/// A case has a `polygon` or a `mesh`. A mesh that is a file has its path from `folder`, unless that is absolute; a
+/// fault of the file makes the case malformed. Numbers are read as the nearest doubles; a number beyond the finite
+/// doubles is `not-finite`. Besides `id`, `ball`, `motion`, `polygon`, `mesh`, `pose`, `expected` and `tags`, unknown
+/// keys are allowed and ignored. If `polygon.closed` is true, each loop ends with its first point again, as in GeoJSON;
+/// a loop that does not is malformed. Within `expected`, an unknown key makes the case malformed. A duplicate key
+/// anywhere, or arrays and objects nested deeper than kMostLevels, also make it malformed. Throws NotJson. Cost: that
+/// of exact::validate, of each face of a mesh, plus time linear in the length of the line.
+[[nodiscard]] Case read_case(std::string_view line, const std::filesystem::path& folder = {});
 
 /// A line of input: a case, or the reason why it could not be read.
 struct Line {

@@ -20,9 +20,9 @@ namespace touchstone::cases {
 /// The member of PartialAnswer that holds a key.
 template <class Value>
 using Member = std::optional<Value> PartialAnswer::*;
-using AnyMember =
-    std::variant<Member<PlaneSide>, Member<bool>, Member<PointLocation>, Member<std::vector<std::size_t>>,
-                 Member<Relation>, Member<FirstContactKind>, Member<double>, Member<Feature>, Member<Eigen::Vector3d>>;
+using AnyMember = std::variant<Member<PlaneSide>, Member<bool>, Member<PointLocation>, Member<std::vector<std::size_t>>,
+                               Member<Relation>, Member<FirstContactKind>, Member<std::size_t>, Member<double>,
+                               Member<Feature>, Member<Eigen::Vector3d>>;
 
 /// A key of answers.
 struct Key {
@@ -43,14 +43,15 @@ struct Key {
 
 /// All keys, in the order in which verdicts have them.
 inline constexpr std::array kKeys{
-    Key{"plane", &PartialAnswer::plane},         Key{"plane_tangent", &PartialAnswer::plane_tangent},
-    Key{"foot", &PartialAnswer::foot},           Key{"edges_hit", &PartialAnswer::edges_hit},
-    Key{"relation", &PartialAnswer::relation},   Key{"contact", &PartialAnswer::contact},
-    Key{"first", &PartialAnswer::first},         Key{"time", &PartialAnswer::time},
-    Key{"momentary", &PartialAnswer::momentary}, Key{"feature", &PartialAnswer::feature},
-    Key{"nearest", &PartialAnswer::nearest},     Key{"point", &PartialAnswer::point},
-    Key{"distance", &PartialAnswer::distance},   Key{"contact_normal", &PartialAnswer::contact_normal},
-    Key{"depth", &PartialAnswer::depth},         Key{"off_plane", &PartialAnswer::off_plane}};
+    Key{"plane", &PartialAnswer::plane},       Key{"plane_tangent", &PartialAnswer::plane_tangent},
+    Key{"foot", &PartialAnswer::foot},         Key{"edges_hit", &PartialAnswer::edges_hit},
+    Key{"touched", &PartialAnswer::touched},   Key{"relation", &PartialAnswer::relation},
+    Key{"contact", &PartialAnswer::contact},   Key{"first", &PartialAnswer::first},
+    Key{"time", &PartialAnswer::time},         Key{"momentary", &PartialAnswer::momentary},
+    Key{"face", &PartialAnswer::face},         Key{"feature", &PartialAnswer::feature},
+    Key{"nearest", &PartialAnswer::nearest},   Key{"point", &PartialAnswer::point},
+    Key{"distance", &PartialAnswer::distance}, Key{"contact_normal", &PartialAnswer::contact_normal},
+    Key{"depth", &PartialAnswer::depth},       Key{"off_plane", &PartialAnswer::off_plane}};
 
 /// Returns the key that a member holds.
 template <class Value>

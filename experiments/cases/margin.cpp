@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "geometry/io/detail/text_number.h"
 #include "robust/exact/exact.h"
@@ -15,16 +16,25 @@
 namespace touchstone::cases {
 namespace {
 
-double size(const Shapes& shapes) {
-  double largest = std::max(shapes.ball().radius, shapes.ball().center.lpNorm<Eigen::Infinity>());
-  if (const Motion* motion = shapes.motion()) largest = std::max(largest, motion->to.lpNorm<Eigen::Infinity>());
-  for (std::size_t i = 0; i < shapes.polygon.vertex_count(); ++i)
-    largest = std::max(largest, shapes.polygon.vertex(i).lpNorm<Eigen::Infinity>());
+double size(const AnyShapes& shapes) {
+  const Question& question = question_of(shapes);
+  double largest = std::max(ball_of(question).radius, ball_of(question).center.lpNorm<Eigen::Infinity>());
+  if (const auto* motion = std::get_if<Motion>(&question))
+    largest = std::max(largest, motion->to.lpNorm<Eigen::Infinity>());
+  const auto meet = [&](const Polygon& polygon) {
+    for (std::size_t i = 0; i < polygon.vertex_count(); ++i)
+      largest = std::max(largest, polygon.vertex(i).lpNorm<Eigen::Infinity>());
+  };
+  if (const auto* one = std::get_if<Shapes>(&shapes))
+    meet(one->polygon);
+  else
+    std::ranges::for_each(std::get<MeshShapes>(shapes).mesh.faces(), meet);
   return largest;
 }
 
-PartialAnswer answer_with(const Shapes& shapes, double radius) {
-  return exact_answer({with_radius(shapes.question, radius), shapes.polygon});
+PartialAnswer answer_with(AnyShapes shapes, double radius) {
+  std::visit([&](auto& one) { one.question = with_radius(one.question, radius); }, shapes);
+  return exact_answer(shapes);
 }
 
 /// The supporting plane of a polygon, in rationals.
@@ -89,9 +99,15 @@ double distance_to_segment(const Eigen::Vector3d& point, const std::array<Eigen:
   return scale * (there - share * unit).norm();
 }
 
+/// Returns whether the list is sorted, has all of `least`, and has nothing that is not in `most`.
+bool is_sorted_between(const std::vector<std::size_t>& least, const std::vector<std::size_t>& list,
+                       const std::vector<std::size_t>& most) {
+  return std::ranges::is_sorted(list) && std::ranges::includes(most, list) && std::ranges::includes(list, least);
+}
+
 }  // namespace
 
-double Margin::length(const Shapes& shapes) const { return of_size ? number * size(shapes) : number; }
+double Margin::length(const AnyShapes& shapes) const { return of_size ? number * size(shapes) : number; }
 
 Margin margin_of(const std::string& text) {
   Margin margin;
@@ -107,11 +123,11 @@ Margin margin_of(const std::string& text) {
   return margin;
 }
 
-AnswersWithin::AnswersWithin(const Shapes& shapes, double margin)
-    : shapes_(shapes),
+AnswersWithin::AnswersWithin(AnyShapes shapes, double margin)
+    : shapes_(std::move(shapes)),
       margin_(margin),
-      answers_{answer_with(shapes, std::max(shapes.ball().radius - margin, 0.0)), exact_answer(shapes),
-               answer_with(shapes, std::min(shapes.ball().radius + margin, std::numeric_limits<double>::max()))} {}
+      answers_{answer_with(shapes_, std::max(ball().radius - margin, 0.0)), exact_answer(shapes_),
+               answer_with(shapes_, larger_radius())} {}
 
 bool AnswersWithin::is_exact(const Key& key, const StatedAnswer& expected) const {
   const std::string name(key.name);
@@ -125,7 +141,35 @@ bool AnswersWithin::has(const Key& key, const StatedAnswer& answer) const {
   if (text == answer.texts.end()) return false;
   const auto has_it = [&](const PartialAnswer& one) { return has_text(one, name, text->second); };
   if (std::ranges::any_of(answers_, has_it)) return true;
-  return cases::has(answer.values, key) && is_between(key, answer.values);
+  if (!cases::has(answer.values, key)) return false;
+  const auto* asked = std::get_if<MeshShapes>(&shapes_);
+  if (asked == nullptr) return is_between(key, answer.values);
+  if (const auto decided = is_between_of_mesh(key, answer.values)) return *decided;
+  const std::optional<std::size_t> face = answer.values.face ? answer.values.face : truth().face;
+  if (!face || *face >= asked->mesh.faces().size()) return false;
+  return AnswersWithin(Shapes{asked->question, asked->mesh.faces()[*face]}, margin_).has(key, answer);
+}
+
+std::optional<bool> AnswersWithin::is_between_of_mesh(const Key& key, const PartialAnswer& found) const {
+  const auto is = [&](auto member) { return key == key_of(member); };
+  if (is(&PartialAnswer::face)) return has_face(*found.face);
+  if (is(&PartialAnswer::touched)) return is_sorted_between(*smallest().touched, *found.touched, *largest().touched);
+  if (is(&PartialAnswer::relation) || is(&PartialAnswer::first) || is(&PartialAnswer::time) ||
+      is(&PartialAnswer::distance) || is(&PartialAnswer::depth))
+    return is_between(key, found);
+  return std::nullopt;
+}
+
+double AnswersWithin::larger_radius() const {
+  return std::min(ball().radius + margin_, std::numeric_limits<double>::max());
+}
+
+bool AnswersWithin::has_face(std::size_t face) const {
+  const auto& [question, mesh] = std::get<MeshShapes>(shapes_);
+  if (face >= mesh.faces().size()) return false;
+  const PartialAnswer about_face = answer_with(Shapes{question, mesh.faces()[face]}, larger_radius());
+  if (motion() == nullptr) return *about_face.distance - *truth().distance <= margin_;
+  return *about_face.contact && *about_face.time <= *smallest().time;
 }
 
 bool AnswersWithin::is_between(const Key& key, const PartialAnswer& found) const {
@@ -141,11 +185,8 @@ bool AnswersWithin::is_between(const Key& key, const PartialAnswer& found) const
   if (is(&PartialAnswer::momentary))
     return smallest().momentary != truth().momentary || truth().momentary != largest().momentary;
   if (is(&PartialAnswer::plane_tangent)) return smallest().plane != largest().plane;
-  if (is(&PartialAnswer::edges_hit)) {
-    const auto includes = [](const auto& all, const auto& some) { return std::ranges::includes(*all, *some); };
-    return std::ranges::is_sorted(*found.edges_hit) && includes(largest().edges_hit, found.edges_hit) &&
-           includes(found.edges_hit, smallest().edges_hit);
-  }
+  if (is(&PartialAnswer::edges_hit))
+    return is_sorted_between(*smallest().edges_hit, *found.edges_hit, *largest().edges_hit);
   if (is(&PartialAnswer::distance)) return is_near(&PartialAnswer::distance);
   if (is(&PartialAnswer::depth)) return is_near(&PartialAnswer::depth);
   if (is(&PartialAnswer::off_plane)) return is_near(&PartialAnswer::off_plane);
@@ -157,30 +198,30 @@ bool AnswersWithin::is_between(const Key& key, const PartialAnswer& found) const
 }
 
 bool AnswersWithin::reaches(const Motion& motion) const {
-  return !find_fault(motion) && exact::contact(motion, shapes_.polygon);
+  return !find_fault(motion) && exact::contact(motion, polygon());
 }
 
 double AnswersWithin::distance() const {
-  if (shapes_.motion() == nullptr) return *truth().distance;
-  return shapes_.ball().radius - (*truth().contact ? *truth().depth : 0);
+  if (motion() == nullptr) return *truth().distance;
+  return ball().radius - (*truth().contact ? *truth().depth : 0);
 }
 
 std::array<Eigen::Vector3d, 2> AnswersWithin::centers() const {
-  const Eigen::Vector3d& first = shapes_.ball().center;
-  const Motion* motion = shapes_.motion();
+  const Eigen::Vector3d& first = ball().center;
+  const Motion* motion = this->motion();
   if (motion == nullptr) return {first, first};
   const auto at = [&](double time) -> Eigen::Vector3d { return first + std::min(time, 1.0) * (motion->to - first); };
   return {at(*largest().time), at(*smallest().time)};
 }
 
 bool AnswersWithin::has_point(const Eigen::Vector3d& point) const {
-  const bool touches = shapes_.motion() == nullptr || *largest().contact;
+  const bool touches = motion() == nullptr || *largest().contact;
   return touches && std::isfinite(distance()) && reaches(Motion({point, margin_}, point)) &&
          distance_to_segment(point, centers()) <= distance() + margin_;
 }
 
 bool AnswersWithin::has_normal(const Eigen::Vector3d& normal) const {
-  const bool touches = shapes_.motion() == nullptr || *largest().contact;
+  const bool touches = motion() == nullptr || *largest().contact;
   if (!touches || !(std::abs(normal.norm() - 1) * size(shapes_) <= margin_)) return false;
   const auto [begin, end] = centers();
   const Eigen::Vector3d to_polygon = -distance() * normal;
@@ -188,27 +229,27 @@ bool AnswersWithin::has_normal(const Eigen::Vector3d& normal) const {
 }
 
 bool AnswersWithin::has_feature(const Feature& feature) const {
-  const Eigen::Vector3d& center = shapes_.ball().center;
+  const Eigen::Vector3d& center = ball().center;
   const double reach = *truth().distance + margin_;
   if (!std::isfinite(reach)) return false;
   const auto distance_to = [&](const Eigen::Vector3d& point) { return distance_to_segment(point, {center, center}); };
-  const SupportingPlane plane(shapes_.polygon);
+  const SupportingPlane plane(polygon());
   switch (feature.kind) {
     case Feature::Kind::Face: {
       const Eigen::Vector3d foot = plane.foot(center);
       return reaches(Motion({foot, margin_}, foot)) && distance_to(foot) <= reach;
     }
     case Feature::Kind::Edge:
-      return std::ranges::binary_search(exact::edges_hit({center, reach}, shapes_.polygon), feature.index);
+      return std::ranges::binary_search(exact::edges_hit({center, reach}, polygon()), feature.index);
     case Feature::Kind::Vertex: break;
   }
-  return feature.index < shapes_.polygon.vertex_count() &&
-         distance_to(plane.lifted(shapes_.polygon.vertex(feature.index))) <= reach;
+  return feature.index < polygon().vertex_count() &&
+         distance_to(plane.lifted(polygon().vertex(feature.index))) <= reach;
 }
 
 bool AnswersWithin::foot_is_near_boundary() const {
-  const Eigen::Vector3d foot = SupportingPlane(shapes_.polygon).foot(shapes_.ball().center);
-  return foot.allFinite() && std::isfinite(margin_) && !exact::edges_hit({foot, margin_}, shapes_.polygon).empty();
+  const Eigen::Vector3d foot = SupportingPlane(polygon()).foot(ball().center);
+  return foot.allFinite() && std::isfinite(margin_) && !exact::edges_hit({foot, margin_}, polygon()).empty();
 }
 
 }  // namespace touchstone::cases

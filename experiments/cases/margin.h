@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "experiments/cases/case.h"
@@ -16,8 +17,8 @@ struct Margin {
   bool of_size = true;  ///< in sizes of the case, else in its unit of length
 
   /// Returns the length for a case, rounded to the nearest double. The *size* of a case is the largest magnitude of its
-  /// coordinates and its radius.
-  [[nodiscard]] double length(const Shapes& shapes) const;
+  /// coordinates, those of a mesh as its pose has them, and its radius.
+  [[nodiscard]] double length(const AnyShapes& shapes) const;
 };
 
 /// Returns the margin of a text: `2^-20` and `1e-6` are in sizes of the case, `2^-20m` and `1e-6m` in its unit of
@@ -29,7 +30,7 @@ struct Margin {
 /// at least, the larger one a finite double; both are rounded to the nearest double.
 class AnswersWithin {
  public:
-  AnswersWithin(const Shapes& shapes, double margin);
+  AnswersWithin(AnyShapes shapes, double margin);
 
   /// Returns whether the expected value of this key is the exact one. Another one cannot have a margin.
   [[nodiscard]] bool is_exact(const Key& key, const StatedAnswer& expected) const;
@@ -47,9 +48,13 @@ class AnswersWithin {
   ///  (5) `contact_normal`: if its length is off 1 by the margin in sizes of the case at most, and the point at that
   ///      distance against its direction, from such a centre, is within the margin of the polygon;
   ///  (6) `foot`: if the foot, rounded to doubles, is within the margin of the boundary;
-  ///  (7) `nearest`: if the distance to that feature exceeds the least by the margin at most.
-  /// Distances of (4), (5) and (7) are computed in doubles. A key that the answer lacks, or whose value does not have
-  /// the form of the contract, is not within it.
+  ///  (7) `nearest`: if the distance to that feature exceeds the least by the margin at most;
+  ///  (8) `touched`: if it has the faces that the smallest ball touches, and no face that the largest does not;
+  ///  (9) `face`: if its distance, rounded, exceeds the least by the margin at most, or if a moving ball touches it
+  ///      with the largest radius no later than any face with the smallest. Of a mesh, (4) to (7) and `momentary` hold
+  ///      about the face that the answer names, and else about the right one. Distances of (4), (5) and (7) are
+  ///      computed in doubles. A key that the answer lacks, or whose value does not have the form of the contract, is
+  ///      not within it.
   [[nodiscard]] bool has(const Key& key, const StatedAnswer& answer) const;
 
  private:
@@ -57,7 +62,14 @@ class AnswersWithin {
   [[nodiscard]] const PartialAnswer& truth() const { return answers_[1]; }
   [[nodiscard]] const PartialAnswer& largest() const { return answers_[2]; }
 
+  [[nodiscard]] const Polygon& polygon() const { return std::get<Shapes>(shapes_).polygon; }
+  [[nodiscard]] const Motion* motion() const { return std::get_if<Motion>(&question_of(shapes_)); }
+  [[nodiscard]] const Ball& ball() const { return ball_of(question_of(shapes_)); }
+  [[nodiscard]] double larger_radius() const;
   [[nodiscard]] bool is_between(const Key& key, const PartialAnswer& found) const;
+  /// The same for the keys that say something else of a mesh than of a polygon; nothing for the others.
+  [[nodiscard]] std::optional<bool> is_between_of_mesh(const Key& key, const PartialAnswer& found) const;
+  [[nodiscard]] bool has_face(std::size_t face) const;
   [[nodiscard]] bool has_point(const Eigen::Vector3d& point) const;
   [[nodiscard]] bool has_normal(const Eigen::Vector3d& normal) const;
   [[nodiscard]] bool has_feature(const Feature& feature) const;
@@ -68,7 +80,7 @@ class AnswersWithin {
   /// Returns where the centre may be: its place, or the ends of the part of its way between the first contacts.
   [[nodiscard]] std::array<Eigen::Vector3d, 2> centers() const;
 
-  const Shapes& shapes_;
+  AnyShapes shapes_;
   double margin_;
   std::array<PartialAnswer, 3> answers_;  ///< by radius, ascending
 };

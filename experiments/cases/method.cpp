@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cases/method.h"
 
+#include <cmath>
+
 #include "experiments/cases/key.h"
 
 namespace touchstone::cases {
@@ -46,6 +48,18 @@ PartialAnswer PartialAnswer::of(const FirstContact& first, double off_plane, std
   return answer;
 }
 
+PartialAnswer PartialAnswer::of_mesh(PartialAnswer of_face, std::size_t face, std::vector<std::size_t> touched) {
+  of_face.plane.reset();
+  of_face.plane_tangent.reset();
+  of_face.foot.reset();
+  of_face.edges_hit.reset();
+  of_face.off_plane.reset();
+  // A moving ball that touches none has no first face.
+  if (!of_face.time || std::isfinite(*of_face.time)) of_face.face = face;
+  of_face.touched = std::move(touched);
+  return of_face;
+}
+
 std::optional<PartialAnswer> PreparedMethod::ask_moving(const Motion&) const { return std::nullopt; }
 
 std::optional<PartialAnswer> PreparedMethod::answer(const Question& question) const {
@@ -56,9 +70,10 @@ std::optional<PartialAnswer> PreparedMethod::answer(const Question& question) co
 bool is_null(const PartialAnswer& answer, const Key& key) {
   if (!answer.first || has(answer, key)) return false;
   if (key == key_of(&PartialAnswer::momentary)) return *answer.first != FirstContactKind::Way;
-  return *answer.first == FirstContactKind::None &&
-         (key == key_of(&PartialAnswer::feature) || key == key_of(&PartialAnswer::point) ||
-          key == key_of(&PartialAnswer::contact_normal) || key == key_of(&PartialAnswer::depth));
+  if (*answer.first != FirstContactKind::None) return false;
+  if (key == key_of(&PartialAnswer::face)) return answer.touched.has_value();
+  return key == key_of(&PartialAnswer::feature) || key == key_of(&PartialAnswer::point) ||
+         key == key_of(&PartialAnswer::contact_normal) || key == key_of(&PartialAnswer::depth);
 }
 
 PartialAnswer only(const PartialAnswer& answer, const std::vector<Key>& keys) {

@@ -31,6 +31,8 @@ using Question = std::variant<Ball, Motion>;
 /// The kinds of queries: a single test of the contract, or all keys of the answer.
 enum class QueryKind { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
 
+class PosedMesh;
+
 /// An answer with the keys of the contract, about a ball at a place or about a moving ball; a key is absent if the
 /// method does not compute it or could not decide it. The keys that the contract calls `null` are absent, too.
 struct PartialAnswer {
@@ -38,11 +40,13 @@ struct PartialAnswer {
   std::optional<bool> plane_tangent;
   std::optional<PointLocation> foot;
   std::optional<std::vector<std::size_t>> edges_hit;
+  std::optional<std::vector<std::size_t>> touched;  ///< faces of a mesh
   std::optional<Relation> relation;
   std::optional<bool> contact;
   std::optional<FirstContactKind> first;
   std::optional<double> time;  ///< infinite if there is no contact
   std::optional<bool> momentary;
+  std::optional<std::size_t> face;  ///< of a mesh: the nearest, or the first that is touched
   std::optional<Feature> feature;
   std::optional<Feature> nearest;
   std::optional<Eigen::Vector3d> point;
@@ -57,9 +61,12 @@ struct PartialAnswer {
   static PartialAnswer of(const Answer& answer, std::string_view stage);
   /// Returns a partial answer about a moving ball with all keys of the contract.
   static PartialAnswer of(const FirstContact& first, double off_plane, std::string_view stage);
+  /// Returns the answer about a mesh: what `of_face` says of its nearest or first face, the number of that face, if the
+  /// ball has one, and those that it touches.
+  static PartialAnswer of_mesh(PartialAnswer of_face, std::size_t face, std::vector<std::size_t> touched);
 };
 
-/// A polygon prepared by one method. Queries do not change it; several threads may query it at once.
+/// A polygon or a mesh prepared by one method. Queries do not change it; several threads may query it at once.
 class PreparedMethod {
  public:
   virtual ~PreparedMethod() = default;
@@ -77,6 +84,7 @@ class PreparedMethod {
 class Method {
  public:
   using Prepare = std::function<std::unique_ptr<PreparedMethod>(const Polygon& polygon)>;
+  using PrepareMesh = std::function<std::unique_ptr<PreparedMethod>(const PosedMesh& mesh)>;
   enum class Kind {
     Usual,
     Slow,  ///< a query takes tens of microseconds; studies may ask such a method fewer queries
@@ -84,19 +92,27 @@ class Method {
            ///< its answers has all keys that it computes, whatever the query
   };
 
-  /// `summary`: one line. `prepare`: several threads may call it at once.
-  Method(std::string name, std::string summary, Prepare prepare, Kind kind = Kind::Usual)
-      : name_(std::move(name)), summary_(std::move(summary)), prepare_(std::move(prepare)), kind_(kind) {}
+  /// `summary`: one line. `prepare`: several threads may call it at once. Without `prepare_mesh`, a mesh is asked face
+  /// by face.
+  Method(std::string name, std::string summary, Prepare prepare, Kind kind = Kind::Usual,
+         PrepareMesh prepare_mesh = nullptr)
+      : name_(std::move(name)),
+        summary_(std::move(summary)),
+        prepare_(std::move(prepare)),
+        prepare_mesh_(std::move(prepare_mesh)),
+        kind_(kind) {}
 
   [[nodiscard]] std::string_view name() const { return name_; }
   [[nodiscard]] std::string_view summary() const { return summary_; }
   [[nodiscard]] bool slow() const { return kind_ == Kind::Slow; }
   [[nodiscard]] bool through_pipe() const { return kind_ == Kind::Pipe; }
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const { return prepare_(polygon); }
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const PosedMesh& mesh) const;
 
  private:
   std::string name_, summary_;
   Prepare prepare_;
+  PrepareMesh prepare_mesh_;
   Kind kind_;
 };
 

@@ -53,7 +53,7 @@ std::string verdict_line(const std::optional<std::string>& id, std::string_view 
   return to_line(verdict);
 }
 
-std::string case_line(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
+std::string case_line(const std::string& id, const AnyShapes& shapes, const std::vector<std::string>& tags,
                       const std::optional<PartialAnswer>& expected) {
   return to_line(case_of(id, shapes, tags, expected ? object_of(*expected) : Verdict(nullptr)));
 }

@@ -24,7 +24,8 @@ namespace touchstone::cases {
                                        const Rejection& rejection);
 
 /// Returns a case in the form of the contract; without an expectation, it has no `expected`.
-[[nodiscard]] std::string case_line(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
+[[nodiscard]] std::string case_line(const std::string& id, const AnyShapes& shapes,
+                                    const std::vector<std::string>& tags,
                                     const std::optional<PartialAnswer>& expected = std::nullopt);
 
 }  // namespace touchstone::cases

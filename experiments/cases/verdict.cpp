@@ -9,6 +9,14 @@
 #include <limits>
 
 namespace touchstone::cases {
+std::optional<std::size_t> index_in(const nlohmann::json& value) {
+  if (value.is_number_unsigned()) return value.get<std::size_t>();
+  if (!value.is_number_float()) return std::nullopt;
+  const auto number = value.get<double>();
+  if (!(number >= 0 && number < 0x1p64 && number == std::floor(number))) return std::nullopt;
+  return static_cast<std::size_t>(number);
+}
+
 namespace {
 
 using nlohmann::json;
@@ -25,6 +33,7 @@ Verdict value_of(PointLocation value) { return to_string(value); }
 Verdict value_of(Relation value) { return to_string(value); }
 Verdict value_of(FirstContactKind value) { return to_string(value); }
 Verdict value_of(bool value) { return value; }
+Verdict value_of(std::size_t value) { return value; }
 Verdict value_of(const std::vector<std::size_t>& value) { return value; }
 Verdict value_of(double value) { return number(value); }
 Verdict value_of(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
@@ -64,16 +73,9 @@ void read(const json& value, std::optional<bool>& yes) {
   if (value.is_boolean()) yes = value.get<bool>();
 }
 
-/// 1.0 is the index 1.
-std::optional<std::size_t> index_in(const json& value) {
-  if (value.is_number_unsigned()) return value.get<std::size_t>();
-  if (!value.is_number_float()) return std::nullopt;
-  const auto number = value.get<double>();
-  if (!(number >= 0 && number < 0x1p64 && number == std::floor(number))) return std::nullopt;
-  return static_cast<std::size_t>(number);
-}
+void read(const json& value, std::optional<std::size_t>& index) { index = index_in(value); }
 
-void read(const json& value, std::optional<std::vector<std::size_t>>& edges) {
+void read(const json& value, std::optional<std::vector<std::size_t>>& indices) {
   if (!value.is_array()) return;
   std::vector<std::size_t> found;
   for (const json& member : value) {
@@ -81,7 +83,7 @@ void read(const json& value, std::optional<std::vector<std::size_t>>& edges) {
     if (!index) return;
     found.push_back(*index);
   }
-  edges = std::move(found);
+  indices = std::move(found);
 }
 
 void read(const json& value, std::optional<Feature>& nearest) {
@@ -210,13 +212,32 @@ Verdict object_of(const Polygon& polygon) {
   return {{"outer", loop(polygon, 0)}, {"holes", std::move(holes)}};
 }
 
-Verdict case_of(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
+Verdict object_of(const Mesh& mesh) {
+  Verdict vertices = Verdict::array();
+  for (const Eigen::Vector3d& vertex : mesh.vertices) vertices.push_back(value_of(vertex));
+  return {{"vertices", std::move(vertices)}, {"faces", mesh.faces}};
+}
+
+Verdict object_of(const Pose& pose) {
+  Verdict rows = Verdict::array();
+  for (Eigen::Index i = 0; i < 3; ++i) rows.push_back(value_of(Eigen::Vector3d(pose.rotation.row(i))));
+  return {{"rotation", std::move(rows)}, {"translation", value_of(pose.translation)}};
+}
+
+Verdict case_of(const std::string& id, const AnyShapes& shapes, const std::vector<std::string>& tags,
                 const Verdict& expected) {
   Verdict object = Verdict::object();
   object["id"] = id;
-  object["ball"] = object_of(shapes.ball());
-  if (const Motion* motion = shapes.motion()) object["motion"] = object_of(*motion);
-  object["polygon"] = object_of(shapes.polygon);
+  const Question& question = question_of(shapes);
+  object["ball"] = object_of(ball_of(question));
+  if (const Motion* motion = std::get_if<Motion>(&question)) object["motion"] = object_of(*motion);
+  if (const auto* one = std::get_if<Shapes>(&shapes)) {
+    object["polygon"] = object_of(one->polygon);
+  } else {
+    const PosedMesh& mesh = std::get<MeshShapes>(shapes).mesh;
+    object["mesh"] = object_of(mesh.mesh());
+    if (!(mesh.pose() == Pose())) object["pose"] = object_of(mesh.pose());
+  }
   if (!expected.is_null()) object["expected"] = expected;
   object["tags"] = tags;
   return object;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,13 +24,21 @@ using Verdict = nlohmann::ordered_json;
 [[nodiscard]] Verdict object_of(const Motion& motion);
 /// Returns `outer` and `holes`.
 [[nodiscard]] Verdict object_of(const Polygon& polygon);
+/// Returns `vertices` and `faces`.
+[[nodiscard]] Verdict object_of(const Mesh& mesh);
+/// Returns `rotation` and `translation`.
+[[nodiscard]] Verdict object_of(const Pose& pose);
 
 /// Reads the keys of an answer, `error` and `message` of an object: `expected` of a case, or the reply of an engine.
 /// Ignores other keys.
 [[nodiscard]] StatedAnswer stated_in(const nlohmann::json& object);
 
-/// Returns a case in the form of the contract, without `expected` if that is null.
-[[nodiscard]] Verdict case_of(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
+/// Returns the number if JSON has an index: 1.0 is the index 1.
+[[nodiscard]] std::optional<std::size_t> index_in(const nlohmann::json& value);
+
+/// Returns a case in the form of the contract, without `expected` if that is null. The pose of a mesh is left out if it
+/// is the identity.
+[[nodiscard]] Verdict case_of(const std::string& id, const AnyShapes& shapes, const std::vector<std::string>& tags,
                               const Verdict& expected = nullptr);
 
 /// Returns one line of JSON, with numbers in the shortest form that reads back as the same double (std::to_chars).

@@ -118,12 +118,12 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
     report_rejection(line);
     return;
   }
-  const auto& shapes = std::get<cases::Shapes>(given.content);
+  const cases::AnyShapes shapes = given.shapes();
   for (const auto* method : order_.methods) {
     std::optional<cases::PartialAnswer> answered = cases::PartialAnswer{};
     std::string fault;
     try {
-      answered = method->prepare(shapes.polygon)->answer(shapes.question);
+      answered = cases::prepare(*method, shapes)->answer(question_of(shapes));
     } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
       fault = fmt::format("ended with: {}", error.what());
       report_no_answer(line, method->name(), fault, true);
@@ -146,8 +146,9 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
       continue;
     }
     const cases::StatedAnswer answer = cases::stated(*answered);
-    print(cases::verdict_line(*given.id, method->name(), answer,
-                              order_.explain ? std::optional(shapes.ball().radius) : std::nullopt));
+    print(
+        cases::verdict_line(*given.id, method->name(), answer,
+                            order_.explain ? std::optional(cases::ball_of(question_of(shapes)).radius) : std::nullopt));
     compare(line, method->name(), answer, fault);
   }
 }
@@ -203,8 +204,11 @@ void VerdictReporter::compare(const cases::Line& line, std::string_view method, 
   const auto is_within = [&](const cases::Difference& difference) {
     const auto key = cases::find_key(difference.key);
     if (!order_.beyond || !difference.found || !key) return false;
-    const auto& shapes = std::get<cases::Shapes>(line.read->content);
-    if (!within) within.emplace(shapes, order_.beyond->length(shapes));
+    if (!within) {
+      cases::AnyShapes shapes = line.read->shapes();
+      const double margin = order_.beyond->length(shapes);
+      within.emplace(std::move(shapes), margin);
+    }
     return within->is_exact(*key, *line.read->expected) && within->has(*key, answer);
   };
   std::size_t known = 0;
@@ -231,11 +235,12 @@ void VerdictReporter::compare(const cases::Line& line, std::string_view method, 
   if (order_.judged) order_.judged(judged);
 }
 
-/// Returns the line of a case as engines are to read it: without the points that close its loops.
+/// Returns the line of a case as engines are to read it: without the points that close its loops, and with the mesh of
+/// a file.
 std::string text_for_engines(const cases::Line& line) {
   const cases::Case& read = *line.read;
-  if (!read.closed) return line.text;
-  std::string text = cases::case_line(*read.id, std::get<cases::Shapes>(read.content), read.tags);
+  if (!read.rewritten) return line.text;
+  std::string text = cases::case_line(*read.id, read.shapes(), read.tags);
   text.pop_back();  // the end of the line
   return text;
 }
@@ -287,8 +292,8 @@ Status judge(const Order& order) {
     for (JudgedEngine& engine : engines) engine.complain_of_surplus(*last);
   };
   cases::read_lines(order.files, [&](cases::Line&& line) {
-    const auto* shapes = line.read ? std::get_if<cases::Shapes>(&line.read->content) : nullptr;
-    if (order.at_rest && shapes != nullptr && shapes->motion() != nullptr) return true;
+    const bool is_case = line.read && !std::holds_alternative<Rejection>(line.read->content);
+    if (order.at_rest && is_case && std::holds_alternative<Motion>(question_of(line.read->shapes()))) return true;
     complain_of_surplus();
     if (line.read) {
       reporter.report_repeated_id(line);
@@ -296,10 +301,10 @@ Status judge(const Order& order) {
     } else {
       reporter.report_unread(line);
     }
-    if (shapes != nullptr)
+    if (is_case)
       for (JudgedEngine& engine : engines) engine.ask(line);
     if (order.progress) order.progress(line.end);
-    if (shapes != nullptr) last = std::move(line);
+    if (is_case) last = std::move(line);
     return true;
   });
   complain_of_surplus();

@@ -217,17 +217,18 @@ void Report::add(const Judged& judged) {
   const auto is_wrong = [](const cases::Difference& difference) { return difference.found.has_value(); };
   if (std::ranges::none_of(judged.differences, is_wrong)) return;
   const cases::Case& given = *judged.line.read;
-  const auto& shapes = std::get<cases::Shapes>(given.content);
+  cases::AnyShapes shapes = given.shapes();
   const bool contact = std::ranges::any_of(
       judged.differences, [&](const auto& difference) { return is_wrong(difference) && difference.key == "contact"; });
   const auto& distance = given.expected->values.distance;
-  const std::int64_t doubles =
-      distance && std::isfinite(*distance) ? workloads::doubles_between(*distance, shapes.ball().radius) : 0;
+  const std::int64_t doubles = distance && std::isfinite(*distance)
+                                   ? workloads::doubles_between(*distance, cases::ball_of(question_of(shapes)).radius)
+                                   : 0;
   auto& worst = worst_[std::string(judged.method)];
   const auto before = [](const Wrong& a, const Wrong& b) {
     return std::tuple(a.contact, size(a.doubles)) > std::tuple(b.contact, size(b.doubles));
   };
-  Wrong wrong{contact, doubles, *given.id, given.tags, shapes, judged.answer};
+  Wrong wrong{contact, doubles, *given.id, given.tags, std::move(shapes), judged.answer};
   worst.insert(std::ranges::upper_bound(worst, wrong, before), std::move(wrong));
   if (worst.size() > kWorst) worst.pop_back();
 }

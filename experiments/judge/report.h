@@ -95,7 +95,7 @@ class Report {
     std::int64_t doubles;  ///< between radius and distance; 0 for a moving ball
     std::string id;
     std::vector<std::string> tags;
-    cases::Shapes shapes;
+    cases::AnyShapes shapes;
     cases::StatedAnswer answer;
   };
   std::map<std::string, std::vector<Wrong>> worst_;  ///< by method, the worst first

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
+#include "experiments/cases/posed_mesh.h"
 
 // Each file of this folder adds its methods; add_engines those of engines/ that this build has.
 namespace touchstone::methods {
 
 using cases::Method;
 using cases::PartialAnswer;
+using cases::PosedMesh;
 using cases::PreparedMethod;
 using cases::QueryKind;
 using MethodList = std::vector<std::unique_ptr<Method>>;

@@ -51,10 +51,12 @@ class PreparedOwn final : public PreparedMethod {
 
 template <class Prepared>
 [[nodiscard]] std::unique_ptr<Method> own_method(const char* name, const char* stage, const char* summary,
-                                                 Method::Kind kind = Method::Kind::Usual) {
+                                                 Method::Kind kind = Method::Kind::Usual,
+                                                 Method::PrepareMesh prepare_mesh = nullptr) {
   return std::make_unique<Method>(
       name, summary,
-      [stage](const Polygon& polygon) { return std::make_unique<PreparedOwn<Prepared>>(polygon, stage); }, kind);
+      [stage](const Polygon& polygon) { return std::make_unique<PreparedOwn<Prepared>>(polygon, stage); }, kind,
+      std::move(prepare_mesh));
 }
 
 }  // namespace touchstone::methods

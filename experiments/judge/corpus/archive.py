@@ -45,7 +45,7 @@ def files(source):
     found = {"corpus.json": record.read_bytes()}
     for entry in json.loads(found["corpus.json"])["files"]:
         found[entry["file"]] = (source / CORPUS / entry["file"]).read_bytes()
-    free = [source / CORPUS / name for name in found if name.startswith("floats/") and name not in UNDER_GPL]
+    free = [source / CORPUS / name for name in found if re.fullmatch(r"floats/[\w-]+\.jsonl", name) and name not in UNDER_GPL]
     for language, name in {"c": "touchstone_cases.h", "rust": "touchstone_cases.rs", "python": "touchstone_cases.py"}.items():
         found[f"code/{name}"] = as_code.text(language, free).encode()
     for page, name in PAGES.items():

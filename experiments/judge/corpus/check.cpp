@@ -7,15 +7,15 @@
 #include <fstream>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "experiments/cases/comparison.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/rational_answer.h"
+#include "experiments/methods/registry.h"
 #include "experiments/run/input.h"
 #include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
-#include "robust/filtered/filtered.h"
-#include "robust/filtered/motion.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -42,35 +42,47 @@ void check_rejection(const cases::Case& read, const std::string& line, std::vect
     return faults.push_back(fmt::format("rejected: {}: {}", found, message));
   if (!cases::differences(*read.expected, cases::stated(rejection)).empty())
     faults.push_back(fmt::format("error: the file says {}, found \"{}\"", read.expected->texts.at("error"), found));
-  if (code < RejectionCode::ZeroNormal) return;  // single comparisons decide these
+  const bool single_comparisons_decide = code < RejectionCode::ZeroNormal;
+  if (single_comparisons_decide || !run::read_strict_json(line).value.contains("polygon")) return;
   if (const auto again = find_rational_fault(polygon_in(line)); again != code)
     faults.push_back(fmt::format("error: exact finds \"{}\", rational arithmetic {}", found,
                                  again ? "\"" + std::string(to_string(*again)) + "\"" : "nothing"));
 }
 
+const std::vector<Polygon>& polygons_of(const cases::MeshShapes& shapes) { return shapes.mesh.faces(); }
+std::span<const Polygon> polygons_of(const cases::Shapes& shapes) { return {&shapes.polygon, 1}; }
+
+/// Derives the answer without `exact`: in rationals, or by `filtered` if the ball moves.
+std::vector<std::string> differences_again(const cases::AnyShapes& shapes, const cases::StatedAnswer& expected) {
+  if (const auto* ball = std::get_if<Ball>(&question_of(shapes))) {
+    const auto* one = std::get_if<cases::Shapes>(&shapes);
+    return one ? rational_differences(*ball, one->polygon, expected)
+               : rational_differences(*ball, std::get<cases::MeshShapes>(shapes).mesh, expected);
+  }
+  const auto found = cases::prepare(*methods::find_method("filtered"), shapes)->answer(question_of(shapes)).value();
+  std::vector<std::string> sentences;
+  for (const cases::Difference& difference : cases::differences(expected, found))
+    sentences.push_back(to_string(difference) + ", by filtered");
+  for (const cases::Key& key : cases::kKeys)
+    if (const std::string name(key.name); (has(found, key) || is_null(found, key)) && !expected.texts.contains(name))
+      sentences.push_back(name + ": is missing");
+  return sentences;
+}
+
 void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
-  const auto& shapes = std::get<cases::Shapes>(read.content);
-  const Polygon& polygon = shapes.polygon;
-  if (const auto fault = find_rational_fault(polygon))
-    faults.push_back(fmt::format("error: exact finds nothing, rational arithmetic \"{}\"", to_string(*fault)));
+  const cases::AnyShapes shapes = read.shapes();
+  std::visit(
+      [&](const auto& one) {
+        for (const Polygon& polygon : polygons_of(one))
+          if (const auto fault = find_rational_fault(polygon))
+            faults.push_back(fmt::format("error: exact finds nothing, rational arithmetic \"{}\"", to_string(*fault)));
+      },
+      shapes);
   if (!read.expected) return faults.push_back("expected: is missing");
   for (const cases::Difference& difference : cases::differences(*read.expected, exact_answer(shapes)))
     faults.push_back(to_string(difference) + ", by exact");
   if (read.expected->rejects()) return;
-  if (const Motion* motion = shapes.motion()) {
-    const filtered::PreparedPolygon prepared(polygon);
-    const auto filtered = cases::PartialAnswer::of(filtered::first_contact(*motion, prepared),
-                                                   filtered::answer(motion->ball, prepared).off_plane, "");
-    for (const cases::Difference& difference : cases::differences(*read.expected, filtered))
-      faults.push_back(to_string(difference) + ", by filtered");
-    for (const cases::Key& key : cases::kKeys)
-      if (const std::string name(key.name);
-          (has(filtered, key) || is_null(filtered, key)) && !read.expected->texts.contains(name))
-        faults.push_back(name + ": is missing");
-    return;
-  }
-  for (const std::string& difference : rational_differences(shapes.ball(), polygon, *read.expected))
-    faults.push_back(difference);
+  for (const std::string& difference : differences_again(shapes, *read.expected)) faults.push_back(difference);
 }
 
 }  // namespace
@@ -94,7 +106,7 @@ Findings check_files(const std::vector<std::string>& files) {
       std::vector<std::string> faults;
       ++findings.cases;
       try {
-        const cases::Case read = cases::read_case(line);
+        const cases::Case read = cases::read_case(line, std::filesystem::path(file).parent_path());
         if (read.id) name = *read.id;
         if (read.id && !ids.insert(*read.id).second) faults.emplace_back("id: duplicate");
         if (std::holds_alternative<Rejection>(read.content))

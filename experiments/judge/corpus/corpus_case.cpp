@@ -18,10 +18,10 @@ using cases::PartialAnswer;
 
 bool is_decisive(const Key& key) { return !key.holds_doubles(); }
 
-WrongAnswer wrong_answer(const cases::Method& method, const cases::Shapes& shapes, const PartialAnswer& truth) {
+WrongAnswer wrong_answer(const cases::Method& method, const cases::AnyShapes& shapes, const PartialAnswer& truth) {
   WrongAnswer wrong;
   try {
-    wrong.answer = method.prepare(shapes.polygon)->answer(shapes.question).value_or(PartialAnswer{});
+    wrong.answer = cases::prepare(method, shapes)->answer(question_of(shapes)).value_or(PartialAnswer{});
     wrong.keys = differing_keys(truth, wrong.answer);
   } catch (const methods::EngineNotStarted&) {
     throw;
@@ -40,7 +40,7 @@ const std::vector<const cases::Method*>& witnesses() {
 
 bool any_decisive(const std::vector<Key>& keys) { return std::ranges::any_of(keys, is_decisive); }
 
-std::vector<const cases::Method*> failing_witnesses(const cases::Shapes& shapes, const PartialAnswer& truth) {
+std::vector<const cases::Method*> failing_witnesses(const cases::AnyShapes& shapes, const PartialAnswer& truth) {
   std::vector<const cases::Method*> failing;
   for (const auto* method : witnesses())
     if (any_decisive(wrong_answer(*method, shapes, truth).keys)) failing.push_back(method);

@@ -9,10 +9,10 @@
 
 namespace touchstone::corpus {
 
-/// A valid ball, at a place or moving, and a valid polygon, and their origin.
+/// A valid ball, at a place or moving, a valid polygon or mesh, and their origin.
 struct CorpusCase {
   std::string id;
-  cases::Shapes shapes;
+  cases::AnyShapes shapes;
   std::vector<std::string> tags;
   std::string origin;  ///< the command that draws it again, or the reason why it was made
 };
@@ -29,7 +29,7 @@ struct WrongAnswer {
 
 /// Compares the answer of the method with the truth. Keys that it omits or is unsure about are not wrong, nor is a
 /// method that cannot answer about moving balls. If it throws, all keys are wrong, and the answer has none.
-[[nodiscard]] WrongAnswer wrong_answer(const cases::Method& method, const cases::Shapes& shapes,
+[[nodiscard]] WrongAnswer wrong_answer(const cases::Method& method, const cases::AnyShapes& shapes,
                                        const cases::PartialAnswer& truth);
 
 /// Returns whether one of these keys is decisive.
@@ -39,7 +39,7 @@ struct WrongAnswer {
 /// third-party kernels. Every build has all of them.
 [[nodiscard]] const std::vector<const cases::Method*>& witnesses();
 /// Returns the witnesses that get a decisive key wrong.
-[[nodiscard]] std::vector<const cases::Method*> failing_witnesses(const cases::Shapes& shapes,
+[[nodiscard]] std::vector<const cases::Method*> failing_witnesses(const cases::AnyShapes& shapes,
                                                                   const cases::PartialAnswer& truth);
 
 /// Returns the case in the form of the contract with its whole answer, the tag `fails:NAME` for each failing witness,

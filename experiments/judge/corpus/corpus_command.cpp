@@ -86,10 +86,10 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
     return std::nullopt;
   }
   const std::string& id = *line.read->id;
-  const auto& shapes = std::get<cases::Shapes>(line.read->content);
+  const cases::AnyShapes shapes = line.read->shapes();
   try {
     const corpus::SameFailure failure(method, shapes, key);
-    const cases::Shapes small = corpus::shrink(failure, shapes, stop);
+    const cases::AnyShapes small = corpus::shrink(failure, shapes, stop);
     auto labels = corpus::labels_of(line.text);
     if (std::ranges::find(labels.tags, "shrunk") == labels.tags.end()) {
       labels.tags.emplace_back("shrunk");

@@ -46,7 +46,7 @@ std::string completed(const std::string& text, const std::string& name, Numbers 
       throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, read.expected->texts.at("error")));
     return numbers == Numbers::Doubles ? text + "\n" : "";
   }
-  const auto& shapes = std::get<cases::Shapes>(read.content);
+  const cases::AnyShapes shapes = read.shapes();
   const cases::PartialAnswer truth = exact_answer(shapes);
   if (read.expected)
     for (const cases::Difference& difference : cases::differences(*read.expected, truth))
@@ -106,10 +106,8 @@ Stream workload_stream(const workloads::Workload& workload, std::size_t count) {
   return {.draw =
               [workload](std::uint64_t index) {
                 workloads::Sample sample = workloads::sample(workload, kSeed, index);
-                return CorpusCase{std::move(sample.id),
-                                  {sample.question(), std::move(sample.polygon)},
-                                  std::move(sample.tags),
-                                  command_of(workload, index)};
+                return CorpusCase{std::move(sample.id), cases::Shapes{sample.question(), std::move(sample.polygon)},
+                                  std::move(sample.tags), command_of(workload, index)};
               },
           .count = count};
 }
@@ -120,7 +118,7 @@ Stream soak_stream(workloads::adversarial::Family family, std::size_t count) {
             workloads::adversarial::Case drawn = workloads::adversarial::draw_case(kSeed, index);
             if (drawn.family != family) return std::nullopt;
             return CorpusCase{workloads::adversarial::name_of_case(kSeed, index),
-                              {drawn.ball, std::move(drawn.polygon)},
+                              cases::Shapes{drawn.ball, std::move(drawn.polygon)},
                               {std::string(to_string(family))},
                               fmt::format("touchstone soak --seed {} --from {} --samples 1 --print", kSeed, index)};
           },
@@ -200,8 +198,8 @@ std::string vertex(Numbers numbers) {
 
 /// Returns whether the interior angle at the vertex nearest to the foot is greater than 180 degrees. In doubles.
 bool is_reflex_near_foot(const CorpusCase& drawn, const PartialAnswer&) {
-  const Polygon& polygon = drawn.shapes.polygon;
-  const Vector3d normal = workloads::normal_of(polygon, 0), center = drawn.shapes.ball().center;
+  const auto& [question, polygon] = std::get<cases::Shapes>(drawn.shapes);
+  const Vector3d normal = workloads::normal_of(polygon, 0), center = cases::ball_of(question).center;
   const Vector3d from = center - polygon.vertex(0);
   const Vector3d foot = center - from.dot(normal) / normal.squaredNorm() * normal;
   std::size_t nearest = 0;
@@ -281,7 +279,8 @@ std::string off_plane(Numbers numbers) {
   return drawn_text({soak_stream(workloads::adversarial::Family::Outline, 190)}, numbers,
                     [](const CorpusCase& drawn, const PartialAnswer& truth) {
                       const double off = *truth.off_plane;
-                      return std::isfinite(off) && off > 0x1p-30 * workloads::extent_of(drawn.shapes.polygon);
+                      return std::isfinite(off) &&
+                             off > 0x1p-30 * workloads::extent_of(std::get<cases::Shapes>(drawn.shapes).polygon);
                     });
 }
 
@@ -291,7 +290,8 @@ std::string holes(Numbers numbers) {
     for (const std::size_t holes : {std::size_t{1}, std::size_t{2}})
       add_outlines(streams, {.ball = place, .vertices = 7, .holes = holes}, holes == 1 ? 2 : 1);
   return drawn_text(streams, numbers, [](const CorpusCase& drawn, const PartialAnswer& truth) {
-    return !is_nearest(truth, Feature::Kind::Face) && truth.nearest->index >= drawn.shapes.polygon.loop_end(0);
+    return !is_nearest(truth, Feature::Kind::Face) &&
+           truth.nearest->index >= std::get<cases::Shapes>(drawn.shapes).polygon.loop_end(0);
   });
 }
 
@@ -364,7 +364,7 @@ std::optional<CorpusCase> draw_flat(std::uint64_t index) {
     if (distance == 0) return std::nullopt;  // equal to 0 only where the centre is on the polygon, or next to it
     const double towards[] = {0, distance, 2 * distance};
     return CorpusCase{fmt::format("flat-{}", index),
-                      {Ball{center, std::nextafter(distance, towards[index % 3])}, std::move(polygon)},
+                      cases::Shapes{Ball{center, std::nextafter(distance, towards[index % 3])}, std::move(polygon)},
                       {std::string(to_string(workload.family))},
                       "touchstone corpus make"};
   } catch (const Rejected&) {
@@ -373,6 +373,14 @@ std::optional<CorpusCase> draw_flat(std::uint64_t index) {
 }
 
 std::string flat(Numbers numbers) { return drawn_text({{.draw = draw_flat, .count = 200}}, numbers); }
+
+/// Returns the stream of those drawn meshes whose ball moves, or is at a place.
+Stream mesh_stream(bool moves, std::size_t count) {
+  return {.draw = [moves](std::uint64_t index) { return draw_mesh_case(kSeed, index, moves); }, .count = count};
+}
+
+std::string meshes_at_rest(Numbers numbers) { return drawn_text({mesh_stream(false, 160)}, numbers); }
+std::string meshes_moving(Numbers numbers) { return drawn_text({mesh_stream(true, 80)}, numbers); }
 
 std::string touching(Numbers numbers) { return drawn_text({{.draw = draw_touching, .count = 240}}, numbers); }
 
@@ -421,6 +429,8 @@ const std::vector<Family>& all_families() {
       {"flat", "a disc and a polygon in the plane z = 0, as in two dimensions", flat},
       {"moving", "moving balls: grazing, sliding, starting or ending in contact, passing through holes, at rest",
        moving},
+      {"meshes/at-rest", "whole meshes: ties of faces, folds and seams; poses", meshes_at_rest},
+      {"meshes/moving", "moving balls that come to whole meshes", meshes_moving},
       {"real-meshes", "faces of third-party models of robots and a milling centre, on which methods err the most",
        [](Numbers numbers) { return given_text("real-meshes", numbers); }},
       {"gripper", "the sphere of the thesis's gripper and the faces that it comes near to in its cell",

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "experiments/judge/corpus/corpus_case.h"
+
 namespace touchstone::corpus {
 
 /// The version of the corpus, raised whenever a case is added, changes or is removed.
-inline constexpr int kVersion = 6;
+inline constexpr int kVersion = 7;
 /// The maximal size of a file, because people read it.
 inline constexpr std::size_t kMostBytes = 350'000;
 
@@ -30,5 +34,12 @@ struct Family {
 /// line, if a given case cannot be used, and std::logic_error if a text is larger than kMostBytes. (Some cases of
 /// `soak` are drawn in long doubles: those of x86-64.)
 [[nodiscard]] const std::vector<Family>& all_families();
+
+/// Draws a ball, which moves or not, near a feature of a small mesh: a box of squares or of triangles, a prism over an
+/// L, a terrain on a grid, or a flat grid of triangles; half of them under a pose. The radius of a ball at a place is
+/// the distance, or a double beside it. One that moves is to graze the mesh, or to come down on it. Vertices, centres
+/// and ends are small integers and quarters, so that ties of faces are exact where there is no pose. Nothing if a posed
+/// face is rejected, or if the centre is on the mesh. A function of its arguments.
+[[nodiscard]] std::optional<CorpusCase> draw_mesh_case(std::uint64_t seed, std::uint64_t index, bool moves);
 
 }  // namespace touchstone::corpus

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "experiments/cases/workloads/loops.h"
@@ -14,6 +15,7 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 #include "robust/exact/validate.h"
+#include "robust/scene/posing.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -26,44 +28,74 @@ Eigen::Vector3d nearest_floats(const Eigen::Vector3d& v) { return v.cast<float>(
 bool is_float(double x) { return nearest_float(x) == x; }  // exact, because both are doubles
 bool are_floats(const Eigen::Vector3d& v) { return nearest_floats(v) == v; }
 
-bool touches(const cases::Question& question, double radius, const exact::PreparedPolygon& polygon) {
-  return std::visit([&](const auto& q) { return exact::contact(q, polygon); }, cases::with_radius(question, radius));
+using Faces = std::vector<exact::PreparedPolygon>;
+
+bool touches(const cases::Question& question, double radius, const Faces& faces) {
+  return std::visit(
+      [&](const auto& asked) {
+        return std::ranges::any_of(faces, [&](const auto& face) { return exact::contact(asked, face); });
+      },
+      cases::with_radius(question, radius));
 }
 
 /// Returns the least float that is a radius with contact; nothing if none is.
-std::optional<float> least_radius(const cases::Question& question, const exact::PreparedPolygon& polygon) {
-  if (!touches(question, static_cast<double>(kLargest), polygon)) return std::nullopt;
+std::optional<float> least_radius(const cases::Question& question, const Faces& faces) {
+  if (!touches(question, static_cast<double>(kLargest), faces)) return std::nullopt;
   std::uint32_t below = 0, at = std::bit_cast<std::uint32_t>(kLargest);  // floats above 0 are ordered as their bits
-  if (touches(question, 0, polygon)) return 0.0F;
+  if (touches(question, 0, faces)) return 0.0F;
   while (at - below > 1) {
     const std::uint32_t middle = below + (at - below) / 2;
-    (touches(question, static_cast<double>(std::bit_cast<float>(middle)), polygon) ? at : below) = middle;
+    (touches(question, static_cast<double>(std::bit_cast<float>(middle)), faces) ? at : below) = middle;
   }
   return std::bit_cast<float>(at);
 }
 
-bool is_at_threshold(const cases::Shapes& shapes) {
+const std::vector<Polygon>& faces_of(const cases::MeshShapes& shapes) { return shapes.mesh.faces(); }
+std::vector<Polygon> faces_of(const cases::Shapes& shapes) { return {shapes.polygon}; }
+
+Faces prepared(const cases::AnyShapes& shapes) {
+  Faces faces;
+  std::visit(
+      [&](const auto& one) {
+        for (const Polygon& face : faces_of(one)) faces.emplace_back(face);
+      },
+      shapes);
+  return faces;
+}
+
+bool is_at_threshold(const cases::AnyShapes& shapes) {
   constexpr double kNear = 0x1p-40;
-  const exact::PreparedPolygon polygon(shapes.polygon);
-  const double radius = shapes.ball().radius;
-  return !touches(shapes.question, radius * (1 - kNear), polygon) &&
-         touches(shapes.question, radius * (1 + kNear), polygon);
+  const Faces faces = prepared(shapes);
+  const cases::Question& question = question_of(shapes);
+  const double radius = cases::ball_of(question).radius;
+  return !touches(question, radius * (1 - kNear), faces) && touches(question, radius * (1 + kNear), faces);
 }
 
 double off_plane(const Polygon& polygon) { return exact::answer({polygon.vertex(0), 0}, polygon).off_plane; }
 
-/// Returns the polygon of the nearest floats; nothing if it is rejected.
+/// Returns whether rounding moved vertices off a plane.
+bool bends(const Polygon& polygon, const Polygon& rounded) {
+  return off_plane(rounded) > 0 && off_plane(polygon) <= 0x1p-30 * workloads::extent_of(polygon);
+}
+
+/// Returns the polygon of the nearest floats; nothing if it bends. Throws Rejected.
 std::optional<Polygon> rounded(const Polygon& polygon) {
   std::vector<Loop> loops = workloads::loops_of(polygon);
   for (Loop& loop : loops)
     for (Eigen::Vector3d& vertex : loop) vertex = nearest_floats(vertex);
-  try {
-    Polygon result = workloads::polygon_of(loops);
-    if (exact::validate(result)) return std::nullopt;
-    return result;
-  } catch (const Rejected&) {
-    return std::nullopt;
-  }
+  Polygon result = workloads::polygon_of(loops);
+  if (const auto rejection = exact::validate(result)) throw Rejected(*rejection);
+  return bends(polygon, result) ? std::nullopt : std::optional(std::move(result));
+}
+
+/// Returns the mesh of the nearest floats of its posed vertices, likewise.
+std::optional<cases::PosedMesh> rounded(const cases::PosedMesh& mesh) {
+  Mesh posed = mesh.mesh();
+  for (Eigen::Vector3d& vertex : posed.vertices) vertex = nearest_floats(scene::posed(mesh.pose(), vertex));
+  cases::PosedMesh result(std::move(posed));
+  for (std::size_t i = 0; i < result.faces().size(); ++i)
+    if (bends(mesh.faces()[i], result.faces()[i])) return std::nullopt;
+  return result;
 }
 
 cases::Question rounded(const cases::Question& question) {
@@ -73,44 +105,64 @@ cases::Question rounded(const cases::Question& question) {
   return ball;
 }
 
-}  // namespace
-
-bool is_in_floats(const cases::Shapes& shapes) {
-  const Motion* motion = shapes.motion();
-  if (!is_float(shapes.ball().radius) || !are_floats(shapes.ball().center) || (motion && !are_floats(motion->to)))
-    return false;
-  for (std::size_t i = 0; i < shapes.polygon.vertex_count(); ++i)
-    if (!are_floats(shapes.polygon.vertex(i))) return false;
-  return true;
+bool are_in_floats(const cases::Question& question) {
+  const Ball& ball = cases::ball_of(question);
+  const auto* motion = std::get_if<Motion>(&question);
+  return is_float(ball.radius) && are_floats(ball.center) && (motion == nullptr || are_floats(motion->to));
 }
 
-std::optional<CorpusCase> in_floats(CorpusCase given) {
+bool is_valid(const cases::Question& question) {
+  return !std::visit([](const auto& asked) { return find_fault(asked); }, question);
+}
+
+/// Returns the case in floats, its radius the nearest one; nothing if it bends. Throws Rejected.
+std::optional<cases::AnyShapes> rounded(const cases::AnyShapes& shapes) {
+  cases::Question question = rounded(question_of(shapes));
+  if (!is_valid(question)) return std::nullopt;
+  if (const auto* one = std::get_if<cases::Shapes>(&shapes)) {
+    if (auto polygon = rounded(one->polygon)) return cases::Shapes{question, std::move(*polygon)};
+  } else if (auto mesh = rounded(std::get<cases::MeshShapes>(shapes).mesh)) {
+    return cases::MeshShapes{question, std::move(*mesh)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_in_floats(const cases::AnyShapes& shapes) {
+  if (!are_in_floats(question_of(shapes))) return false;
+  if (const auto* one = std::get_if<cases::Shapes>(&shapes)) {
+    for (std::size_t i = 0; i < one->polygon.vertex_count(); ++i)
+      if (!are_floats(one->polygon.vertex(i))) return false;
+    return true;
+  }
+  const cases::PosedMesh& mesh = std::get<cases::MeshShapes>(shapes).mesh;
+  return mesh.pose() == Pose() && std::ranges::all_of(mesh.mesh().vertices, are_floats);
+}
+
+std::optional<CorpusCase> in_floats(CorpusCase given) try {
   const std::string id = given.id;
   given.id += "-float";
   if (is_in_floats(given.shapes)) return given;
-  auto polygon = rounded(given.shapes.polygon);
-  if (!polygon) return std::nullopt;
-  if (off_plane(*polygon) > 0 &&
-      off_plane(given.shapes.polygon) <= 0x1p-30 * workloads::extent_of(given.shapes.polygon))
-    return std::nullopt;
-  cases::Shapes shapes{rounded(given.shapes.question), std::move(*polygon)};
+  auto shapes = rounded(given.shapes);
+  if (!shapes) return std::nullopt;
   if (is_at_threshold(given.shapes)) {
-    const auto least = least_radius(shapes.question, exact::PreparedPolygon(shapes.polygon));
+    const auto least = least_radius(question_of(*shapes), prepared(*shapes));
     if (!least) return std::nullopt;
     const float towards[] = {0, *least, kLargest};
     const auto sum = std::accumulate(id.begin(), id.end(), 0U,
                                      [](unsigned all, char c) { return all + static_cast<unsigned char>(c); });
-    if (*least > 0)
-      shapes.question =
-          cases::with_radius(shapes.question, static_cast<double>(std::nextafter(*least, towards[sum % 3])));
+    if (*least > 0) {
+      const auto radius = static_cast<double>(std::nextafter(*least, towards[sum % 3]));
+      std::visit([&](auto& one) { one.question = cases::with_radius(one.question, radius); }, *shapes);
+    }
   }
-  const Motion* motion = shapes.motion();
-  const bool is_finite = shapes.ball().center.allFinite() && std::isfinite(shapes.ball().radius) &&
-                         (motion == nullptr || motion->to.allFinite());
-  if (!is_finite) return std::nullopt;
-  given.shapes = std::move(shapes);
+  if (!is_valid(question_of(*shapes))) return std::nullopt;
+  given.shapes = std::move(*shapes);
   given.origin = "the nearest floats of: " + given.origin;
   return given;
+} catch (const Rejected&) {
+  return std::nullopt;
 }
 
 }  // namespace touchstone::corpus

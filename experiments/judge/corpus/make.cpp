@@ -37,10 +37,13 @@ constexpr const char* kPage = R"(# The corpus
 Version {version}: {cases} cases in the contract's format, each with its exact answer or the error that it must produce.
 `touchstone corpus make tests/corpus --force` generates all `.jsonl` files of this folder, `corpus.json` (version and
 counts) and this page, always with the same bytes. The cases in `floats/` have coordinates and radii that are floats, for
-engines that compute in floats: those engines need not round the question. `touchstone corpus check` derives every answer twice, by `exact` and by a
-separate implementation over GMP's rationals, which shares no arithmetic, rounding or sweep with it. The second program
-for moving balls is `filtered`, which asks `exact` where doubles decide nothing. The test of the corpus compares every
-answer with a third program, the independent checker in `tests/system/independent`.
+engines that compute in floats: those engines need not round the question. The cases in `meshes/` and `floats/meshes/`
+are whole scenes: a mesh, perhaps under a pose.
+
+`touchstone corpus check` derives every answer twice, by `exact` and by a separate implementation over GMP's rationals,
+which shares no arithmetic, rounding or sweep with it. The second program for moving balls is `filtered`, which asks
+`exact` where doubles decide nothing; about meshes it asks a scene. The test of the corpus compares every answer with a
+third program, the independent checker in `tests/system/independent`.
 
 {table}
 And the cases in floats:
@@ -62,8 +65,9 @@ case, raise the version in `experiments/judge/corpus/families.h`.
     touchstone judge --engine './my-engine' tests/corpus/*.jsonl
 
 sends every case to a program that reads lines of JSON and writes verdicts; one that computes in floats gets
-`tests/corpus/floats/*.jsonl`. The exit status is 0 if all expectations are met. `docs/engines.md` has engines of ten lines to start from. `touchstone judge --methods NAME` judges a
-method of this program.
+`tests/corpus/floats/*.jsonl`, and one that knows meshes `tests/corpus/meshes/*.jsonl`. The exit status is 0 if all
+expectations are met. `docs/engines.md` has engines of ten lines to start from. `touchstone judge --methods NAME` judges
+a method of this program.
 
 To make a case small on which a method fails, from this folder or any other, run
 

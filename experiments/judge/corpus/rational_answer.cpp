@@ -4,6 +4,7 @@
 #include <CGAL/Gmpq.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -177,16 +178,23 @@ bool is_nearest_sum(double x, const mpq_class& term, int sign, const mpq_class& 
 
 bool is_nearest_root(double x, const mpq_class& squared) { return is_nearest_sum(x, 0, 1, squared); }
 
-std::vector<std::string> rational_differences(const Ball& ball, const Polygon& polygon,
-                                              const cases::StatedAnswer& answer) {
+namespace {
+
+/// `mesh`: the nearest face and the touched ones, if the polygon is the nearest face of a mesh.
+std::vector<std::string> differences_about(const Ball& ball, const Polygon& polygon, const cases::StatedAnswer& answer,
+                                           const PartialAnswer* mesh) {
   const RationalPolygon prepared(polygon);
   const RationalPolygon::Query query(ball, prepared);
   const auto nearest = query.nearest();
   PartialAnswer decisive;
-  decisive.plane = query.plane_side();
-  decisive.plane_tangent = query.plane_tangent();
-  decisive.foot = query.foot();
-  decisive.edges_hit = query.edges_hit();
+  if (mesh != nullptr) {
+    decisive = *mesh;
+  } else {
+    decisive.plane = query.plane_side();
+    decisive.plane_tangent = query.plane_tangent();
+    decisive.foot = query.foot();
+    decisive.edges_hit = query.edges_hit();
+  }
   decisive.relation = query.relation();
   decisive.contact = query.contact();
   decisive.nearest = nearest->feature;
@@ -210,8 +218,9 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
     return fmt::format("{}{}", std::isfinite(x.get_d()) && x == x.get_d() ? "" : "about ", x.get_d());
   };
   const mpq_class off_plane = rational(prepared.off_plane()), squared = rational(nearest->distance_squared);
-  compare(key_of(&PartialAnswer::off_plane), stands.off_plane && is_nearest_double(*stands.off_plane, off_plane),
-          about(off_plane));
+  if (mesh == nullptr)
+    compare(key_of(&PartialAnswer::off_plane), stands.off_plane && is_nearest_double(*stands.off_plane, off_plane),
+            about(off_plane));
   compare(key_of(&PartialAnswer::distance),
           stands.distance && *stands.distance >= 0 && is_nearest_root(*stands.distance, squared),
           fmt::format("sqrt({})", about(squared)));
@@ -239,6 +248,28 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
           stands.depth && is_nearest_sum(std::isinf(depth) ? -depth : depth, radius, -1, squared),
           fmt::format("{} - sqrt({})", about(radius), about(squared)));
   return differences;
+}
+
+}  // namespace
+
+std::vector<std::string> rational_differences(const Ball& ball, const Polygon& polygon,
+                                              const cases::StatedAnswer& answer) {
+  return differences_about(ball, polygon, answer, nullptr);
+}
+
+std::vector<std::string> rational_differences(const Ball& ball, const cases::PosedMesh& mesh,
+                                              const cases::StatedAnswer& answer) {
+  PartialAnswer found;
+  found.touched.emplace();
+  std::vector<mpq_class> squared;
+  for (std::size_t face = 0; face < mesh.faces().size(); ++face) {
+    const RationalPolygon prepared(mesh.faces()[face]);
+    const RationalPolygon::Query query(ball, prepared);
+    squared.push_back(rational(query.nearest()->distance_squared));
+    if (query.contact() == true) found.touched->push_back(face);
+  }
+  found.face = *std::ranges::min_element(mesh.order(), {}, [&](std::size_t face) { return squared[face]; });
+  return differences_about(ball, mesh.faces()[*found.face], answer, &found);
 }
 
 std::optional<RejectionCode> find_rational_fault(const Polygon& polygon) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
+#include "experiments/cases/posed_mesh.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
@@ -27,6 +28,10 @@ namespace touchstone::corpus {
 /// number that it must be nearest to. Requires a polygon for which find_rational_fault finds nothing. Cost: about ten
 /// times that of `exact`.
 [[nodiscard]] std::vector<std::string> rational_differences(const Ball& ball, const Polygon& polygon,
+                                                            const cases::StatedAnswer& answer);
+
+/// The same for a mesh: compares the exact distances of its faces. Requires faces without such a fault.
+[[nodiscard]] std::vector<std::string> rational_differences(const Ball& ball, const cases::PosedMesh& mesh,
                                                             const cases::StatedAnswer& answer);
 
 /// Returns the first rejection that applies to loops of at least three vertices without equal neighbours:

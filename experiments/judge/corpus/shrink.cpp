@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -18,13 +19,17 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/motion.h"
+#include "robust/scene/posing.h"
 
 namespace touchstone::corpus {
 namespace {
 
+using cases::AnyShapes;
 using cases::Key;
 using cases::key_of;
+using cases::MeshShapes;
 using cases::PartialAnswer;
+using cases::PosedMesh;
 using cases::Shapes;
 using Eigen::Vector3d;
 
@@ -69,18 +74,24 @@ std::vector<double> simpler(double x) {
   return numbers;
 }
 
-bool is_usable(const Shapes& shapes) {
-  const auto fault = std::visit([](const auto& asked) { return find_fault(asked); }, shapes.question);
-  return !fault && !exact::validate(shapes.polygon).has_value();
+bool is_usable(const AnyShapes& shapes) {
+  if (std::visit([](const auto& asked) { return find_fault(asked); }, question_of(shapes))) return false;
+  const auto* one = std::get_if<Shapes>(&shapes);  // the faces of a mesh are valid
+  return one == nullptr || !exact::validate(one->polygon);
 }
 
 /// Returns the radius from which on the ball touches, rounded. Requires usable shapes.
-double threshold_of(const Shapes& shapes) {
-  const Motion* motion = shapes.motion();
-  if (!motion) return exact::answer(shapes.ball(), shapes.polygon).distance;
-  const filtered::PreparedPolygon polygon(shapes.polygon);
-  return workloads::grazing_radius(*motion,
-                                   [&polygon](const Motion& asked) { return filtered::contact(asked, polygon); });
+double threshold_of(const AnyShapes& shapes) {
+  const auto* motion = std::get_if<Motion>(&question_of(shapes));
+  if (!motion) return *exact_answer(shapes).distance;
+  std::vector<filtered::PreparedPolygon> faces;
+  if (const auto* one = std::get_if<Shapes>(&shapes))
+    faces.emplace_back(one->polygon);
+  else
+    for (const Polygon& face : std::get<MeshShapes>(shapes).mesh.faces()) faces.emplace_back(face);
+  return workloads::grazing_radius(*motion, [&faces](const Motion& asked) {
+    return std::ranges::any_of(faces, [&](const auto& face) { return filtered::contact(asked, face); });
+  });
 }
 
 std::string word(bool value) { return run::yes_or_no(value); }
@@ -100,16 +111,22 @@ std::string words_of(const PartialAnswer& answer, const Key& key) {
 /// A case while it is being reduced.
 class Shrinker {
  public:
-  Shrinker(const SameFailure& failure, const Shapes& shapes, const std::atomic<bool>& stop)
+  Shrinker(const SameFailure& failure, const AnyShapes& shapes, const std::atomic<bool>& stop)
       : failure_(failure), stop_(stop) {
     accept(shapes);
   }
 
-  Shapes run() {
+  AnyShapes run() {
     do {
       changed_ = false;
-      leave_out_loops();
-      for (std::size_t loop = 0; loop < now_.loops.size(); ++loop) leave_out_vertices(loop);
+      if (now_.faces.empty()) {
+        leave_out_loops();
+        for (std::size_t loop = 0; loop < now_.loops.size(); ++loop) leave_out_vertices(loop);
+      } else {
+        leave_out_pose();
+        leave_out_faces();
+        for (std::size_t face = 0; face < now_.faces.size(); ++face) leave_out_corners(face);
+      }
       stand_still();
       translate();
       scale();
@@ -124,18 +141,30 @@ class Shrinker {
   struct Candidate {
     Ball ball;
     std::optional<Vector3d> to;
-    std::vector<Loop> loops;
+    std::vector<Loop> loops;                        // one with the vertices of a mesh
+    std::vector<std::vector<std::uint32_t>> faces;  // of a mesh; else empty
+    Pose pose;                                      // of a mesh
   };
 
-  static Shapes shapes_of(const Candidate& candidate) {
-    Polygon polygon = workloads::polygon_of(candidate.loops);
-    if (candidate.to) return {Motion{candidate.ball, *candidate.to}, std::move(polygon)};
-    return {candidate.ball, std::move(polygon)};
+  static AnyShapes shapes_of(const Candidate& candidate) {
+    cases::Question question = candidate.ball;
+    if (candidate.to) question = Motion{candidate.ball, *candidate.to};
+    if (candidate.faces.empty()) return Shapes{std::move(question), workloads::polygon_of(candidate.loops)};
+    return MeshShapes{std::move(question), PosedMesh({candidate.loops.front(), candidate.faces}, candidate.pose)};
   }
 
-  void accept(const Shapes& shapes) {
-    const Motion* motion = shapes.motion();
-    now_ = {shapes.ball(), motion ? std::optional(motion->to) : std::nullopt, workloads::loops_of(shapes.polygon)};
+  void accept(const AnyShapes& shapes) {
+    const cases::Question& question = question_of(shapes);
+    const auto* motion = std::get_if<Motion>(&question);
+    now_ = {cases::ball_of(question), motion ? std::optional(motion->to) : std::nullopt, {}, {}, {}};
+    if (const auto* one = std::get_if<Shapes>(&shapes)) {
+      now_.loops = workloads::loops_of(one->polygon);
+    } else {
+      const PosedMesh& mesh = std::get<MeshShapes>(shapes).mesh;
+      now_.loops = {mesh.mesh().vertices};
+      now_.faces = mesh.mesh().faces;
+      now_.pose = mesh.pose();
+    }
     size_ = size_of(shapes);
     margin_ = workloads::doubles_between(threshold_of(shapes), now_.ball.radius);
   }
@@ -144,18 +173,19 @@ class Shrinker {
   /// distance as before.
   bool take(const Candidate& candidate) try {
     if (stop_ || !candidate.ball.center.allFinite()) return false;
-    Shapes shapes = shapes_of(candidate);
+    AnyShapes shapes = shapes_of(candidate);
     if (take(shapes)) return true;
     if (std::abs(margin_) > kMostMargin || !is_usable(shapes)) return false;
     const double threshold = threshold_of(shapes);
     if (!std::isfinite(threshold)) return false;
-    shapes.question = cases::with_radius(shapes.question, workloads::move_by_doubles(threshold, margin_));
+    const double radius = workloads::move_by_doubles(threshold, margin_);
+    std::visit([&](auto& one) { one.question = cases::with_radius(one.question, radius); }, shapes);
     return take(shapes);
   } catch (const Rejected&) {
     return false;
   }
 
-  bool take(const Shapes& shapes) {
+  bool take(const AnyShapes& shapes) {
     if (size_of(shapes) >= size_ || !failure_.holds(shapes)) return false;
     accept(shapes);
     return changed_ = true;
@@ -163,7 +193,7 @@ class Shrinker {
 
   void leave_out_loops() {
     for (std::size_t loop = now_.loops.size(); loop-- > 1;)  // a hole by itself
-      if (loop < now_.loops.size() && take({now_.ball, now_.to, {now_.loops[loop]}})) return;
+      if (loop < now_.loops.size() && take({now_.ball, now_.to, {now_.loops[loop]}, {}, {}})) return;
     leave_out(
         1, [this] { return now_.loops.size() - 1; },
         [this](std::size_t begin, std::size_t end) {
@@ -184,6 +214,55 @@ class Shrinker {
                          vertices.begin() + static_cast<std::ptrdiff_t>(end));
           return candidate;
         });
+  }
+
+  /// Poses the vertices instead.
+  void leave_out_pose() {
+    if (now_.pose == Pose()) return;
+    Candidate candidate = now_;
+    for (Vector3d& vertex : candidate.loops.front()) vertex = scene::posed(now_.pose, vertex);
+    candidate.pose = {};
+    (void)take(candidate);
+  }
+
+  void leave_out_faces() {
+    leave_out(
+        2, [this] { return now_.faces.size(); },
+        [this](std::size_t begin, std::size_t end) {
+          Candidate candidate = now_;
+          const auto first = candidate.faces.begin();
+          candidate.faces.erase(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end));
+          leave_out_unused(candidate);
+          return candidate;
+        });
+  }
+
+  void leave_out_corners(std::size_t face) {
+    leave_out(
+        4, [this, face] { return now_.faces[face].size(); },
+        [this, face](std::size_t begin, std::size_t end) {
+          Candidate candidate = now_;
+          const auto first = candidate.faces[face].begin();
+          candidate.faces[face].erase(first + static_cast<std::ptrdiff_t>(begin),
+                                      first + static_cast<std::ptrdiff_t>(end));
+          leave_out_unused(candidate);
+          return candidate;
+        });
+  }
+
+  /// Leaves out the vertices that no face uses.
+  static void leave_out_unused(Candidate& candidate) {
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    for (const auto& face : candidate.faces)
+      for (const std::uint32_t vertex : face) numbers[vertex] = 0;
+    Loop vertices;
+    for (auto& [before, after] : numbers) {
+      after = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(candidate.loops.front()[before]);
+    }
+    for (auto& face : candidate.faces)
+      for (std::uint32_t& vertex : face) vertex = numbers[vertex];
+    candidate.loops.front() = std::move(vertices);
   }
 
   /// Tries to leave out the parts [begin, end) of a list, halves first. Does nothing if fewer than `least` parts would
@@ -305,16 +384,25 @@ class Shrinker {
 
 }  // namespace
 
-Size size_of(const Shapes& shapes) {
-  const Polygon& polygon = shapes.polygon;
-  Size size{polygon.loop_count(), polygon.vertex_count(),
-            bits_of(shapes.ball().radius) + bits_of(shapes.ball().center)};
-  if (const Motion* motion = shapes.motion()) size.bits += bits_of(motion->to);
-  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) size.bits += bits_of(polygon.vertex(i));
+Size size_of(const AnyShapes& shapes) {
+  const cases::Question& question = question_of(shapes);
+  Size size{.bits = bits_of(cases::ball_of(question).radius) + bits_of(cases::ball_of(question).center)};
+  if (const auto* motion = std::get_if<Motion>(&question)) size.bits += bits_of(motion->to);
+  if (const auto* one = std::get_if<Shapes>(&shapes)) {
+    size.loops = one->polygon.loop_count();
+    size.vertices = one->polygon.vertex_count();
+    for (std::size_t i = 0; i < size.vertices; ++i) size.bits += bits_of(one->polygon.vertex(i));
+    return size;
+  }
+  const auto& [vertices, faces] = std::get<MeshShapes>(shapes).mesh.mesh();
+  size.loops = faces.size() + (std::get<MeshShapes>(shapes).mesh.pose() == Pose() ? 0 : 1);
+  size.vertices = vertices.size();
+  for (const auto& face : faces) size.corners += face.size();
+  for (const Vector3d& vertex : vertices) size.bits += bits_of(vertex);
   return size;
 }
 
-SameFailure::SameFailure(const cases::Method& method, const Shapes& shapes, const std::optional<std::string>& key)
+SameFailure::SameFailure(const cases::Method& method, const AnyShapes& shapes, const std::optional<std::string>& key)
     : method_(method) {
   const PartialAnswer truth = exact_answer(shapes);
   const auto [wrong, given] = wrong_answer(method, shapes, truth);
@@ -331,7 +419,7 @@ SameFailure::SameFailure(const cases::Method& method, const Shapes& shapes, cons
   }
 }
 
-bool SameFailure::holds(const Shapes& shapes) const {
+bool SameFailure::holds(const AnyShapes& shapes) const {
   if (!is_usable(shapes)) return false;
   const PartialAnswer truth = exact_answer(shapes);
   const auto [wrong, given] = wrong_answer(method_, shapes, truth);
@@ -344,7 +432,7 @@ bool SameFailure::holds(const Shapes& shapes) const {
   return true;
 }
 
-Shapes shrink(const SameFailure& failure, const Shapes& shapes, const std::atomic<bool>& stop) {
+AnyShapes shrink(const SameFailure& failure, const AnyShapes& shapes, const std::atomic<bool>& stop) {
   return Shrinker(failure, shapes, stop).run();
 }
 

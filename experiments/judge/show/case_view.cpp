@@ -54,25 +54,42 @@ std::string doubles(std::int64_t count) {
 
 }  // namespace
 
-double Radii::radius(const cases::Shapes& shapes, std::size_t i) const {
-  return workloads::move_radius_by_doubles(shapes.ball().radius, offsets[i]);
+double Radii::radius(const cases::AnyShapes& shapes, std::size_t i) const {
+  return workloads::move_radius_by_doubles(cases::ball_of(question_of(shapes)).radius, offsets[i]);
 }
 
-Radii radii_around(const cases::Shapes& shapes) {
-  const exact::PreparedPolygon polygon(shapes.polygon);
+const Polygon& CaseView::polygon() const {
+  if (const auto* one = std::get_if<cases::Shapes>(&shapes)) return one->polygon;
+  return std::get<cases::MeshShapes>(shapes).mesh.faces()[truth.face.value_or(0)];
+}
+
+Radii radii_around(const cases::AnyShapes& shapes) {
+  std::vector<exact::PreparedPolygon> faces;
+  if (const auto* one = std::get_if<cases::Shapes>(&shapes))
+    faces.emplace_back(one->polygon);
+  else
+    for (const Polygon& face : std::get<cases::MeshShapes>(shapes).mesh.faces()) faces.emplace_back(face);
+  const cases::Question& question = question_of(shapes);
+  const Ball& own_ball = cases::ball_of(question);
   const auto touches = [&](double radius) {
-    return std::visit([&](const auto& asked) { return exact::contact(asked, polygon); },
-                      cases::with_radius(shapes.question, radius));
+    return std::visit(
+        [&](const auto& asked) {
+          return std::ranges::any_of(faces, [&](const auto& face) { return exact::contact(asked, face); });
+        },
+        cases::with_radius(question, radius));
   };
-  const std::int64_t own = workloads::ordinal(shapes.ball().radius);
+  const std::int64_t own = workloads::ordinal(own_ball.radius);
   const auto first = least(kLast, [&](std::int64_t rank) { return touches(workloads::from_ordinal(rank)); });
   Radii radii;
   std::optional<std::int64_t> change;
   if (first) {
     if (*first > 0) change = *first - own;  // else even a point touches
     radii.margin = own - *first;
-    const Ball ball{shapes.ball().center, workloads::from_ordinal(*first)};
-    radii.exactly_touching = shapes.motion() == nullptr && exact::relation(ball, polygon) == Relation::Touching;
+    const Ball ball{own_ball.center, workloads::from_ordinal(*first)};
+    radii.exactly_touching =
+        std::holds_alternative<Ball>(question) && std::ranges::all_of(faces, [&](const auto& face) {
+          return exact::relation(ball, face) != Relation::Overlapping;
+        });
   }
   for (const std::int64_t offset : offsets_to(change)) {
     if (own + offset < 0 || offset > kLast - own) continue;
@@ -84,25 +101,25 @@ Radii radii_around(const cases::Shapes& shapes) {
   return radii;
 }
 
-CaseView view_of(const std::string& id, const std::vector<std::string>& tags, const cases::Shapes& shapes) {
+CaseView view_of(const std::string& id, const std::vector<std::string>& tags, const cases::AnyShapes& shapes) {
   return {id, tags, shapes, exact_answer(shapes), radii_around(shapes), {}};
 }
 
 Verdict verdict_of(const CaseView& view, const cases::Method& method) {
   Verdict verdict{std::string(method.name()), {}, {}, {}};
   try {
-    const auto prepared = method.prepare(view.shapes.polygon);
-    const auto answer = prepared->answer(view.shapes.question);
+    const auto prepared = cases::prepare(method, view.shapes);
+    const cases::Question& question = question_of(view.shapes);
+    const auto answer = prepared->answer(question);
     if (!answer) {
       verdict.fault = "cannot answer about moving balls";
       return verdict;
     }
     verdict.answer = cases::stated(*answer);
     for (std::size_t i = 0; i < view.radii.offsets.size(); ++i)
-      verdict.contact.push_back(
-          prepared->answer(cases::with_radius(view.shapes.question, view.radii.radius(view.shapes, i)))
-              .value_or(cases::PartialAnswer{})
-              .contact);
+      verdict.contact.push_back(prepared->answer(cases::with_radius(question, view.radii.radius(view.shapes, i)))
+                                    .value_or(cases::PartialAnswer{})
+                                    .contact);
   } catch (const std::exception& error) {
     verdict.fault = error.what();
     verdict.contact.clear();
@@ -113,7 +130,7 @@ Verdict verdict_of(const CaseView& view, const cases::Method& method) {
 std::string margin_text(const CaseView& view) {
   const auto margin = view.radii.margin;
   if (!margin) return "No ball with this centre touches, whatever its radius.";
-  if (workloads::move_radius_by_doubles(view.shapes.ball().radius, -*margin) == 0)
+  if (workloads::move_radius_by_doubles(view.ball().radius, -*margin) == 0)
     return "Even a point there touches, so every ball does.";
   if (*margin < 0)
     return fmt::format("The ball does not touch: its radius is {} below the least one that does.", doubles(-*margin));

@@ -23,13 +23,13 @@ struct Radii {
   std::vector<bool> contact;          ///< the exact answer at each
   bool every_double = false;          ///< whether the offsets leave none out
 
-  [[nodiscard]] double radius(const cases::Shapes& shapes, std::size_t i) const;
+  [[nodiscard]] double radius(const cases::AnyShapes& shapes, std::size_t i) const;
 };
 
 /// Finds them by `exact`, for a ball at a place or a moving one. If the answer changes within 20 doubles of the radius,
 /// every double around is taken; else powers of two up to there, and the two doubles between which it changes. Contact
 /// grows with the radius, so 64 questions find the least one.
-[[nodiscard]] Radii radii_around(const cases::Shapes& shapes);
+[[nodiscard]] Radii radii_around(const cases::AnyShapes& shapes);
 
 /// The verdict of one method on a case.
 struct Verdict {
@@ -43,15 +43,21 @@ struct Verdict {
 struct CaseView {
   std::string id;
   std::vector<std::string> tags;
-  cases::Shapes shapes;
+  cases::AnyShapes shapes;
   cases::PartialAnswer truth;  ///< by `exact`
   Radii radii;
   std::vector<Verdict> verdicts;
+
+  [[nodiscard]] const Ball& ball() const { return cases::ball_of(question_of(shapes)); }
+  /// Returns nothing for a ball at a place.
+  [[nodiscard]] const Motion* motion() const { return std::get_if<Motion>(&question_of(shapes)); }
+  /// Returns the polygon, or the nearest or first face of a mesh; its face 0 if a moving ball touches none.
+  [[nodiscard]] const Polygon& polygon() const;
 };
 
 /// Asks `exact`.
 [[nodiscard]] CaseView view_of(const std::string& id, const std::vector<std::string>& tags,
-                               const cases::Shapes& shapes);
+                               const cases::AnyShapes& shapes);
 
 /// Asks the method about the case, and about contact at each radius of the view. An exception of the method becomes its
 /// fault.

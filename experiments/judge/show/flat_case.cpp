@@ -12,10 +12,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// Returns the exponent of the power of two that brings the largest coordinate near 1.
-int exponent_of(const cases::Shapes& shapes) {
+int exponent_of(const Polygon& polygon) {
   double largest = 0;
-  for (std::size_t i = 0; i < shapes.polygon.vertex_count(); ++i)
-    largest = std::max(largest, (shapes.polygon.vertex(i) / 4 - shapes.polygon.vertex(0) / 4).cwiseAbs().maxCoeff());
+  for (std::size_t i = 0; i < polygon.vertex_count(); ++i)
+    largest = std::max(largest, (polygon.vertex(i) / 4 - polygon.vertex(0) / 4).cwiseAbs().maxCoeff());
   return largest > 0 ? std::ilogb(largest) + 2 : 0;
 }
 
@@ -37,10 +37,29 @@ std::vector<std::pair<double, double>> FlatCase::section() const {
   return parts;
 }
 
+std::vector<std::pair<Vector2d, Vector2d>> FlatCase::other_sections() const {
+  const Vector2d across(-along.y(), along.x());
+  std::vector<std::pair<Vector2d, Vector2d>> parts;
+  for (const auto& face : other_faces) {
+    std::vector<Vector2d> crossings;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Vector3d &a = face[i], &b = face[(i + 1) % face.size()];
+      const double from = (a.head<2>() - foot).dot(across), to = (b.head<2>() - foot).dot(across);
+      if ((from > 0) == (to > 0)) continue;
+      const Vector3d met = a + from / (from - to) * (b - a);
+      crossings.emplace_back((met.head<2>() - foot).dot(along), met.z());
+    }
+    std::ranges::sort(crossings, [](const Vector2d& a, const Vector2d& b) {
+      return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+    });
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) parts.emplace_back(crossings[i], crossings[i + 1]);
+  }
+  return parts;
+}
+
 std::optional<FlatCase> flat_case(const CaseView& view) {
-  const cases::Shapes& shapes = view.shapes;
-  const Polygon& polygon = shapes.polygon;
-  const int exponent = exponent_of(shapes);
+  const Polygon& polygon = view.polygon();
+  const int exponent = exponent_of(polygon);
   const Vector3d origin = polygon.vertex(0);
   const auto scaled = [&](const Vector3d& point) -> Vector3d {
     return (point - origin).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
@@ -62,12 +81,21 @@ std::optional<FlatCase> flat_case(const CaseView& view) {
     for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
       points.push_back(flat(polygon.vertex(i)));
   }
-  const Vector3d center = shapes.ball().center, end = shapes.motion() ? shapes.motion()->to : center;
+  if (const auto* mesh = std::get_if<cases::MeshShapes>(&view.shapes))
+    for (const Polygon& face : mesh->mesh.faces()) {
+      if (&face == &polygon) continue;
+      auto& points = result.other_faces.emplace_back();
+      for (std::size_t i = 0; i < face.vertex_count(); ++i) {
+        const Vector2d place = flat(face.vertex(i));
+        points.emplace_back(place.x(), place.y(), scaled(face.vertex(i)).dot(normal));
+      }
+    }
+  const Vector3d center = view.ball().center, end = view.motion() ? view.motion()->to : center;
   result.foot = flat(center);
   result.foot_at_end = flat(end);
   result.height = scaled(center).dot(normal);
   result.height_at_end = scaled(end).dot(normal);
-  result.radius = std::ldexp(shapes.ball().radius, -exponent);
+  result.radius = std::ldexp(view.ball().radius, -exponent);
   if (view.truth.point) result.touched = flat(*view.truth.point);
   if (view.truth.time && std::isfinite(*view.truth.time)) result.time = view.truth.time;
 

@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 constexpr double kPanel = 400, kGap = 20, kTitle = 46, kWidth = 2 * kPanel + 3 * kGap;
 constexpr double kRow = 22, kNames = 170, kAboveRows = 126;
 const std::string kPolygon = "#c9b458", kBall = "#2a6f97", kPoint = "#b3261e", kFoot = "#444", kGrid = "#ccc",
-                  kWrong = "#d62828";
+                  kWrong = "#d62828", kOtherFace = "#a59a63";
 
 /// A frame of coordinates that is mapped to a panel, with y upwards.
 class Frame {
@@ -98,6 +98,11 @@ void draw_plan(Svg& svg, const FlatCase& flat, bool moves) {
       points.emplace_back(centre.array() + flat.radius);
     }
   const Frame frame(points);
+  for (const auto& face : flat.other_faces) {
+    std::vector<Vector2d> outline;
+    for (const Eigen::Vector3d& corner : face) outline.push_back(frame.at(corner.head<2>()));
+    svg.loops({outline}, {.fill = "none", .stroke = kOtherFace});
+  }
   auto loops = flat.loops;
   for (auto& loop : loops)
     for (Vector2d& point : loop) point = frame.at(point);
@@ -126,6 +131,8 @@ void draw_section(Svg& svg, const FlatCase& flat, bool moves) {
   if (flat.touched) points.push_back(side(*flat.touched, 0));
   const Frame frame(points);
   svg.line(frame.at({-1e3, 0}), frame.at({1e3, 0}), {.stroke = kGrid, .width = 1});
+  for (const auto& [begin, end] : flat.other_sections())
+    svg.line(frame.at(begin), frame.at(end), {.stroke = kOtherFace, .width = 2});
   for (const auto& [begin, end] : flat.section())
     svg.line(frame.at({begin, 0}), frame.at({end, 0}), {.stroke = kPolygon, .width = 5});
   const auto at_contact =
@@ -317,7 +324,7 @@ Svg picture(const CaseView& view) {
   Svg svg(kWidth, height);
   svg.rectangle({0, 0}, {kWidth, height}, {.fill = "#fff"});
   svg.text({kGap, 18}, io::legible(view.id, 90), 14);
-  const bool moves = view.shapes.motion() != nullptr;
+  const bool moves = view.motion() != nullptr;
   if (const auto flat = flat_case(view)) {
     draw_plan(svg, *flat, moves);
     draw_section(svg, *flat, moves);
@@ -341,14 +348,19 @@ Svg picture(const CaseView& view) {
 std::string section_of(const CaseView& view) {
   std::string tags;
   for (const std::string& tag : view.tags) tags.append(tags.empty() ? "" : ", ").append(tag);
-  const Ball& ball = view.shapes.ball();
+  const Ball& ball = view.ball();
   std::string about = fmt::format("{} Centre ({}, {}, {}), radius {}", margin_text(view), ball.center.x(),
                                   ball.center.y(), ball.center.z(), ball.radius);
-  if (const Motion* motion = view.shapes.motion())
+  if (const Motion* motion = view.motion())
     about += fmt::format(", moving to ({}, {}, {})", motion->to.x(), motion->to.y(), motion->to.z());
-  const Polygon& polygon = view.shapes.polygon;
-  about += fmt::format("; a polygon of {} vertices", polygon.vertex_count());
-  if (polygon.loop_count() > 1) about += fmt::format(" with {} holes", polygon.loop_count() - 1);
+  if (const auto* mesh = std::get_if<cases::MeshShapes>(&view.shapes)) {
+    about += fmt::format("; a mesh of {} faces, of which the picture shows the plane of face {}",
+                         mesh->mesh.faces().size(), view.truth.face.value_or(0));
+  } else {
+    const Polygon& polygon = view.polygon();
+    about += fmt::format("; a polygon of {} vertices", polygon.vertex_count());
+    if (polygon.loop_count() > 1) about += fmt::format(" with {} holes", polygon.loop_count() - 1);
+  }
   return fmt::format("<section>\n<h2>{}</h2>\n<p>{}.</p>\n{}<div class=\"scroll\">{}</div>\n{}</section>\n",
                      xml_text(view.id), xml_text(about),
                      tags.empty() ? "" : "<p class=\"tags\">" + xml_text(tags) + "</p>\n",

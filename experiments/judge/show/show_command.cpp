@@ -82,7 +82,7 @@ std::vector<show::CaseView> views_of(const ShowOptions& options, int& status) {
       ++left_out;
       return true;
     }
-    views.push_back(show::view_of(*id, line.read->tags, std::get<cases::Shapes>(line.read->content)));
+    views.push_back(show::view_of(*id, line.read->tags, line.read->shapes()));
     for (const auto* method : methods) views.back().verdicts.push_back(show::verdict_of(views.back(), *method));
     const auto [begin, end] = printed.equal_range(*id);
     for (auto verdict = begin; verdict != end; ++verdict) views.back().verdicts.push_back(verdict->second);

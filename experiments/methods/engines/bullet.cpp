@@ -93,9 +93,11 @@ Library bullet_library() {
 void add_bullet(MethodList& list) {
   list.push_back(mesh_method("bullet", "Bullet's sphere against the triangles of a mesh, in doubles; its convex sweep",
                              bullet_library()));
-  list.push_back(mesh_method(
-      "bullet-defaults", "Bullet's contactPairTest with its own threshold, in doubles",
-      {.name = "Bullet, its threshold", .build = [](const Mesh& mesh) { return std::make_unique<BulletPair>(mesh); }}));
+  list.push_back(mesh_method("bullet-defaults", "Bullet's contactPairTest with its own threshold, in doubles",
+                             {.name = "Bullet, its threshold",
+                              .build = [](const Mesh& mesh) { return std::make_unique<BulletPair>(mesh); },
+                              .knows_all = false,
+                              .knows_nearest = false}));
 }
 
 }  // namespace touchstone::methods

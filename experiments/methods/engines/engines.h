@@ -53,6 +53,7 @@ struct Library {
   /// Builds a scene. The mesh must outlive it.
   std::function<std::unique_ptr<BuiltScene>(const Mesh&)> build;
   bool exact = false;  ///< whether its answers are the truth, which brute force checks
+  bool knows_all = true;
   bool knows_nearest = true;
   bool knows_motions = false;
 };
@@ -79,8 +80,8 @@ using TrianglesFilter = bool (*)(const std::vector<Triangle>& triangles);
 [[nodiscard]] std::unique_ptr<Method> triangle_method(const char* name, const char* summary, TriangleContact contact,
                                                       TriangleSweep sweep = nullptr, TrianglesFilter answers = nullptr);
 
-/// Returns a method that asks the library about the triangles of a polygon as a mesh. A moving ball that touches at its
-/// start touches at time 0, which not every sweep says of a ball that rests or moves away.
+/// Returns a method that asks the library about the triangles of a polygon or of the faces of a mesh. A moving ball
+/// that touches at its start touches at time 0, which not every sweep says of a ball that rests or moves away.
 [[nodiscard]] std::unique_ptr<Method> mesh_method(const char* name, const char* summary, Library library);
 
 }  // namespace touchstone::methods

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <functional>
 #include <limits>
+#include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -54,19 +56,46 @@ class EachTriangle : public PreparedMethod {
   bool answers_;
 };
 
+/// The triangles of faces, and the number of the face that each belongs to.
+struct FaceTriangles {
+  std::vector<Triangle> triangles;
+  std::vector<std::size_t> faces;
+
+  explicit FaceTriangles(const std::vector<Polygon>& polygons) {
+    for (std::size_t face = 0; face < polygons.size(); ++face) {
+      const std::vector<Triangle> some = triangles_of(polygons[face]);
+      triangles.insert(triangles.end(), some.begin(), some.end());
+      faces.resize(triangles.size(), face);
+    }
+  }
+};
+
 class AskedScene : public PreparedMethod {
  public:
-  AskedScene(std::string_view stage, const Library& library, std::vector<Triangle> triangles)
+  AskedScene(std::string_view stage, std::shared_ptr<const Library> library, FaceTriangles faces, bool is_mesh)
       : stage_(stage),
-        knows_motions_(library.knows_motions),
-        triangles_(std::move(triangles)),
-        mesh_(triangles_),
-        scene_(library.build(mesh_)) {}
+        library_(std::move(library)),
+        faces_(std::move(faces)),
+        is_mesh_(is_mesh),
+        mesh_(faces_.triangles),
+        scene_(library_->build(mesh_)) {}
 
-  [[nodiscard]] PartialAnswer ask(const Ball& ball, QueryKind) const override { return answer(scene_->any(ball)); }
+  [[nodiscard]] PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
+    PartialAnswer found = answer(scene_->any(ball));
+    if (!is_mesh_ || kind != QueryKind::Answer) return found;
+    if (library_->knows_nearest) found.face = faces_.faces[scene_->nearest(ball.center)];
+    if (library_->knows_all) {
+      std::vector<std::uint32_t> triangles;
+      scene_->all(ball, triangles);
+      std::set<std::size_t> touched;
+      for (const std::uint32_t triangle : triangles) touched.insert(faces_.faces[triangle]);
+      found.touched = {touched.begin(), touched.end()};
+    }
+    return found;
+  }
 
   [[nodiscard]] std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
-    if (!knows_motions_) return std::nullopt;
+    if (!library_->knows_motions) return std::nullopt;
     const auto time = scene_->any(motion.ball) ? std::optional(0.0) : scene_->first_contact(motion);
     PartialAnswer found = answer(time.has_value());
     found.time = time.value_or(std::numeric_limits<double>::infinity());
@@ -82,8 +111,9 @@ class AskedScene : public PreparedMethod {
   }
 
   std::string_view stage_;
-  bool knows_motions_;
-  std::vector<Triangle> triangles_;
+  std::shared_ptr<const Library> library_;
+  FaceTriangles faces_;
+  bool is_mesh_;
   Mesh mesh_;
   std::unique_ptr<BuiltScene> scene_;
 };
@@ -110,9 +140,13 @@ std::unique_ptr<Method> triangle_method(const char* name, const char* summary, T
 }
 
 std::unique_ptr<Method> mesh_method(const char* name, const char* summary, Library library) {
-  return std::make_unique<Method>(name, summary, [name, library = std::move(library)](const Polygon& polygon) {
-    return std::make_unique<AskedScene>(name, library, triangles_of(polygon));
-  });
+  const auto known = std::make_shared<const Library>(std::move(library));
+  const auto prepare = [name, known](const std::vector<Polygon>& faces, bool is_mesh) {
+    return std::make_unique<AskedScene>(name, known, FaceTriangles(faces), is_mesh);
+  };
+  return std::make_unique<Method>(
+      name, summary, [prepare](const Polygon& polygon) { return prepare({polygon}, false); }, Method::Kind::Usual,
+      [prepare](const PosedMesh& mesh) { return prepare(mesh.faces(), true); });
 }
 
 }  // namespace touchstone::methods

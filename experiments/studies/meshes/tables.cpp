@@ -42,7 +42,7 @@ std::string case_line(const Settings& settings, const NamedMesh& mesh, std::uint
     tags.push_back("fails-" + std::string(settings.methods[method]->name()));
   const std::string id =
       fmt::format("{}:{}:{}{:+}:seed-{}", mesh.name, face, to_string(drawn.place), drawn.steps, settings.seed);
-  return cases::case_line(id, {drawn.ball, polygon}, tags, cases::only(whole, keys));
+  return cases::case_line(id, cases::Shapes{drawn.ball, polygon}, tags, cases::only(whole, keys));
 }
 
 struct MeshRow {

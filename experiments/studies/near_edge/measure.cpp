@@ -71,8 +71,8 @@ class Sample {
     const Ball& ball = crossing_.balls[i];
     const std::vector<std::string> tags{std::string(to_string(test)), std::string(settings_.truth->name())};
     return {place_.n, place_.stratum,
-            cases::case_line(id(place_) + "-k" + std::to_string(cases::all_offsets()[i]), {ball, crossing_.polygon},
-                             tags, exact.ask(ball, cases::QueryKind::Answer))};
+            cases::case_line(id(place_) + "-k" + std::to_string(cases::all_offsets()[i]),
+                             cases::Shapes{ball, crossing_.polygon}, tags, exact.ask(ball, cases::QueryKind::Answer))};
   }
 
   const Settings& settings_;

@@ -92,8 +92,8 @@ class Search {
     else
       expected.foot = truth.foot;
     const std::vector<std::string> tags{"worst", std::string(method.name())};
-    return cases::case_line("worst-" + std::string(method.name()) + "-" + id(place(region, n)), {ball, at.polygon},
-                            tags, expected);
+    return cases::case_line("worst-" + std::string(method.name()) + "-" + id(place(region, n)),
+                            cases::Shapes{ball, at.polygon}, tags, expected);
   }
 
   const Settings& settings_;

@@ -234,7 +234,7 @@ class Study {
     const std::vector<cases::Key> wrong = cases::differing_keys(probe.truth, *answer);
     if (wrong.empty()) return;
     const std::string_view name = settings_.methods[method]->name();
-    worst.line = cases::case_line(fmt::format("{}-{}", scene.id, name), {probe.ball, scene.asked.polygon},
+    worst.line = cases::case_line(fmt::format("{}-{}", scene.id, name), cases::Shapes{probe.ball, scene.asked.polygon},
                                   {std::string(name), std::string(to_string(probe.nearness)),
                                    worst.rank > 0 ? "wrong final answer" : "right final answer"},
                                   only(probe.truth, wrong));

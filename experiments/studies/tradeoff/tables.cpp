@@ -203,7 +203,7 @@ std::string worst_case(const Settings& settings, std::size_t method, Quantity qu
   const std::vector<std::string> tags{
       std::string(name(settings, method)), std::string(to_string(quantity)),
       std::isfinite(worst.ulps) ? fmt::format("{:.6g} ulps", worst.ulps) : "not finite"};
-  return cases::case_line(id, {ball, crossing->polygon}, tags, expected);
+  return cases::case_line(id, cases::Shapes{ball, crossing->polygon}, tags, expected);
 }
 
 std::string three_digits(double value) {

@@ -68,8 +68,8 @@ TEST(ReadCase, OpensLoopsThatAreClosed) {
   };
   EXPECT_EQ(polygon("{\"closed\":true," + closed + "}"), polygon("{" + open + "}"));
   EXPECT_EQ(polygon("{\"closed\":false," + open + "}"), polygon("{" + open + "}"));
-  EXPECT_TRUE(read_case(with_polygon("{\"closed\":true," + closed + "}")).closed);
-  EXPECT_FALSE(read_case(with_polygon("{\"closed\":false," + open + "}")).closed);
+  EXPECT_TRUE(read_case(with_polygon("{\"closed\":true," + closed + "}")).rewritten);
+  EXPECT_FALSE(read_case(with_polygon("{\"closed\":false," + open + "}")).rewritten);
   EXPECT_EQ(code(with_polygon("{" + closed + "}")), "repeated-vertex");
   EXPECT_EQ(message(with_polygon("{\"closed\":true," + open + "}")),
             "polygon.outer is not closed: its last point is not its first");

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/random.h"
@@ -32,8 +33,8 @@ TEST(Margin, IsAShareOfTheLargestCoordinateOrALength) {
   EXPECT_EQ(margin_of("1e-6").length(shapes), 4e-6);
   EXPECT_EQ(margin_of("1e-6m").length(shapes), 1e-6);
   EXPECT_EQ(margin_of("2^-3m").length(shapes), 0.125);
-  EXPECT_EQ(margin_of("0.5").length({Ball{{1, 2, 3}, 8}, square()}), 4);
-  EXPECT_EQ(margin_of("0.5").length({Motion(Ball{{1, 2, 3}, 0.5}, {0, 0, -16}), square()}), 8);
+  EXPECT_EQ(margin_of("0.5").length(Shapes{Ball{{1, 2, 3}, 8}, square()}), 4);
+  EXPECT_EQ(margin_of("0.5").length(Shapes{Motion(Ball{{1, 2, 3}, 0.5}, {0, 0, -16}), square()}), 8);
   for (const char* text : {"", "m", "2^", "2^0.5", "0", "-1", "1e999", "2^2000", "nan", "1 m", "2^-2000"})
     EXPECT_THROW((void)margin_of(text), std::invalid_argument) << text;
 }
@@ -223,6 +224,43 @@ TEST(AnswersWithin, LackWhatDoesNotHaveTheFormOfTheContract) {
   const Shapes shapes{Ball{{2, 2, 1}, 0.75}, square()};
   EXPECT_FALSE(within(shapes, kInfinity, "contact", "1"));
   EXPECT_FALSE(AnswersWithin(shapes, 1).has(*find_key("contact"), {}));
+}
+
+// Two squares beside each other at heights 0 and 0.01, below a ball between them, and a third one far below.
+MeshShapes steps(const Question& question) {
+  Mesh mesh;
+  for (const auto& [x, z] : {std::pair(0.0, 0.0), std::pair(4.0, 0.01), std::pair(0.0, -3.0)}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{x, 0, z}, {x + 4, 0, z}, {x + 4, 4, z}, {x, 4, z}});
+    mesh.faces.push_back({first, first + 1, first + 2, first + 3});
+  }
+  return {question, PosedMesh(std::move(mesh))};
+}
+
+TEST(AnswersWithin, OfAMeshNameAFaceThatIsNearlyAsNear) {
+  const MeshShapes at_rest = steps(Ball{{4, 2, 1}, 1});
+  ASSERT_EQ(exact_answer(at_rest).face, 1U);
+  const auto within = [&](const MeshShapes& shapes, double margin, const char* key, const char* answer) {
+    return AnswersWithin(shapes, margin).has(*find_key(key), stated_in(nlohmann::json::parse(answer)));
+  };
+  EXPECT_TRUE(within(at_rest, 0.011, "face", R"({"face":0})"));
+  EXPECT_FALSE(within(at_rest, 0.009, "face", R"({"face":0})"));
+  EXPECT_FALSE(within(at_rest, 0.011, "face", R"({"face":2})"));
+  EXPECT_FALSE(within(at_rest, 0.011, "face", R"({"face":3})"));
+  EXPECT_TRUE(within(at_rest, 0.011, "touched", R"({"touched":[1]})"));
+  EXPECT_FALSE(within(at_rest, 0.011, "touched", R"({"touched":[0,1,2]})"));
+  EXPECT_FALSE(within(at_rest, 0.009, "touched", R"({"touched":[0]})"))
+      << "face 1 is touched with the least radius, too";
+  // The other keys are about the face that the answer names.
+  EXPECT_TRUE(within(at_rest, 0.011, "nearest", R"({"face":0,"nearest":{"kind":"edge","index":1}})"));
+  EXPECT_FALSE(within(at_rest, 0.011, "nearest", R"({"face":0,"nearest":{"kind":"edge","index":0}})"));
+  EXPECT_FALSE(within(at_rest, 0.011, "nearest", R"({"face":9,"nearest":{"kind":"edge","index":1}})"));
+  EXPECT_TRUE(within(at_rest, 0.011, "distance", R"({"distance":1})"));
+
+  const MeshShapes falling = steps(Motion({{4, 2, 3}, 1}, {4, 2, 0}));
+  EXPECT_TRUE(within(falling, 0.011, "face", R"({"face":0})"));
+  EXPECT_FALSE(within(falling, 0.004, "face", R"({"face":0})"));
+  EXPECT_FALSE(within(falling, 0.011, "face", R"({"face":2})"));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 TEST(Verdict, CasesAreWrittenInTheFormOfTheContract) {
   const Polygon polygon({{0, 0, 0}, {4, 0, -0.0}, {0, 4, 0}}, {{{1, 1, 0}, {1.5, 1, 0}, {1, 1.25, 0}}});
-  EXPECT_EQ(case_line("a-1", {Ball{{0.1, -0.0, 1e300}, 5e-324}, polygon}, {"star", "tangent"}),
+  EXPECT_EQ(case_line("a-1", Shapes{Ball{{0.1, -0.0, 1e300}, 5e-324}, polygon}, {"star", "tangent"}),
             R"({"id":"a-1","ball":{"center":[0.1,0,1e+300],"radius":5e-324},)"
             R"("polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]],"holes":[[[1,1,0],[1.5,1,0],[1,1.25,0]]]},)"
             R"("tags":["star","tangent"]})"

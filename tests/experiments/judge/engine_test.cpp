@@ -50,6 +50,19 @@ TEST(JudgeEngine, IsReportedWithEveryCaseWhereItSaysNothingOrNonsense) {
   }
 }
 
+TEST(JudgeEngine, GetsTheMeshOfAFileWrittenOut) {
+  (void)write_file("it.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n");
+  const std::string seen = write_file("seen", "");
+  const Result result =
+      run(R"({"id":"a","ball":{"center":[1,1,1],"radius":1},"mesh":{"file":"it.obj"},"expected":{"face":0}})",
+          engine("tee '" + seen + "' | sed -u 's/.*/{\"id\":\"a\",\"face\":0}/'"));
+  EXPECT_EQ(result.status, AllMet) << result.complaints;
+  std::ifstream stream(seen);
+  std::string line;
+  std::getline(stream, line);
+  EXPECT_NE(line.find(R"("mesh":{"vertices":[[0,0,0],[4,0,0],[0,4,0]],"faces":[[0,1,2]]})"), std::string::npos) << line;
+}
+
 // The judge is not blocked by an engine that never ends or by one that fills its pipe.
 TEST(JudgeEngine, IsReportedWhereItPrintsMoreThanItIsAsked) {
   const std::string reply = R"({"id":"t0","relation":"touching"})";

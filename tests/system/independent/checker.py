@@ -23,6 +23,8 @@ from surd import nearest_double
 ANSWER_KEYS = ("plane", "plane_tangent", "foot", "edges_hit", "relation", "contact", "nearest", "point", "distance",
                "contact_normal", "depth", "off_plane")
 MOVING_KEYS = ("contact", "first", "time", "momentary", "feature", "point", "contact_normal", "depth", "off_plane")
+MESH_KEYS = ("touched", "face")
+POLYGON_KEYS = ("plane", "plane_tangent", "foot", "edges_hit", "off_plane")
 EXPLAIN_KEYS = ("stage", "margin")
 SHOWN = 20
 
@@ -85,18 +87,50 @@ def read_loop(value, closed):
     return points[:-1] if closed else points
 
 
+def read_polygon(case):
+    """The loops of a well-formed polygon, the outer one first."""
+    polygon = member(case, "polygon", dict)
+    closed = member(polygon, "closed", bool, False)
+    return [read_loop(v, closed) for v in [member(polygon, "outer", list), *member(polygon, "holes", list, [])]]
+
+
+def read_mesh(case):
+    """The loops of the faces of a well-formed mesh, as it has them and posed."""
+    mesh, pose = member(case, "mesh", dict), member(case, "pose", dict, {})
+    vertices = read_loop(member(mesh, "vertices", list), False)
+    faces = member(mesh, "faces", list)
+    reject_if(not faces, "malformed-case")
+    for face in faces:
+        reject_if(not isinstance(face, list), "malformed-case")
+        reject_if(not all(isinstance(i, float) and i in range(len(vertices)) for i in face), "malformed-case")
+    rotation = read_loop(member(pose, "rotation", list, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]), False)
+    reject_if(len(rotation) != 3, "malformed-case")
+    translation = read_point(member(pose, "translation", list, [0.0] * 3))
+    reject_if(not all(map(math.isfinite, [*translation, *(x for p in vertices + rotation for x in p)])), "not-finite")
+
+    def posed(point):
+        rows = (sum(Fraction(a) * Fraction(x) for a, x in zip(row, point)) for row in rotation)
+        return tuple(nearest_double(x + Fraction(t)) for x, t in zip(rows, translation))
+
+    polygons = [[[place(vertices[int(i)]) for i in face]] for place in (tuple, posed) for face in faces]
+    reject_if(any(x is None for loops in polygons for loop in loops for p in loop for x in p), "not-finite")
+    return polygons
+
+
 def read_case(case):
-    """Centre, end of the motion or None, radius and loops (the outer one first) of a well-formed case, in floats."""
+    """Centre, end of the motion or None, radius and polygons, each a list of loops, of a well-formed case, in floats.
+
+    The polygons are one, or the faces of a mesh as it has them and then posed.
+    """
     member(case, "id", str)
-    ball, polygon = member(case, "ball", dict), member(case, "polygon", dict)
+    ball = member(case, "ball", dict)
     center, radius = read_point(member(ball, "center", list)), member(ball, "radius", float)
     to = read_point(member(member(case, "motion", dict), "to", list)) if "motion" in case else None
-    closed = member(polygon, "closed", bool, False)
-    loops = [read_loop(v, closed) for v in [member(polygon, "outer", list), *member(polygon, "holes", list, [])]]
+    polygons = read_mesh(case) if "mesh" in case else [read_polygon(case)]
     expected = member(case, "expected", dict, {})
-    reject_if(not set(expected) <= {*ANSWER_KEYS, *MOVING_KEYS, "error"}, "malformed-case")
+    reject_if(not set(expected) <= {*ANSWER_KEYS, *MOVING_KEYS, *MESH_KEYS, "error"}, "malformed-case")
     reject_if(not all(isinstance(tag, str) for tag in member(case, "tags", list, [])), "malformed-case")
-    return center, to, radius, loops
+    return center, to, radius, polygons
 
 
 # Arithmetic
@@ -258,9 +292,9 @@ def validate(radius, loops):
     reject_if(not all(begins_inside(hole, flat[0]) for hole in flat[1:]), "hole-outside")
 
 
-def scaled_to_integers(center, to, radius, loops):
+def scaled_to_integers(center, to, radius, polygons):
     """The power of two that makes every number an integer, and the numbers times it."""
-    numbers = [radius, *center, *(to or ()), *(x for loop in loops for p in loop for x in p)]
+    numbers = [radius, *center, *(to or ()), *(x for loops in polygons for loop in loops for p in loop for x in p)]
     scale = max(x.as_integer_ratio()[1] for x in numbers)
 
     def exact(x):
@@ -270,7 +304,7 @@ def scaled_to_integers(center, to, radius, loops):
     def point(p):
         return tuple(map(exact, p))
 
-    return scale, point(center), to and point(to), exact(radius), [[point(p) for p in loop] for loop in loops]
+    return scale, point(center), to and point(to), exact(radius), [[[point(p) for p in loop] for loop in loops] for loops in polygons]
 
 
 def quotient(a, b):
@@ -429,7 +463,8 @@ def moments(face, center, r):
 
 
 def first_contact(scale, c, to, r, loops):
-    """The verdict on a moving ball for valid integers, which are the case's numbers times `scale`."""
+    """The exact first time, None without a contact, and the verdict on a moving ball for valid integers, which are the
+    case's numbers times `scale`."""
     face, way = Face(loops), sub(to, c)
 
     def center(t):
@@ -441,12 +476,12 @@ def first_contact(scale, c, to, r, loops):
 
     d2, feature, point = face.closest(c)
     if d2 <= r * r:
-        return verdict("start", 0, None, feature, [nearest_double(x / scale) for x in point], face.normal_at(c, point),
-                       nearest_depth(scale, r, d2))
+        return surd.Surd(Fraction(0)), verdict("start", 0, None, feature, [nearest_double(x / scale) for x in point], face.normal_at(c, point),
+                                               nearest_depth(scale, r, d2))
     times_of_events = [moment for moment in moments(face, center, r) if moment[0] > 0]
     first = next((t for t, touches in times_of_events if touches), None)
     if first is None or first > 1:
-        return verdict("none", None, None, None, None, None, None)
+        return None, verdict("none", None, None, None, None, None, None)
     d2, feature, point = face.closest(center(first))
     assert d2 == r * r, "the ball touches at its first time"
     later = next((t for t, _ in times_of_events if surd.compare(t, first) > 0), first + 1)
@@ -455,8 +490,30 @@ def first_contact(scale, c, to, r, loops):
         normal = [nearest_double(quotient(x, 1) / r) for x in sub(center(first), point)]
     else:
         normal = nearest_unit(times(-1 if face.height(c) < 0 else 1, face.normal))
-    return verdict("way", nearest_double(first), after > r * r, feature,
+    return first, verdict("way", nearest_double(first), after > r * r, feature,
                    [nearest_double(x / scale) for x in point], normal, 0)
+
+
+def answer_of_mesh(scale, c, to, r, faces):
+    """The verdict on the posed faces of a mesh, likewise."""
+    if to is None:
+        found = [answer(scale, c, r, face) for face in faces]
+        distances = [Face(face).closest(c)[0] for face in faces]
+        order = cmp_to_key(lambda i, j: surd.sign(distances[i] - distances[j]))
+    else:
+        pairs = [first_contact(scale, c, to, r, face) for face in faces]
+        found = [verdict for _, verdict in pairs]
+
+        def compare_times(i, j):
+            a, b = pairs[i][0], pairs[j][0]
+            return (a is None) - (b is None) if a is None or b is None else surd.compare(a, b)
+
+        order = cmp_to_key(compare_times)
+    least = min(sorted(range(len(faces)), key=lambda i: len(faces[i][0]) != 3), key=order)
+    verdict = {key: value for key, value in found[least].items() if key not in POLYGON_KEYS}
+    verdict["touched"] = [i for i, one in enumerate(found) if one["contact"]]
+    verdict["face"] = None if verdict.get("first") == "none" else least
+    return verdict
 
 
 def judge_case(text_line):
@@ -469,12 +526,17 @@ def judge_case(text_line):
     verdict = {"id": name if isinstance(name, str) else None}
     try:
         reject_if("malformed-case" in flaws, "malformed-case")
-        center, to, radius, loops = read_case(case)
+        center, to, radius, polygons = read_case(case)
         reject_if("not-finite" in flaws, "not-finite")
-        scale, center, to, radius, loops = scaled_to_integers(center, to, radius, loops)
-        validate(radius, loops)
-        moving = to is not None
-        verdict.update(first_contact(scale, center, to, radius, loops) if moving else answer(scale, center, radius, loops))
+        scale, center, to, radius, polygons = scaled_to_integers(center, to, radius, polygons)
+        for loops in polygons:
+            validate(radius, loops)
+        if "mesh" in case:
+            verdict.update(answer_of_mesh(scale, center, to, radius, polygons[len(polygons) // 2:]))
+        elif to is not None:
+            verdict.update(first_contact(scale, center, to, radius, *polygons)[1])
+        else:
+            verdict.update(answer(scale, center, radius, *polygons))
     except Rejected as rejection:
         verdict["error"], = rejection.args
     return verdict

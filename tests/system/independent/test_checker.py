@@ -398,6 +398,47 @@ class Moving(unittest.TestCase):
         self.assertEqual(checker.judge_case(text(motion={"to": [77, 0, 0]}).replace("77", "1e400"))["error"], "not-finite")
 
 
+class Meshes(unittest.TestCase):
+    VERTICES = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [0, 1, 1], [2, 1, 1], [1, 3, 0]]
+    RIDGE = [[0, 1, 5, 4], [4, 5, 2, 3]]
+
+    def judge(self, faces, center=(1, 1, 3), radius=2, **more):
+        case = {"id": "a", "ball": {"center": center, "radius": radius}, "mesh": {"vertices": self.VERTICES, "faces": faces}}
+        return checker.judge_case(json.dumps({**case, **more}))
+
+    def test_the_keys_are_those_of_the_nearest_face_and_two_more(self):
+        verdict = self.judge(self.RIDGE)
+        self.assertEqual((verdict["face"], verdict["touched"], verdict["nearest"]), (0, [0, 1], edge(2)))
+        self.assertFalse(set(verdict) & set(checker.POLYGON_KEYS))
+        self.assertEqual(self.judge(self.RIDGE, (1, 9, 0), 1)["face"], 1)
+
+    def test_triangles_come_first_among_equals(self):
+        self.assertEqual(self.judge([*self.RIDGE, [5, 4, 6]])["face"], 2)
+
+    def test_the_first_face_of_a_moving_ball(self):
+        verdict = self.judge(self.RIDGE, (1, 1.9, 5), 1, motion={"to": [1, 1.9, -5]})
+        self.assertEqual((verdict["first"], verdict["face"], verdict["touched"]), ("way", 1, [0, 1]))
+        verdict = self.judge(self.RIDGE, (9, 9, 9), 1, motion={"to": [9, 9, 8]})
+        self.assertEqual((verdict["first"], verdict["face"], verdict["touched"]), ("none", None, []))
+
+    def test_posed_vertices_are_rounded_once(self):
+        verdict = self.judge([[0, 1, 2]], (1, -1, 1), 0, pose={"rotation": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "translation": [0.1, 0, 0]})
+        self.assertEqual(verdict["point"], [0.1, 0, 0])
+        third = self.judge([[0, 1, 2]], (5, -1, 1), 0, pose={"rotation": [[1 / 3, 0, 0], [0, 1, 0], [0, 0, 1]], "translation": [0.1, 0, 0]})
+        self.assertEqual(third["point"], [surd.nearest_double(2 * Fraction(1 / 3) + Fraction(0.1)), 0, 0])
+
+    def test_rejections(self):
+        self.assertEqual(self.judge([[0, 1, 7]])["error"], "malformed-case")
+        self.assertEqual(self.judge([[0, 1, 0.5]])["error"], "malformed-case")
+        self.assertEqual(self.judge([])["error"], "malformed-case")
+        self.assertEqual(self.judge([[0, 1]])["error"], "too-few-vertices")
+        self.assertEqual(self.judge([[0, 1, 2]], radius=-1)["error"], "negative-radius")
+        flat = {"rotation": [[1, 0, 0], [1, 0, 0], [0, 0, 1]]}
+        self.assertEqual(self.judge([[0, 1, 2]], pose=flat)["error"], "repeated-vertex")
+        self.assertEqual(self.judge([[0, 1, 2]], pose={"translation": [1e308, 0, 0], "rotation": [[1e308, 0, 0], [0, 1, 0], [0, 0, 1]]})["error"],
+                         "not-finite")
+
+
 class Surds(unittest.TestCase):
     def test_order(self):
         golden, two = surd.Surd(Fraction(1, 2), Fraction(1, 2), 5), surd.Surd(0, 1, 2)

@@ -195,7 +195,7 @@ def thresholds(case):
     text = json.dumps({"id": "", **case})
     if "error" in checker.judge_case(text):
         return []
-    scale, c, _, _, loops = checker.scaled_to_integers(*checker.read_case(checker.read_json(text)[0]))
+    scale, c, _, _, (loops,) = checker.scaled_to_integers(*checker.read_case(checker.read_json(text)[0]))
     normal = checker.newell(loops[0])
     offset = Fraction(sum(checker.dot(normal, checker.sub(c, p)) for p in loops[0]), len(loops[0]) * scale)
     edges = [checker.closest_on_edge(a, b, c, 0, 0)[0] / scale ** 2 for a, b in checker.edges(loops[-1])]

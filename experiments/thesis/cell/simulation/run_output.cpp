@@ -177,8 +177,8 @@ std::string disagreements_text(const MethodComparison& comparison, std::size_t m
     std::vector<std::string> tags{"cell", d.owner};
     for (const std::string& method : d.methods) tags.push_back("fails:" + method);
     const auto answer = cases::PartialAnswer::of(exact::answer(d.sphere, d.polygon), "exact");
-    text +=
-        cases::case_line(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), {d.sphere, d.polygon}, tags, answer);
+    text += cases::case_line(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), cases::Shapes{d.sphere, d.polygon},
+                             tags, answer);
   }
   return text;
 }

@@ -170,7 +170,7 @@ class AsCode(unittest.TestCase):
             self.assertEqual(subprocess.run(["./main"], cwd=self.folder, capture_output=True, text=True, check=True).stdout, case["id"] + "\n")
 
     def test_nothing_is_not_code(self):
-        for files in ([SOURCE / "tests/corpus/rejections.jsonl"], ["/no/such/file"]):
+        for files in ([SOURCE / "tests/corpus/rejections.jsonl"], [SOURCE / "tests/corpus/meshes/moving.jsonl"], ["/no/such/file"]):
             done = subprocess.run([sys.executable, "-B", AS_CODE, "c", *files], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertNotIn("Traceback", done.stderr)

@@ -16,7 +16,7 @@ namespace {
 
 CorpusCase case_of(const workloads::Workload& workload, std::uint64_t index) {
   workloads::Sample sample = workloads::sample(workload, 7, index);
-  return {sample.id, {sample.question(), std::move(sample.polygon)}, {}, "drawn"};
+  return {sample.id, cases::Shapes{sample.question(), std::move(sample.polygon)}, {}, "drawn"};
 }
 
 /// The radius some floats away.
@@ -26,11 +26,14 @@ float off(float radius, int floats) {
   return radius;
 }
 
-bool touches_with(const cases::Shapes& shapes, double radius) {
+const cases::Shapes& polygon_case(const CorpusCase& given) { return std::get<cases::Shapes>(given.shapes); }
+
+bool touches_with(const cases::AnyShapes& any_shapes, double radius) {
+  const auto& shapes = std::get<cases::Shapes>(any_shapes);
   return std::visit([&](const auto& question) { return exact::contact(question, shapes.polygon); },
                     cases::with_radius(shapes.question, radius));
 }
-bool touches(const cases::Shapes& shapes, float radius) { return touches_with(shapes, static_cast<double>(radius)); }
+bool touches(const cases::AnyShapes& shapes, float radius) { return touches_with(shapes, static_cast<double>(radius)); }
 
 TEST(InFloats, MakesACaseWhoseRadiusIsWithinAFloatOfTheThreshold) {
   using workloads::BallPlace;
@@ -40,7 +43,7 @@ TEST(InFloats, MakesACaseWhoseRadiusIsWithinAFloatOfTheThreshold) {
       for (std::uint64_t i = 0; i < 100; ++i) {
         const CorpusCase drawn = case_of({.ball = place, .vertices = 3, .way = way}, i);
         const auto found = in_floats(drawn);
-        const double radius_drawn = drawn.shapes.ball().radius;
+        const double radius_drawn = polygon_case(drawn).ball().radius;
         const bool at_threshold = !touches_with(drawn.shapes, radius_drawn * (1 - 0x1p-40)) &&
                                   touches_with(drawn.shapes, radius_drawn * (1 + 0x1p-40));
         if (!found || !at_threshold || touches(found->shapes, 0)) continue;
@@ -48,7 +51,7 @@ TEST(InFloats, MakesACaseWhoseRadiusIsWithinAFloatOfTheThreshold) {
         EXPECT_TRUE(is_in_floats(found->shapes)) << found->id;
         EXPECT_TRUE(found->id.ends_with("-float"));
         EXPECT_EQ(found->origin, "the nearest floats of: drawn");
-        const auto radius = static_cast<float>(found->shapes.ball().radius);
+        const auto radius = static_cast<float>(polygon_case(*found).ball().radius);
         if (!touches(found->shapes, radius)) {
           EXPECT_TRUE(touches(found->shapes, off(radius, 1))) << found->id;
           ++without;
@@ -69,17 +72,17 @@ TEST(InFloats, KeepsWhatIsInFloatsAlready) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, "it-float");
   EXPECT_EQ(found->origin, "by hand");
-  EXPECT_EQ(found->shapes.ball().radius, 1);
+  EXPECT_EQ(polygon_case(*found).ball().radius, 1);
 }
 
 TEST(InFloats, RoundsOtherRadii) {
   const cases::Shapes shapes{Ball{{0.5, 0.25, 1}, 0.1}, Polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})};
-  EXPECT_EQ(in_floats({"it", shapes, {}, ""})->shapes.ball().radius, static_cast<double>(0.1F));
+  EXPECT_EQ(polygon_case(*in_floats({"it", shapes, {}, ""})).ball().radius, static_cast<double>(0.1F));
 }
 
 TEST(InFloats, LeavesOutWhatFloatsCannotHold) {
   const auto has = [](const Ball& ball, const Polygon& polygon) {
-    return in_floats({"it", {ball, polygon}, {}, ""}).has_value();
+    return in_floats({"it", cases::Shapes{ball, polygon}, {}, ""}).has_value();
   };
   const Polygon triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   EXPECT_TRUE(has(Ball{{0, 0, 1e30}, 0.1}, triangle));

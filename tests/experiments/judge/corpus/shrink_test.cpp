@@ -38,12 +38,12 @@ WrongAnswer wrong(const cases::Method& method, const Shapes& shapes) {
 }
 
 Shapes shrunk(const cases::Method& method, const Shapes& shapes) {
-  return shrink(SameFailure(method, shapes), shapes, never);
+  return std::get<Shapes>(shrink(SameFailure(method, shapes), shapes, never));
 }
 
 void expect_smaller_and_failing(const cases::Method& method, const Stored& stored) {
   const SameFailure failure(method, stored.shapes());
-  const Shapes small = shrink(failure, stored.shapes(), never);
+  const auto small = std::get<Shapes>(shrink(failure, stored.shapes(), never));
   EXPECT_EQ(small.question.index(), stored.shapes().question.index()) << stored;
   EXPECT_FALSE(find_fault(small.ball())) << stored;
   EXPECT_FALSE(exact::validate(small.polygon)) << stored;
@@ -99,7 +99,7 @@ TEST(ShrinkOf, AStrictTestKeepsATriangleOfSmallNumbers) {
       {{10, 20, 5}, {70, 20, 5}, {70, 80, 5}, {50, 80, 5}, {50, 40, 5}, {30, 40, 5}, {30, 80, 5}, {10, 80, 5}});
   const Ball ball{{40, 30, 12}, 7};
   const cases::Method& thesis = *methods::find_method("thesis");
-  const Shapes small = shrink(SameFailure(thesis, {ball, u}, "contact"), {ball, u}, never);
+  const auto small = std::get<Shapes>(shrink(SameFailure(thesis, Shapes{ball, u}, "contact"), Shapes{ball, u}, never));
   EXPECT_EQ(small.polygon.vertex_count(), 3u);
   EXPECT_LE(size_of(small).bits, 6u);
   EXPECT_EQ(exact::relation(small.ball(), small.polygon), Relation::Touching);
@@ -145,22 +145,22 @@ TEST(ShrinkOf, NumbersThatAreRoundedWronglyDoNotBecomeAnotherFailure) {
 TEST(ShrinkOf, WhatDoesNotFailIsRefused) {
   const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
   const Ball ball{{1, 1, 1}, 2};
-  EXPECT_THROW(SameFailure(*methods::find_method("exact"), {ball, square}), std::invalid_argument);
-  EXPECT_THROW(SameFailure(*methods::find_method("thesis"), {Ball{{1, 1, 1}, 1}, square}, "foot"),
+  EXPECT_THROW(SameFailure(*methods::find_method("exact"), Shapes{ball, square}), std::invalid_argument);
+  EXPECT_THROW(SameFailure(*methods::find_method("thesis"), Shapes{Ball{{1, 1, 1}, 1}, square}, "foot"),
                std::invalid_argument);
 }
 
 TEST(SizeOf, CountsBitsSignsAndExponents) {
   const Polygon triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  const auto bits = [&](double radius) { return size_of({Ball{{0, 0, 0}, radius}, triangle}).bits - 2; };
+  const auto bits = [&](double radius) { return size_of(Shapes{Ball{{0, 0, 0}, radius}, triangle}).bits - 2; };
   EXPECT_EQ(bits(0), 0u);
   EXPECT_EQ(bits(1), 1u);
   EXPECT_EQ(bits(3), 2u);
   EXPECT_EQ(bits(0.5), 2u);              // 1, and 1 for the exponent
   EXPECT_EQ(bits(0x1p-1074), 1u + 11u);  // 1, and 1074
   EXPECT_EQ(bits(0x1.fffffffffffffp0), 53u + 6u);
-  EXPECT_EQ(size_of({Ball{{-1, 0, 0}, 0}, triangle}).bits - 2, 2u);
-  EXPECT_EQ(size_of({Motion({{0, 0, 0}, 0}, {0, 3, 0}), triangle}).bits - 2, 2u);
+  EXPECT_EQ(size_of(Shapes{Ball{{-1, 0, 0}, 0}, triangle}).bits - 2, 2u);
+  EXPECT_EQ(size_of(Shapes{Motion({{0, 0, 0}, 0}, {0, 3, 0}), triangle}).bits - 2, 2u);
 }
 
 }  // namespace

@@ -22,20 +22,20 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST(Radii, TheMarginIsCountedFromTheLeastRadiusThatTouches) {
   for (const std::int64_t off : {-3, -1, 0, 1, 5}) {
     const double radius = workloads::move_by_doubles(kBelow, off);
-    const Radii radii = radii_around({Ball{{1, 1, 1}, radius}, kTriangle});
+    const Radii radii = radii_around(cases::Shapes{Ball{{1, 1, 1}, radius}, kTriangle});
     EXPECT_EQ(radii.margin, off - 1);  // the next double is the first that touches
     EXPECT_FALSE(radii.exactly_touching);
     EXPECT_TRUE(radii.every_double);
     for (std::size_t i = 0; i < radii.offsets.size(); ++i)
       EXPECT_EQ(radii.contact[i], radii.offsets[i] >= 1 - off) << off << ' ' << radii.offsets[i];
   }
-  const Radii tangent = radii_around({Ball{{0.5, 0.5, 2}, 2}, kSquare});
+  const Radii tangent = radii_around(cases::Shapes{Ball{{0.5, 0.5, 2}, 2}, kSquare});
   EXPECT_EQ(tangent.margin, 0);
   EXPECT_TRUE(tangent.exactly_touching);
 }
 
 TEST(Radii, ShowEveryDoubleAtAChangeThatIsFarAway) {
-  const Radii radii = radii_around({Ball{{0.5, 0.5, 2}, 1}, kSquare});
+  const Radii radii = radii_around(cases::Shapes{Ball{{0.5, 0.5, 2}, 1}, kSquare});
   EXPECT_EQ(radii.margin, -(std::int64_t{1} << 52));
   EXPECT_FALSE(radii.every_double);
   const std::int64_t change = std::int64_t{1} << 52;
@@ -45,13 +45,13 @@ TEST(Radii, ShowEveryDoubleAtAChangeThatIsFarAway) {
 }
 
 TEST(Radii, DoNotPassZeroOrTheLargestDouble) {
-  const Radii on = radii_around({Ball{{0.5, 0.5, 0}, 0}, kSquare});
+  const Radii on = radii_around(cases::Shapes{Ball{{0.5, 0.5, 0}, 0}, kSquare});
   EXPECT_EQ(on.margin, 0);
   EXPECT_EQ(on.offsets.front(), 0);
   const double largest = std::numeric_limits<double>::max();
-  const Radii huge = radii_around({Ball{{0.5, 0.5, 2}, largest}, kSquare});
+  const Radii huge = radii_around(cases::Shapes{Ball{{0.5, 0.5, 2}, largest}, kSquare});
   EXPECT_GT(huge.margin.value(), 0);
-  EXPECT_EQ(huge.radius({Ball{{0.5, 0.5, 2}, largest}, kSquare}, huge.offsets.size() - 1), largest);
+  EXPECT_EQ(huge.radius(cases::Shapes{Ball{{0.5, 0.5, 2}, largest}, kSquare}, huge.offsets.size() - 1), largest);
   EXPECT_EQ(huge.offsets.back(), 0);
 }
 
@@ -112,6 +112,35 @@ TEST(FlatCase, TakesVeryLargeAndVerySmallNumbers) {
     const Polygon polygon({{0, 0, 0}, {scale, 0, 0}, {0, scale, 0}});
     EXPECT_TRUE(flat_case(view({Ball{{0, 0, scale}, scale / 2}, polygon}))) << scale;
   }
+}
+
+// A square and a wall on its edge, and another square below.
+cases::MeshShapes corner(const cases::Question& question) {
+  return {question, cases::PosedMesh({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {4, 0, 2}, {4, 4, 2}},
+                                      {{0, 1, 2, 3}, {1, 2, 5, 4}}})};
+}
+
+TEST(Radii, OfAMeshAreThoseWithWhichAnyFaceIsTouched) {
+  const Radii touching = radii_around(corner(Ball{{3, 2, 1}, 1}));  // both faces
+  EXPECT_EQ(touching.margin, 0);
+  EXPECT_TRUE(touching.exactly_touching);
+  const Radii near_wall = radii_around(corner(Ball{{3.5, 2, 1}, 1}));
+  EXPECT_EQ(near_wall.margin, std::int64_t{1} << 52);
+}
+
+TEST(FlatCase, ShowsTheOtherFacesInTheSection) {
+  const CaseView shown = view_of("mesh", {}, corner(Ball{{2, 2, 1}, 1}));
+  EXPECT_EQ(&shown.polygon(), &std::get<cases::MeshShapes>(shown.shapes).mesh.faces()[0]);
+  auto flat = flat_case(shown);
+  ASSERT_TRUE(flat);
+  const double unit = (flat->loops[0][1] - flat->loops[0][0]).norm() / 4;
+  ASSERT_EQ(flat->other_faces.size(), 1U);
+  flat->along = (flat->loops[0][1] - flat->loops[0][0]).normalized();
+  const auto parts = flat->other_sections();
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_LT((parts[0].first - Eigen::Vector2d(2 * unit, 0)).norm(), 1e-12);
+  EXPECT_LT((parts[0].second - Eigen::Vector2d(2 * unit, 2 * unit)).norm(), 1e-12);
+  EXPECT_TRUE(has(section_of(shown), "a mesh of 2 faces, of which the picture shows the plane of face 0"));
 }
 
 TEST(Picture, MarksWhatIsWrong) {

@@ -52,7 +52,7 @@ Tally whole(const Settings& settings, const SystemUnderTest& tested = {}) {
   return tally;
 }
 
-std::string line_of(const adversarial::Case& c) { return cases::case_line("", {c.ball, c.polygon}, {}); }
+std::string line_of(const adversarial::Case& c) { return cases::case_line("", cases::Shapes{c.ball, c.polygon}, {}); }
 
 TEST(SoakCases, AreLegalAndOfTheirFamily) {
   for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
