@@ -21,7 +21,9 @@ add_compile_options("$<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>")
 
 find_program(TOUCHSTONE_MOLD mold)
 find_program(TOUCHSTONE_LLD ld.lld)
-if(TOUCHSTONE_MOLD)
+if(CMAKE_CROSSCOMPILING)
+  # g++ for another architecture does not find these.
+elseif(TOUCHSTONE_MOLD)
   add_link_options(-fuse-ld=mold)
 elseif(TOUCHSTONE_LLD)
   add_link_options(-fuse-ld=lld)

@@ -56,9 +56,10 @@ if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
 endif()
 
 set(keep_foreign_symbols_local_script ${CMAKE_CURRENT_LIST_FILE})
-find_program(TOUCHSTONE_LD ld.bfd)
-find_program(TOUCHSTONE_NM nm)
-find_program(TOUCHSTONE_OBJCOPY objcopy)
+# Where this machine compiles for another, its own would not read the objects.
+find_program(TOUCHSTONE_LD NAMES ${CMAKE_LIBRARY_ARCHITECTURE}-ld.bfd ld.bfd)
+find_program(TOUCHSTONE_NM NAMES ${CMAKE_LIBRARY_ARCHITECTURE}-nm nm)
+find_program(TOUCHSTONE_OBJCOPY NAMES ${CMAKE_LIBRARY_ARCHITECTURE}-objcopy objcopy)
 
 function(keep_foreign_symbols_local target)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)

@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 # `cpack` in the build folder makes Debian packages: libtouchstone-dev, the program touchstone, python3-touchstone, and
-# with BUILD_SHARED_LIBS libtouchstone0.2. What is installed without a component belongs to the first.
-set(CPACK_GENERATOR DEB)
+# with BUILD_SHARED_LIBS libtouchstone0.2. What is installed without a component belongs to the first. With
+# TOUCHSTONE_STATIC it makes one archive of the program and what lies beside it.
 set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_STRIP_FILES ON)
+if(TOUCHSTONE_STATIC)
+  set(CPACK_GENERATOR TGZ)
+  set(CPACK_PACKAGE_FILE_NAME touchstone-${PROJECT_VERSION}-${CMAKE_SYSTEM_PROCESSOR})
+  set(CPACK_INSTALL_CMAKE_PROJECTS ${PROJECT_BINARY_DIR} ${PROJECT_NAME} program /)
+  include(CPack)
+  return()
+endif()
+set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_VENDOR "The Touchstone developers")
 set(CPACK_PACKAGE_CONTACT "The Touchstone developers")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)

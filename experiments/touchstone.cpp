@@ -8,7 +8,12 @@
 
 namespace {
 
-constexpr const char* kAbout = "Does a ball touch a polygon, where, and how sure is the answer?";
+constexpr const char* kAbout =
+    "Does a ball touch a polygon, where, and how sure is the answer?"
+#ifdef TOUCHSTONE_WITHOUT_STUDIES
+    " This program asks and judges; the studies, the cell and the thesis are not in it"
+#endif
+    ;
 
 std::vector<touchstone::run::Command> all_commands() {
   using namespace touchstone::commands;
@@ -20,9 +25,11 @@ std::vector<touchstone::run::Command> all_commands() {
   };
   add("Ask and judge", {ask_command(), judge_command(), show_command(), scenes_command(), cases_command(),
                         methods_command(), regress_command(), corpus_command()});
+#ifndef TOUCHSTONE_WITHOUT_STUDIES
   add("Studies", study_commands());
   add("The cell and the thesis", {cell_command(), thesis_command()});
   add("Studies", parts_commands(commands));
+#endif
   add("Tools", {columns_command(commands)});
   add("Tools", help_commands(kAbout, "Tools", commands));
   return commands;

@@ -481,10 +481,10 @@ CommandDescription description_of(const std::string& about, const std::vector<Co
       .heading = {},
       .about = about,
       .footer =
-          "Cases, cells and scripts lie in share/touchstone beside the program's folder, or where "
+          "Cases and the other data lie in share/touchstone beside the program's folder, or where "
           "the variable TOUCHSTONE_DATA says.",
       .options = {},
-      .examples = {"help near-edge"},
+      .examples = {"help judge"},
       .subcommands = {}};
   program.options.push_back({.name = "--version",
                              .value = {},

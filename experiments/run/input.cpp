@@ -2,6 +2,7 @@
 #include "experiments/run/input.h"
 
 #include <fmt/core.h>
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,9 +14,16 @@
 namespace touchstone::run {
 namespace {
 
+/// Returns the path of the program; where /proc is not mounted, by the name by which it was called.
+std::filesystem::path program_path() {
+  std::error_code without_proc;
+  const auto path = std::filesystem::read_symlink("/proc/self/exe", without_proc);
+  return without_proc ? std::filesystem::canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN))) : path;
+}
+
 /// Returns the folder of this name in the folder of the program or, if there is none, beside that.
 std::filesystem::path folder_near_program(const char* name) {
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::filesystem::path program = program_path().parent_path();
   return (std::filesystem::exists(program / name) ? program : program.parent_path()) / name;
 }
 

@@ -2,16 +2,33 @@
 #include "experiments/run/sweep.h"
 
 #include <fmt/core.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 
 #include "experiments/run/numbers.h"
 
+#ifndef TOUCHSTONE_WITHOUT_TBB
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+#endif
+
 namespace touchstone::run {
+
+#ifdef TOUCHSTONE_WITHOUT_TBB
+
+std::uint64_t run_blocks(std::uint64_t blocks, unsigned, const std::atomic<bool>& stop, const Progress& progress,
+                         const std::function<void(unsigned thread, std::uint64_t block)>& work) {
+  std::uint64_t done = 0;
+  while (done < blocks && !stop) {
+    work(0, done);
+    progress(++done);
+  }
+  return done;
+}
+
+#else
 
 std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atomic<bool>& stop,
                          const Progress& progress,
@@ -43,6 +60,8 @@ std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atom
   });
   return done;
 }
+
+#endif
 
 std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, std::uint64_t& blocks,
                       const std::function<void(unsigned thread, std::uint64_t item)>& work) {

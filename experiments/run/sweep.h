@@ -21,7 +21,7 @@ using Progress = std::function<void(std::uint64_t done)>;
 ///
 /// Blocks begin in order and are always finished, so the finished ones are the first ones for any number of threads.
 /// The first exception ends the run and is rethrown. The threads are those of TBB; there may be more than the machine
-/// has cores.
+/// has cores. A program without TBB runs all blocks on the calling thread.
 std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atomic<bool>& stop,
                          const Progress& progress,
                          const std::function<void(unsigned thread, std::uint64_t block)>& work);
