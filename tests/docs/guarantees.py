@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("experiments", "geometry", "python", "robust", "tests")
+FOLDERS = ("bindings", "experiments", "geometry", "robust", "tests")
 BLOCK = re.compile(r"(?:^ *///(?!<).*\n)+", re.MULTILINE)
 ITEM = re.compile(r"/// {1,2}\((\d+)\) ")
 WITHIN = re.compile(r"(?<=[.;:] )\(\d+\) ")
