@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # `cpack` in the build folder makes Debian packages: libtouchstone-dev, the program touchstone, python3-touchstone, and
-# with BUILD_SHARED_LIBS libtouchstone0.2. What is installed without a component belongs to the first. With
-# TOUCHSTONE_STATIC it makes one archive of the program and what lies beside it.
+# libtouchstone0.3 with the shared libraries: that for C, and with BUILD_SHARED_LIBS those of C++. What is installed
+# without a component belongs to the first. With TOUCHSTONE_STATIC it makes one archive of the program and what lies
+# beside it.
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_STRIP_FILES ON)
 if(TOUCHSTONE_STATIC)
@@ -25,13 +26,15 @@ set(CPACK_COMPONENTS_ALL development)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtouchstone-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libeigen3-dev)
-if(BUILD_SHARED_LIBS)
+if(BUILD_SHARED_LIBS OR TOUCHSTONE_C)
   list(APPEND CPACK_COMPONENTS_ALL library)
   set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
   set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
   set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ${library} (= ${PROJECT_VERSION})")
+endif()
+if(BUILD_SHARED_LIBS)
   set(needs_library "${library} (= ${PROJECT_VERSION})")
-  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ${needs_library}")
 else()
   if(TOUCHSTONE_EXACT)
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libgmp-dev, libmpfr-dev")
@@ -60,5 +63,6 @@ if(TOUCHSTONE_PYTHON)
   string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
 endif()
 # The packages of this build are not installed where their needs are found.
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/geometry ${PROJECT_BINARY_DIR}/robust)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/geometry ${PROJECT_BINARY_DIR}/robust
+    ${PROJECT_BINARY_DIR}/bindings/c)
 include(CPack)

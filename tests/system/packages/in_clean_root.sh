@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # packages.py runs this as root in a new Debian that has a compiler, CMake, Ninja and pkg-config. /input holds `packages`,
-# `consumer`, `sample.cpp` and `cases.jsonl`. Prints a line of each answer: what was asked, a colon, what it answered.
+# `consumer`, `sample.cpp`, `sample.c` and `cases.jsonl`. Prints a line of each answer: what was asked, a colon, what it
+# answered.
 set -eu
 cd /input
 apt-get update -qq
@@ -13,6 +14,8 @@ echo "by find_package: $(/tmp/consumer/sample)"
 { echo '#include <touchstone/touchstone.h>'; cat sample.cpp; } >/tmp/whole.cpp
 c++ -std=c++20 -O1 /tmp/whole.cpp $(pkg-config --cflags --libs touchstone) -o /tmp/by_pkg_config
 echo "by pkg-config: $(/tmp/by_pkg_config)"
+cc -std=c11 sample.c $(pkg-config --cflags --libs touchstone-c) -o /tmp/in_c
+echo "in C: $(/tmp/in_c | head -n 1)"
 
 if [ -e packages/touchstone_*.deb ]; then
   touchstone judge --methods filtered --quiet cases.jsonl >/dev/null && echo "program: agrees with the corpus"

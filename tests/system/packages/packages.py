@@ -42,11 +42,11 @@ def make_packages(folder):
 def check_exports(package):
     run("dpkg-deb", "-x", package, SCRATCH / "library")
     shared = sorted((SCRATCH / "library/usr/lib").rglob("libtouchstone_*.so.?.?.?"))
-    expect(len(shared) == 2, f"expected two shared libraries, found {shared}")
+    expect(len(shared) == 3, f"expected three shared libraries, found {shared}")
     for library in shared:
         symbols = re.findall(r"[TDBRVWu] (\w+)", run("nm", "-D", "--defined-only", library).stdout)
         expect(len(symbols) > 20, f"{library.name} exports {len(symbols)} symbols")
-        foreign = [symbol for symbol in symbols if not re.match(r"_Z\w*?N?K?10touchstone", symbol)]
+        foreign = [symbol for symbol in symbols if not re.match(r"_Z\w*?N?K?10touchstone|touchstone_", symbol)]
         expect(not foreign, f"{library.name} exports what is not touchstone's: {foreign[:5]}")
         print(f"{library.name} exports {len(symbols)} symbols, all of touchstone")
 
@@ -79,11 +79,13 @@ def main():
 
     readme = (SOURCE / "README.md").read_text()
     (given / "sample.cpp").write_text(re.search(r"```cpp\n(.*?)```", readme, re.DOTALL)[1])
+    in_c = re.search(r"```c\n(.*?)```.*?```text\n(.*?)\n", (SOURCE / "bindings/c/README.md").read_text(), re.DOTALL)
+    (given / "sample.c").write_text(in_c[1])
     shutil.copytree(SOURCE / "tests/system/consumer", given / "consumer")
     shutil.copy(SOURCE / "tests/corpus/vertex.jsonl", given / "cases.jsonl")
     shutil.copy(HERE / "in_clean_root.sh", given)
     promised = re.search(r"prints `([^`]*)`", readme)[1]
-    wanted = {"by find_package": promised, "by pkg-config": promised}
+    wanted = {"by find_package": promised, "by pkg-config": promised, "in C": in_c[2]}
     if "touchstone" in names:
         wanted |= {"program": "agrees with the corpus", "data": "found"}
     if "python3-touchstone" in names:

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: installed.py SOURCE BUILD SCRATCH C_COMPILER CXX_COMPILER [FLAG...]
+
+The sample of bindings/c/README.md compiles against an installation of BUILD, and prints what the page says: by pkg-config;
+by find_package in a project of C alone, where Eigen, TBB, GMP and MPFR are not found; and with the static library. FLAGs
+are those of BUILD, such as sanitizers.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).parents[2] / "system"))
+from running import expect, run  # noqa: E402
+
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+HIDDEN = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("Eigen3", "TBB", "GMP", "MPFR")]
+
+
+def project(scratch, name, languages, use):
+    folder = scratch / name
+    folder.mkdir()
+    shutil.copy(scratch / "sample.c", folder)
+    (folder / "CMakeLists.txt").write_text(f"cmake_minimum_required(VERSION 3.25)\nproject(Reader LANGUAGES {languages})\n"
+                                           f"add_executable(sample sample.c)\n{use}\n")
+    return folder
+
+
+def built_by_cmake(scratch, name, languages, use, options):
+    folder = project(scratch, name, languages, use)
+    run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={scratch}/prefix", *options)
+    run("cmake", "--build", folder / "build")
+    return folder / "build" / "sample"
+
+
+def main():
+    source, build, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+    cc, cxx, *flags = sys.argv[4:]
+    page = (source / "bindings/c/README.md").read_text()
+    sample, promised = re.search(r"```c\n(.*?)```\n\nIt prints\n\n```text\n(.*?)```", page, re.DOTALL).groups()
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
+    (scratch / "sample.c").write_text(sample)
+    for component in "library", "development":
+        run("cmake", "--install", build, "--prefix", scratch / "prefix", "--component", component)
+
+    [description] = scratch.glob("prefix/**/touchstone-c.pc")
+    environment = dict(os.environ, PKG_CONFIG_PATH=str(description.parent))
+    found = run("pkg-config", "--cflags", "--libs", "touchstone-c", env=environment).stdout.split()
+    version = run("pkg-config", "--modversion", "touchstone-c", env=environment).stdout.strip()
+    run(cc, "-std=c11", *WARNINGS, *flags, scratch / "sample.c", *found, "-o", scratch / "sample")
+    [library] = scratch.glob(f"prefix/**/libtouchstone_c.so.{version}")
+    programs = {"pkg-config": scratch / "sample"}
+
+    compilers = [f"-DCMAKE_C_COMPILER={cc}", f"-DCMAKE_CXX_COMPILER={cxx}", f"-DCMAKE_C_FLAGS={' '.join([*WARNINGS, *flags])}",
+                 f"-DCMAKE_CXX_FLAGS={' '.join(flags)}"]
+    shared = "find_package(Touchstone {} REQUIRED COMPONENTS c)\ntarget_link_libraries(sample PRIVATE touchstone::c)"
+    static = "find_package(Touchstone REQUIRED)\ntarget_link_libraries(sample PRIVATE touchstone::c_static)"
+    programs["find_package"] = built_by_cmake(scratch, "shared", "C", shared.format(version),
+                                              [word for word in compilers if "CXX" not in word] + HIDDEN)
+    programs["the static library"] = built_by_cmake(scratch, "static", "C CXX", static, compilers)
+    needs = run("ldd", programs["the static library"]).stdout
+    expect("libtouchstone" not in needs, f"the static library needs a shared one: {needs}")
+    for name, program in programs.items():
+        printed = run(program, env=dict(environment, LD_LIBRARY_PATH=str(library.parent))).stdout
+        expect(printed == promised, f"by {name} the sample prints {printed!r}; README.md promises {promised!r}")
+        print(f"by {name}: as the page says")
+
+
+if __name__ == "__main__":
+    main()
