@@ -84,9 +84,13 @@ Texts loops_of_wkt(std::string_view text) {
 }  // namespace
 
 Polygon polygon_of(std::string_view text) {
+  for (const char* mark : {"\xEF\xBB\xBF", "\xFE\xFF", "\xFF\xFE"})
+    if (text.starts_with(mark)) fail("line 1", "begins with a byte order mark; write it in UTF-8 without one");
   const std::string trimmed = boost::trim_copy(std::string(text));
   const bool is_wkt = boost::istarts_with(trimmed, "POLYGON");
-  const bool is_word = !trimmed.empty() && std::isalpha(static_cast<unsigned char>(trimmed.front())) != 0;
+  const Texts words = words_of(trimmed.substr(0, trimmed.find(',')));
+  const bool is_word = !words.empty() && std::isalpha(static_cast<unsigned char>(words.front().front())) != 0 &&
+                       !io::nearest_double(words.front());
   if (!is_wkt && (is_word || trimmed.find(',') == std::string::npos))
     fail(fmt::format("\"{}\"", trimmed.substr(0, 40)), "is neither loops, nor a POLYGON of WKT, nor a file");
   std::vector<Loop> loops;

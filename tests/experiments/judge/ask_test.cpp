@@ -36,6 +36,9 @@ TEST(PolygonText, NamesTheLoopAndThePointOfAFault) {
   EXPECT_EQ(fault("POLYGON ((0 0, 1 0, 1 1))"), "the outer loop: does not end with its first point");
   EXPECT_EQ(fault("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)))"),
             "\"MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)))\": is neither loops, nor a POLYGON of WKT, nor a file");
+  EXPECT_EQ(fault("inf 0 0, 1 0 0, 0 1 0"), "the outer loop: point 0: \"inf\" is not finite");
+  EXPECT_EQ(fault("NaN 0 0, 1 0 0, 0 1 0"), "the outer loop: point 0: \"NaN\" is not finite");
+  EXPECT_NE(fault("infix 0 0, 1 0 0, 0 1 0").find("is neither loops"), std::string::npos);
   for (const char* text : {"", ",", "POLYGON", "POLYGON ()", "POLYGON 0 0, 1 0, 0 1", "POLYGON ((0 0, 1 0, 1 1, 0 0)",
                            "POLYGON ((0 0, 1 0, 1 1, 0 0) x (0 0))", "POLYGON ((0 0, 1 0, 1 1, 0 0),)"})
     EXPECT_NE(fault(text), "") << text;
@@ -71,6 +74,17 @@ TEST(Ask, PrintsTheQuestionAsACaseThatTheJudgeTakes) {
   const Result result = run(asked(words));
   EXPECT_EQ(result.status, AllMet) << result.complaints;
   EXPECT_EQ(nlohmann::json::parse(result.verdicts)["relation"], "separate");
+}
+
+// Editors that write a mark before the text, of UTF-8 or UTF-16 in either order, are named as the reason.
+TEST(Ask, NamesTheFileThatBeginsWithAByteOrderMark) {
+  for (const std::string mark : {"\xEF\xBB\xBF", "\xFE\xFF", "\xFF\xFE"}) {
+    const std::string file = write_file("marked.txt", mark + "0 0, 1 0, 0 1");
+    EXPECT_EQ(run_tests::message_of<std::exception>([&] {
+                (void)commands::ask_command()({"--ball", "0,0,0,1", "--polygon", file});
+              }),
+              "--polygon " + file + ": line 1: begins with a byte order mark; write it in UTF-8 without one");
+  }
 }
 
 TEST(Ask, TakesFilesAndMovingBalls) {
