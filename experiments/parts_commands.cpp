@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of studies: a plan that runs them, and the merge that adds them up.
+// The parts of studies and judgements: a plan that runs them, and the merge that adds them up.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -79,6 +80,11 @@ std::vector<MadePart> read_parts(const std::vector<std::string>& folders) {
   return parts;
 }
 
+bool takes(const Command& command, const std::string& option) {
+  const auto options = command.description().options;
+  return std::ranges::find(options, option, &run::OptionDescription::name) != options.end();
+}
+
 /// Returns the study of this name. Throws UsageError if there is no such study with parts.
 const Command& find_study(const std::vector<Command>& commands, const std::string& name) {
   std::vector<std::string> known;
@@ -109,12 +115,14 @@ int merge(const MergeOptions& options, const std::vector<Command>& commands) {
   const auto add = [&](const std::string& flag, bool given) {
     if (given && std::ranges::find(arguments, flag) == arguments.end()) arguments.push_back(flag);
   };
-  arguments.insert(arguments.end(), {"--output", options.output, "--threads", std::to_string(options.threads)});
+  const Command& study = find_study(commands, parts.front().study);
+  arguments.insert(arguments.end(), {"--output", options.output});
+  if (takes(study, "--threads")) arguments.insert(arguments.end(), {"--threads", std::to_string(options.threads)});
   add("--force", options.force);
   add("--no-pictures", options.no_pictures);
   add("--quiet", options.quiet);
   add("--json", options.json);
-  return find_study(commands, parts.front().study).merge(folders, arguments);
+  return study.merge(folders, arguments);
 }
 
 /// What Snakemake reads, after the names of the studies and the number of parts.
@@ -191,7 +199,7 @@ int plan(const PlanOptions& options, const std::vector<Command>& commands) {
 
 std::vector<Command> parts_commands(const std::vector<Command>& commands) {
   auto merged = std::make_shared<MergeOptions>();
-  Command merging("merge", "Add the parts of a study up to the results of one run");
+  Command merging("merge", "Add the parts of a study or a judgement up to the results of one run");
   merging.texts("FOLDER", merged->folders, "The folders of all parts, in any order").required();
   merging.threads(merged->threads);
   merging.output(merged->output, "The folder for tables and pictures").required();
@@ -201,7 +209,8 @@ std::vector<Command> parts_commands(const std::vector<Command>& commands) {
   merging.footer(
       "A part is a run of a study with --part, such as `soak --part 1/2 --output one`. The data are the same bytes as "
       "those of one run, times aside. What is not a sum over samples, such as times and maps, is done here; `merging` "
-      "alone measures its times in its parts.");
+      "alone measures its times in its parts.\n"
+      "Of parts of `judge`, it tells what one run tells, with the same exit status.");
   merging.example("merge one two --output all");
   merging.runs([merged, commands] { return merge(*merged, commands); });
 
@@ -212,7 +221,10 @@ std::vector<Command> parts_commands(const std::vector<Command>& commands) {
   planning.whole("--parts", planned->parts, "The number of parts of each study", 1, run::kMostParts);
   planning.footer("The folders of the studies and `parts` lie where Snakemake runs.");
   planning.example("plan --parts 4 'soak --samples 100000' tunnelling > Snakefile");
-  planning.runs([planned, commands] { return plan(*planned, commands); });
+  std::vector<Command> studies;
+  std::ranges::copy_if(commands, std::back_inserter(studies),
+                       [](const Command& command) { return command.description().heading == "Studies"; });
+  planning.runs([planned, studies] { return plan(*planned, studies); });
   return {merging, planning};
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/container_hash/hash.hpp>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -255,7 +256,8 @@ MeshShapes read_mesh_shapes(const Reader& reader, const std::filesystem::path& f
 
 using Take = std::function<bool(Line&&)>;
 
-bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& bytes, const Take& take) {
+/// Calls `take` with each line that is not blank, without its case.
+bool walk_stream(std::istream& stream, const std::string& name, std::uint64_t& bytes, const Take& take) {
   std::string text;
   for (std::size_t number = 1; std::getline(stream, text); ++number) {
     bytes += text.size() + 1;
@@ -263,19 +265,42 @@ bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& b
     Line line{.text = text, .place = fmt::format("{}: line {}", name, number), .read = {}, .complaint = {}};
     line.file = name;
     line.end = bytes;
-    try {
-      line.read = read_case(text, std::filesystem::path(name).parent_path());
-    } catch (const run::NotJson& error) {
-      line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
-    } catch (const std::bad_alloc&) {
-      line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
-    }
     if (!take(std::move(line))) return false;
   }
   // Only the C stream records errors of standard input.
   const bool failed = &stream == &std::cin ? std::ferror(stdin) != 0 : stream.bad();
   if (!failed) return true;
   return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
+}
+
+void walk_lines(const std::vector<std::string>& files, const Take& take) {
+  std::uint64_t bytes = 0;
+  if (files.empty()) {
+    run::announce_standard_input("cases");
+    walk_stream(std::cin, "standard input", bytes, take);
+  }
+  for (const std::string& file : files) {
+    std::ifstream stream;
+    std::string complaint;
+    try {
+      stream = run::open_file(file);
+    } catch (const std::runtime_error& error) {
+      complaint = error.what();
+    }
+    const bool continues = complaint.empty() ? walk_stream(stream, file, bytes, take)
+                                             : take({.text = {}, .place = {}, .read = {}, .complaint = complaint});
+    if (!continues) return;
+  }
+}
+
+void read_case_of(Line& line) {
+  try {
+    line.read = read_case(line.text, std::filesystem::path(line.file).parent_path());
+  } catch (const run::NotJson& error) {
+    line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
+  } catch (const std::bad_alloc&) {
+    line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
+  }
 }
 
 }  // namespace
@@ -350,24 +375,25 @@ Case read_case(std::string_view line, const std::filesystem::path& folder) {
   return result;
 }
 
-void read_lines(const std::vector<std::string>& files, const Take& take) {
-  std::uint64_t bytes = 0;
-  if (files.empty()) {
-    run::announce_standard_input("cases");
-    read_stream(std::cin, "standard input", bytes, take);
-  }
-  for (const std::string& file : files) {
-    std::ifstream stream;
-    std::string complaint;
-    try {
-      stream = run::open_file(file);
-    } catch (const std::runtime_error& error) {
-      complaint = error.what();
-    }
-    const bool continues = complaint.empty() ? read_stream(stream, file, bytes, take)
-                                             : take({.text = {}, .place = {}, .read = {}, .complaint = complaint});
-    if (!continues) return;
-  }
+void read_lines(const std::vector<std::string>& files, const Take& take, LineRange range) {
+  std::uint64_t number = 0;
+  walk_lines(files, [&](Line&& line) {
+    const std::uint64_t n = number++;
+    if (n < range.first) return true;
+    if (n - range.first >= range.count) return false;
+    if (line.complaint.empty()) read_case_of(line);
+    return take(std::move(line));
+  });
+}
+
+LineCount count_lines(const std::vector<std::string>& files) {
+  LineCount count;
+  walk_lines(files, [&](Line&& line) {
+    ++count.lines;
+    boost::hash_combine(count.hash, std::hash<std::string>()(line.text));
+    return true;
+  });
+  return count;
 }
 
 }  // namespace touchstone::cases

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,8 +85,20 @@ struct Line {
   std::uint64_t end = 0;  ///< the number of bytes read up to the end of the line, of all files
 };
 
-/// Calls `take` with every line of the files that is not blank, until it returns false. Without files, reads standard
-/// input.
-void read_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take);
+/// Lines of files that are not blank, by their numbers from 0. A file that cannot be read is a line, too.
+struct LineRange {
+  std::uint64_t first = 0, count = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// Calls `take` with the lines of the files in this range, until it returns false. Without files, reads standard input.
+void read_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take, LineRange range = {});
+
+/// How many lines files have, and a hash of them: parts of a run are of the same lines.
+struct LineCount {
+  std::uint64_t lines = 0;
+  std::size_t hash = 0;
+};
+/// Counts the lines without reading cases.
+[[nodiscard]] LineCount count_lines(const std::vector<std::string>& files);
 
 }  // namespace touchstone::cases

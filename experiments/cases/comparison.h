@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "experiments/cases/key.h"
@@ -23,6 +24,8 @@ namespace touchstone::cases {
 struct Difference {
   std::string key, expected;
   std::optional<std::string> found;  ///< nothing if the answer lacks the key
+
+  auto members() { return std::tie(key, expected, found); }
 };
 /// Returns it as a sentence: `relation: expected "touching", found "separate"`.
 [[nodiscard]] std::string to_string(const Difference& difference);

@@ -10,31 +10,50 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
+#include "experiments/cases/case.h"
 #include "experiments/cases/key.h"
 #include "experiments/cases/margin.h"
 #include "experiments/judge/judge.h"
+#include "experiments/judge/judgement.h"
 #include "experiments/judge/known_failures.h"
 #include "experiments/judge/report.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command.h"
+#include "experiments/run/numbers.h"
 #include "experiments/run/output.h"
+#include "experiments/run/run_record.h"
 #include "experiments/run/similar_words.h"
+#include "experiments/run/study.h"
 #include "experiments/run/terminal.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {
 
-struct JudgeOptions {
+constexpr int kVersion = 1;  // raised whenever the form or the meaning of an entry changes
+
+struct JudgeOptions : run::StudyOptions {
   methods::Selection methods{{}};
   std::vector<std::string> files, keys;
   std::string junit, report, beyond, known;
   double time_limit = std::chrono::duration<double>(methods::kTimeLimit).count();
-  bool explain = false, at_rest = false, summary = false, json = false, quiet = false, force = false, update = false;
+  bool explain = false, at_rest = false, summary = false, update = false;
+  cases::LineCount counted;  ///< of the files, if the run is kept in a folder
+
+  [[nodiscard]] bool reads_standard_input() const { return files.empty() || files == std::vector<std::string>{"-"}; }
 };
+
+/// How much of a judgement its file holds.
+struct Kept {
+  std::uint64_t lines = 0, bytes = 0;
+  auto members() { return std::tie(lines, bytes); }
+};
+
+std::uint64_t items_done(const Kept& kept) { return kept.lines; }
 
 std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
   std::vector<std::string> known;
@@ -50,8 +69,9 @@ std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
 
 judge::Order order_of(const JudgeOptions& options) {
   judge::Order order;
-  if (options.files != std::vector<std::string>{"-"}) order.files = options.files;
+  if (!options.reads_standard_input()) order.files = options.files;
   order.keys = find_keys(options.keys);
+  order.keeps_wrong = !options.report.empty();
   order.explain = options.explain;
   order.at_rest = options.at_rest;
   order.prints_verdicts = !options.summary && !options.json;
@@ -94,10 +114,64 @@ std::optional<std::uint64_t> size_of(const std::vector<std::string>& files) {
   return files.empty() ? std::nullopt : std::optional(sum);
 }
 
-int run_judge(const JudgeOptions& options) {
+/// Judges into a file in the folder of the run, unless parts are merged. Then tells its entries or theirs, unless this
+/// is a part. Returns the exit status.
+int judge_in_folder(judge::Order order, JudgeOptions& options) {
+  if (options.reads_standard_input())
+    throw run::UsageError("--output", "cases on standard input cannot be read again; name their files");
+  run::StudyRun study("judge", kVersion, options);
+  const auto file_in = [](const std::filesystem::path& folder) { return folder / "judgement"; };
+  options.counted = cases::count_lines(order.files);
+  const std::uint64_t lines = options.counted.lines;
+  const auto judge = [&](const run::RunControl<Kept>& control, Kept& kept) {
+    if (!options.merged.empty()) return;
+    using Clock = std::chrono::steady_clock;
+    judge::Judgement judgement(file_in(study.folder()), kept.bytes);
+    const std::uint64_t before = kept.lines;
+    order.lines = {control.part.first(lines) + before, control.part.size(lines) - before};
+    Clock::time_point saved = Clock::now();
+    const auto save = [&](std::uint64_t judged) {
+      kept = {before + judged, judgement.save()};
+      control.save(kept);
+      saved = Clock::now();
+    };
+    save(judge::ask(
+        order, [&](judge::Entry&& entry) { judgement.add(entry); },
+        [&](std::uint64_t judged) {
+          control.progress(before + judged);
+          if (Clock::now() - saved > std::chrono::seconds(3)) save(judged);
+          return !control.stop;
+        }));
+  };
+  const Kept kept = study.phase("cases", "checkpoint.json", lines, Kept(), judge);
+  if (study.is_part() || study.stopped()) return study.finish({.done = kept.lines, .items = lines});
+  judge::Teller teller(order);
+  std::vector<std::filesystem::path> folders = options.merged;
+  if (folders.empty()) folders = {study.folder()};
+  for (const auto& folder : folders)
+    judge::read_judgement(file_in(folder), [&](judge::Entry&& entry) { teller.tell(std::move(entry)); });
+  study.write_record(
+      {.samples_asked = lines, .samples_done = lines, .parts = std::max<std::uint64_t>(options.merged.size(), 1)});
+  return teller.finish();
+}
+
+/// Judges and tells each case at once. Returns the exit status.
+int judge_at_once(judge::Order order, const JudgeOptions& options) {
+  std::optional<run::ProgressLine> progress;
+  const bool fills_terminal = order.prints_verdicts && isatty(STDOUT_FILENO) == 1;
+  if (const auto size = size_of(order.files); size && !options.quiet && !fills_terminal) {
+    progress.emplace("judge", *size);
+    order.progress = std::ref(*progress);
+    order.before_complaint = [&] { progress->erase(); };
+  }
+  const methods::KillEngineOnSignal kill_engine_on_signal;
+  return judge::judge(order);
+}
+
+int run_judge(JudgeOptions& options) {
   judge::Order order = order_of(options);
   for (const std::string& file : {options.junit, options.report})
-    if (!file.empty()) run::refuse_overwrite(file, options.force);
+    if (!file.empty() && options.part.empty()) run::refuse_overwrite(file, options.force);
 
   std::optional<judge::KnownFailures> known;
   if (!options.known.empty()) {
@@ -114,16 +188,8 @@ int run_judge(const JudgeOptions& options) {
     if (!options.junit.empty()) junit.add(judged);
     if (!options.report.empty()) report.add(judged);
   };
-  std::optional<run::ProgressLine> progress;
-  const bool fills_terminal = order.prints_verdicts && isatty(STDOUT_FILENO) == 1;
-  if (const auto size = size_of(order.files); size && !options.quiet && !fills_terminal) {
-    progress.emplace("judge", *size);
-    order.progress = std::ref(*progress);
-    order.before_complaint = [&] { progress->erase(); };
-  }
-  const methods::KillEngineOnSignal kill_engine_on_signal;
-  const judge::Status status = judge::judge(order);
-  progress.reset();
+  const int status = options.output.empty() ? judge_at_once(order, options) : judge_in_folder(order, options);
+  if (!options.part.empty() || status == run::kInterrupted) return status;
   if (options.json)
     fmt::print("{}", judge::summary_json(tally));
   else if (options.summary)
@@ -140,16 +206,25 @@ run::Command judge_command() {
   run::Command command("judge", "Answer cases (JSON Lines) by methods or engines; compare with `expected`");
   auto options = std::make_shared<JudgeOptions>();
   methods::declare_methods(command, options->methods,
-                           "Methods, separated by commas: names, or all (default: exact, or none with --engine)");
+                           "Methods, separated by commas: names, or all (default: exact, or none with --engine)")
+      .changes_results([options] {
+        std::vector<std::string> all = options->methods.names;
+        all.insert(all.end(), options->methods.engines.begin(), options->methods.engines.end());
+        return run::joined(all);
+      });
   command
       .real("--time-limit", options->time_limit,
             "Seconds for each verdict of an engine, from 0.001 to 86400; it gets one case after the other, and is "
             "restarted if it ends, is late or prints anything but its verdict",
             1e-3, 86'400)
-      .needs("--engine");
-  command.names("--keys", options->keys, "Compare only these keys of answers, separated by commas, such as contact");
-  command.flag("--at-rest", options->at_rest,
-               "Leave out the cases of moving balls, for an engine that knows only balls at rest");
+      .needs("--engine")
+      .changes_results();
+  command.names("--keys", options->keys, "Compare only these keys of answers, separated by commas, such as contact")
+      .changes_results();
+  command
+      .flag("--at-rest", options->at_rest,
+            "Leave out the cases of moving balls, for an engine that knows only balls at rest")
+      .changes_results([options] { return std::string(run::yes_or_no(options->at_rest)); });
   command
       .text("--beyond", options->beyond,
             "Count an answer as wrong only if it is still wrong when the radius is changed by this much: 2^-20 or 1e-6 "
@@ -162,7 +237,8 @@ run::Command judge_command() {
                 return error.what();
               }
             })
-      .takes("MARGIN");
+      .takes("MARGIN")
+      .changes_results();
   command
       .text(
           "--known", options->known,
@@ -174,10 +250,12 @@ run::Command judge_command() {
       .flag("--update", options->update,
             "Write the failures that there are now to the file of --known; new ones do not change the exit status")
       .needs("--known");
-  command.flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
-  command.flag(
-      "--summary", options->summary,
-      "Instead of verdicts and differences, print how many cases were wrong, by key, family and tag, with limits");
+  command.flag("--explain", options->explain, "Add the deciding stage and the margin in doubles")
+      .changes_results([options] { return std::string(run::yes_or_no(options->explain)); });
+  command
+      .flag("--summary", options->summary,
+            "Instead of verdicts and differences, print how many cases were wrong, by key, family and tag, with limits")
+      .changes_results([options] { return std::string(run::yes_or_no(options->summary)); });
   command.json(options->json, "Instead of verdicts and differences, print the summary as one JSON object");
   command.quiet(options->quiet, "Print verdicts only; report mismatches by exit status");
   command.text("--junit", options->junit, "Also write the outcome of every case to this file, in the XML of JUnit")
@@ -185,12 +263,22 @@ run::Command judge_command() {
   command
       .text("--report", options->report,
             "Also write a page to this file: the summary, and the worst cases as pictures (HTML, self-contained)")
-      .takes("FILE");
+      .takes("FILE")
+      .changes_results([options] { return std::string(run::yes_or_no(!options->report.empty())); });
   command.force(options->force);
-  command.texts("FILE", options->files, "Files of cases; none, or -: standard input");
+  command.output(options->output,
+                 "Keep the judgement in this folder as it grows, so that --resume continues it; it is told at the end");
+  command.resume(options->resume).needs("--output");
+  command.texts("FILE", options->files, "Files of cases; none, or -: standard input").changes_results([options] {
+    return fmt::format("{} ({}, hash {:016x})", run::joined(options->files),
+                       run::counted(options->counted.lines, "line"), options->counted.hash);
+  });
+  run::declare_part(command, *options).needs("--output");
+  command.keep_line(options->line);
   command.footer(
       "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for wrong input "
       "or an engine that cannot be started, 130 if interrupted.");
+  command.example("judge --part 1/2 --output one --methods fast tests/corpus/edge.jsonl");
   command.example("judge --engine './engine --flags =mine' --keys contact --at-rest --summary tests/corpus/*.jsonl");
   command.runs([options] { return run_judge(*options); });
   return command;

@@ -4,14 +4,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 #include <vector>
 
-#include "experiments/cases/workloads/ulp.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/judge/show/case_view.h"
 #include "experiments/judge/show/page.h"
 #include "experiments/run/numbers.h"
 #include "experiments/run/quoting.h"
@@ -121,7 +121,7 @@ void Tally::add(const Judged& judged) {
   if (judged.compared.empty()) return;
   auto method = std::ranges::find(methods_, judged.method, &MethodTally::method);
   if (method == methods_.end()) {
-    methods_.push_back({.method = std::string(judged.method), .all = {}, .by_key = {}, .by_file = {}, .by_tag = {}});
+    methods_.push_back({.method = judged.method, .all = {}, .by_key = {}, .by_file = {}, .by_tag = {}});
     method = methods_.end() - 1;
   }
   const bool no_answer = judged.differences.empty() && !judged.fault.empty();
@@ -144,9 +144,8 @@ void Tally::add(const Judged& judged) {
   };
   for (const auto& [key, outcome] : keys) count(method->by_key[key], outcome.wrong > 0, outcome.not_given > 0);
   count_case(method->all);
-  count_case(method->by_file[family_of_file(judged.line.file)]);
-  const auto& tags = judged.line.read->tags;
-  for (const std::string& tag : std::set(tags.begin(), tags.end())) count_case(method->by_tag[tag]);
+  count_case(method->by_file[family_of_file(judged.file)]);
+  for (const std::string& tag : std::set(judged.tags.begin(), judged.tags.end())) count_case(method->by_tag[tag]);
 }
 
 std::string summary_text(const Tally& tally, bool coloured, std::size_t most_tags) {
@@ -168,11 +167,10 @@ std::string summary_json(const Tally& tally) {
 }
 
 void JunitReport::add(const Judged& judged) {
-  const std::string family = family_of_file(judged.line.file);
-  Suite& suite = suites_[{std::string(judged.method), family}];
+  const std::string family = family_of_file(judged.file);
+  Suite& suite = suites_[{judged.method, family}];
   ++suite.tests;
-  suite.cases +=
-      fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_text(family), xml_text(*judged.line.read->id));
+  suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_text(family), xml_text(judged.id));
   std::string sentences;
   for (const cases::Difference& difference : judged.differences)
     sentences.append(sentences.empty() ? "" : "\n").append(to_string(difference));
@@ -214,21 +212,14 @@ std::string JunitReport::text() const {
 }
 
 void Report::add(const Judged& judged) {
-  const auto is_wrong = [](const cases::Difference& difference) { return difference.found.has_value(); };
-  if (std::ranges::none_of(judged.differences, is_wrong)) return;
-  const cases::Case& given = *judged.line.read;
-  cases::AnyShapes shapes = given.shapes();
+  if (judged.line.empty()) return;
   const bool contact = std::ranges::any_of(
-      judged.differences, [&](const auto& difference) { return is_wrong(difference) && difference.key == "contact"; });
-  const auto& distance = given.expected->values.distance;
-  const std::int64_t doubles = distance && std::isfinite(*distance)
-                                   ? workloads::doubles_between(*distance, cases::ball_of(question_of(shapes)).radius)
-                                   : 0;
-  auto& worst = worst_[std::string(judged.method)];
+      judged.differences, [](const auto& difference) { return difference.found && difference.key == "contact"; });
+  auto& worst = worst_[judged.method];
   const auto before = [](const Wrong& a, const Wrong& b) {
     return std::tuple(a.contact, size(a.doubles)) > std::tuple(b.contact, size(b.doubles));
   };
-  Wrong wrong{contact, doubles, *given.id, given.tags, std::move(shapes), judged.answer};
+  Wrong wrong{contact, judged.doubles, judged.line, judged.verdict};
   worst.insert(std::ranges::upper_bound(worst, wrong, before), std::move(wrong));
   if (worst.size() > kWorst) worst.pop_back();
 }
@@ -251,8 +242,9 @@ std::string Report::text(const Tally& tally) const {
     body +=
         fmt::format("<p>The worst {} cases follow, the furthest from the threshold first.</p>\n", worst->second.size());
     for (const Wrong& wrong : worst->second) {
-      show::CaseView view = show::view_of(wrong.id, wrong.tags, wrong.shapes);
-      view.verdicts.push_back({method.method, wrong.answer, {}, {}});
+      const cases::Case given = cases::read_case(wrong.line);
+      show::CaseView view = show::view_of(*given.id, given.tags, given.shapes());
+      view.verdicts.push_back({method.method, cases::stated_in(nlohmann::json::parse(wrong.verdict)), {}, {}});
       body += show::section_of(view);
     }
   }

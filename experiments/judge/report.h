@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/judge/judge.h"
-#include "experiments/judge/show/case_view.h"
+#include "experiments/judge/judgement.h"
 
 // What the judge makes of many cases: counts, a summary, JSON, JUnit and a page.
 namespace touchstone::judge {
@@ -93,10 +92,7 @@ class Report {
   struct Wrong {
     bool contact;          ///< whether its contact is wrong
     std::int64_t doubles;  ///< between radius and distance; 0 for a moving ball
-    std::string id;
-    std::vector<std::string> tags;
-    cases::AnyShapes shapes;
-    cases::StatedAnswer answer;
+    std::string line, verdict;
   };
   std::map<std::string, std::vector<Wrong>> worst_;  ///< by method, the worst first
 };

@@ -190,6 +190,7 @@ Option& Option::required() {
 }
 
 Option& Option::needs(const std::string& other) {
+  declared_->has_default = false;  // without the other option, a command line that has it is refused
   declared_->option->needs(parts_->app->get_option(other));
   declared_->limits.push_back("Requires " + other);
   return *this;

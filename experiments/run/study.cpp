@@ -26,16 +26,23 @@ void declare_parts(Command& command, StudyOptions& options) {
       options.has_pictures ? "The folder for tables and pictures" : "The folder for tables and the checkpoint",
       options.has_pictures);
   declare_printing(command, options);
+  declare_part(command, options);
+}
+
+Option declare_part(Command& command, StudyOptions& options) {
   const auto fault = [](const std::string& text) {
     return Part::read(text) ? "" : fmt::format("\"{}\" is not I/N, 1 <= I <= N <= {}", io::legible(text), kMostParts);
   };
-  command
-      .text("--part", options.part,
-            "Run only part I of N, for `touchstone merge`, which adds the parts up to the results of one run", fault)
-      .takes("I/N")
-      .excludes("--json");
+  Option part =
+      command
+          .text("--part", options.part,
+                "Run only part I of N, for `touchstone merge`, which adds the parts up to the results of one run",
+                fault)
+          .takes("I/N")
+          .excludes("--json");
   command.merges(options.merged);
   command.keep_result_options(options.result_options);
+  return part;
 }
 
 StudyRun::StudyRun(std::string study, int version, const StudyOptions& options)

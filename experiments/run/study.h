@@ -39,6 +39,8 @@ inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
 Option declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about);
 /// Declares those of a study of given items: of threads, checkpoints, the folder and parts.
 void declare_parts(Command& command, StudyOptions& options);
+/// Declares --part alone, after --json.
+Option declare_part(Command& command, StudyOptions& options);
 
 /// One run of a study: its phases and its end.
 ///

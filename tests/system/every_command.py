@@ -79,7 +79,7 @@ WITHOUT_JSON = WITHOUT_TABLE + ("scenes",)  # its answers are lines of JSON alre
 LISTS = ("methods", "columns")  # one JSON array; they print nothing else, so that --quiet would mean nothing
 ANSWERS = ("judge", "scenes mesh.obj --samples 2")  # on standard output, also with --quiet
 # These write a folder only if --output names one; all others write to results/NAME.
-WITHOUT_FOLDER = {"merge", "scenes", "regress", "cell show", "cell run"}
+WITHOUT_FOLDER = {"judge", "merge", "scenes", "regress", "cell show", "cell run"}
 
 
 def subcommands(*words):

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "experiments/cases/comparison.h"
+
+// What the judge finds out, as data: told at once, or kept in a file and told later.
+namespace touchstone::judge {
+
+/// Exit status of the judge: the worst one that occurred.
+enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
+
+/// A valid case, and how a method met its expectation.
+struct Judged {
+  static constexpr const char* kNoMotions = "cannot answer about moving balls";
+
+  std::string method, id;
+  std::string file;  ///< of the case
+  std::vector<std::string> tags;
+  bool has_expectation = false;
+  std::vector<std::string> compared;           ///< keys of the expectation
+  std::vector<cases::Difference> differences;  ///< the expectations that are not met
+  std::string fault;                           ///< why there is no answer; else empty
+  bool within = false;  ///< whether an answer is wrong, but not by more than the margin of the order
+  bool known = false;   ///< whether there is a failure, and every one is known; set when it is told
+
+  // Of a case with a value that is wrong, if the order keeps them; else empty.
+  std::string line, verdict;  ///< as lines of JSON
+  std::int64_t doubles = 0;   ///< between radius and distance; 0 for a moving ball
+
+  auto members() {
+    return std::tie(method, id, file, tags, has_expectation, compared, differences, fault, within, known, line, verdict,
+                    doubles);
+  }
+};
+
+/// One finding. What is empty is not told.
+struct Entry {
+  std::string place{}, id{};  ///< of a case with an id, which must be unique if failures are known
+  std::string complaint{};    ///< a sentence
+  Status status = AllMet;     ///< what the complaint makes of the exit status
+  bool is_ending = false;     ///< the complaint is about the end of an engine: told last, and once if repeated
+  std::string verdict{};      ///< a line of JSON
+  std::optional<Judged> judged{};
+
+  auto members() { return std::tie(place, id, complaint, status, is_ending, verdict, judged); }
+};
+
+/// A file of entries, to which more are added.
+class Judgement {
+ public:
+  /// Opens the file to add entries after its first `bytes`, and cuts off what follows them: it was not complete when a
+  /// run was killed. Throws std::runtime_error, which names the file, if it is shorter or cannot be written.
+  Judgement(std::filesystem::path file, std::uint64_t bytes);
+
+  void add(const Entry& entry);
+  /// Returns the size of the file, when all of it is on the disk. Throws std::runtime_error, which names the file, if
+  /// it could not be written.
+  std::uint64_t save();
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream stream_;
+};
+
+/// Calls take(entry) with each entry of the file, in their order. Throws std::runtime_error, which names the file, if
+/// it is damaged or cannot be read.
+void read_judgement(const std::filesystem::path& file, const std::function<void(Entry&&)>& take);
+
+}  // namespace touchstone::judge
