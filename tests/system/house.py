@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 SUFFIXES = {".h": "C++", ".cpp": "C++", ".py": "Python", ".js": "JavaScript"}
-SKIPPED = ("build", "cache", "results", ".git", "__pycache__")
+SKIPPED = ("build", "cache", "results", ".git")  # folders of the root
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 SHORT = 40
 HEADERS, SHORTS = "headers with one reader", "files below 40 lines"
@@ -23,7 +23,7 @@ HEADERS, SHORTS = "headers with one reader", "files below 40 lines"
 def sources(root):
     for path in sorted(root.rglob("*")):
         file = path.relative_to(root)
-        if path.suffix in SUFFIXES and path.is_file() and not any(part in SKIPPED for part in file.parts):
+        if path.suffix in SUFFIXES and path.is_file() and file.parts[0] not in SKIPPED and "__pycache__" not in file.parts:
             yield file.as_posix(), SUFFIXES[path.suffix], path.read_text()
 
 
