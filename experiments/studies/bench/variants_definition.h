@@ -139,6 +139,11 @@ inline bool tree_contact(const Ball& ball, const filtered::PreparedPolygon& poly
   filtered::detail::FrameQuery foot;
   foot.x = filtered::detail::frame::coordinate(frame.x, height.to_center);
   foot.y = filtered::detail::frame::coordinate(frame.y, height.to_center);
+  if (parts.edges->is_scanned()) {
+    foot.certain_hit_sq = foot.boundary_sq = -1, foot.certain_miss_sq = disc_sq;
+    const filtered::detail::EdgesAndFoot seen = scanned(foot, parts.edges->leaves());
+    return seen.unsure | seen.inside;
+  }
   bool hit = false;
   const bool inside = walk(*parts.edges, foot, disc_sq,
                            [&](const filtered::detail::EdgeTree::Leaf& leaf, const filtered::detail::LeafView& view) {

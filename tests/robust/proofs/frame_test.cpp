@@ -216,7 +216,7 @@ TEST(FrameBounds, OfDiscsCoverTheirRoundings) {
   EXPECT_GE(disc.outer_sq.least, 1);
   EXPECT_LE(disc.inner_sq.most, 1);
   EXPECT_LT(disc.outer_sq.least, 1 + (mpq_class(bounds::kWide) - 1) * 3 / 4) << "it is loose";
-  EXPECT_GT(disc.inner_sq.most, 1 - (1 - power(mpq_class(bounds::kNarrow), 2)) * 3 / 4) << "it is loose";
+  EXPECT_GT(disc.inner_sq.most, 1 - (1 - mpq_class(bounds::kNarrow)) * 3 / 4) << "it is loose";
 }
 
 // What the ratios are of: the disc at `low`, made larger by the error, and that at `high`, made smaller.
@@ -231,7 +231,7 @@ TEST(FrameBounds, OfDiscsCoverTheirErrors) {
       return mpq_class(mpq_class(radius) * radius - mpq_class(distance) * distance);
     };
     EXPECT_GE(power(root_below(disc.outer_sq) - error, 2), chord_sq(low)) << index;
-    if (disc.inner <= 0) continue;
+    if (disc.inner_sq <= 0) continue;
     EXPECT_LE(power(root_above(disc.inner_sq) + error, 2), chord_sq(high)) << index;
     ++inner;
   }

@@ -34,6 +34,7 @@ constexpr auto multiply_subtract(const A& a, const B& b, const C& c) {
 /// @{
 /// As the operations of the same names on lanes.
 __attribute__((always_inline)) constexpr double maximum(double a, double b) { return a > b ? a : b; }
+__attribute__((always_inline)) constexpr double minimum(double a, double b) { return a < b ? a : b; }
 __attribute__((always_inline)) inline double magnitude(double a) { return std::abs(a); }
 __attribute__((always_inline)) inline double square_root(double a) { return std::sqrt(a); }
 /// @}

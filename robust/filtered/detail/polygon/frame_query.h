@@ -73,13 +73,12 @@ struct FrameQuery {
       : x(foot_x), y(foot_y), certain_hit_sq(-1), certain_miss_sq(-1) {
     boundary_sq = frame::boundary_square(frame::distance_error(foot_size) + error);
   }
-  FrameQuery(const HeightQuery& ball, const Frame& frame)
+  TOUCHSTONE_INLINE FrameQuery(const HeightQuery& ball, const Frame& frame)
       : x(frame::coordinate(frame.x, ball.to_center)), y(frame::coordinate(frame.y, ball.to_center)) {
     const double above = std::abs(ball.height), error = frame::distance_error(ball.size);
     const double low = maximum(above - ball.height_error, 0.0), high = above + ball.height_error;
     const frame::Disc<double> disc(ball.radius, low, high, error);
-    certain_miss_sq = ball.radius < low ? -1 : disc.outer_sq;
-    certain_hit_sq = disc.inner > 0 ? disc.inner_sq : -1;
+    certain_miss_sq = disc.outer_sq, certain_hit_sq = disc.inner_sq;
     boundary_sq = frame::boundary_square(error);
   }
 };
@@ -95,6 +94,13 @@ TOUCHSTONE_INLINE Pack crossing(const Pack& x, const Pack& y, const Pack& start_
   return (start_above ^ end_above) & (all_right | (left_of_it ^ (left_of_it & all_left)));
 }
 
+/// Returns the least number of four.
+TOUCHSTONE_INLINE double least_lane(const Pack& numbers) {
+  double lane[kLanes];
+  store(lane, numbers);
+  return minimum(minimum(lane[0], lane[1]), minimum(lane[2], lane[3]));
+}
+
 /// Four edges of a leaf, relative to the foot.
 struct LeafView {
   Pack along, length;
@@ -102,7 +108,7 @@ struct LeafView {
   unsigned crossed;  ///< a bit an edge, as `crossing`
 
   LeafView() = default;
-  LeafView(const EdgeTree::Leaf& leaf, const FrameQuery& query) {
+  TOUCHSTONE_INLINE LeafView(const EdgeTree::Leaf& leaf, const FrameQuery& query) {
     const Pack x = all_lanes(query.x), y = all_lanes(query.y), start_x = load(leaf.start_x),
                start_y = load(leaf.start_y);
     length = load(leaf.length);
@@ -118,7 +124,7 @@ struct NodeView {
   Pack squared;    ///< of the distances to the boxes; compared with frame::box_reach of a square from `boundary_sq` on
   unsigned right;  ///< a bit a box: where the foot is outside it, the horizontal line meets it on the right, if at all
 
-  NodeView(const EdgeTree::Node& node, const FrameQuery& query) {
+  TOUCHSTONE_INLINE NodeView(const EdgeTree::Node& node, const FrameQuery& query) {
     const Pack axis_x = load(node.axis_x), axis_y = load(node.axis_y);
     const frame::FootFromBox<Pack> foot(all_lanes(query.x), all_lanes(query.y), load(node.center_x),
                                         load(node.center_y), axis_x, axis_y, load(node.half_along),
@@ -234,10 +240,10 @@ struct EdgesAndFoot {
   /// Returns +1 if the ball certainly misses the polygon, -1 if it certainly overlaps it, 0 if neither is certain.
   /// `plane`: the certain sign of the distance to the plane less the radius, -1 or 0.
   [[nodiscard]] TOUCHSTONE_INLINE int certain_sign(int plane) const {
-    if (hit) return -1;
-    if (near_boundary) return 0;
-    // If the foot is inside, only the plane matters; if it is outside, only the edges do.
-    return inside ? plane : unsure ? 0 : 1;
+    // If the foot is inside, only the plane matters; if it is outside, only the edges do. Without branches.
+    const bool touching = hit | (!near_boundary & inside & (plane < 0));
+    const bool separate = !(hit | near_boundary | unsure | inside);
+    return int{separate} - int{touching};
   }
 
   /// Returns the sign of the distance less the radius, of a ball whose plane is not certainly missed; with
@@ -258,8 +264,35 @@ struct EdgesAndFoot {
   }
 };
 
+/// The foot as seen from the edges that were added.
+struct EdgesInView {
+  Pack nearest_sq = all_lanes(0x1p500);  ///< the least rho^2; larger than any without an edge, and finite
+  Pack crossed = all_lanes(0);           ///< negative: the ray to the right crosses an odd number of edges
+
+  TOUCHSTONE_INLINE void add(const Pack& x, const Pack& y, const Pack& start_x, const Pack& start_y,
+                             const Pack& direction_x, const Pack& direction_y, const Pack& length, const Pack& end_x,
+                             const Pack& end_y) {
+    const frame::FootFromEdge<Pack> foot(x, y, start_x, start_y, direction_x, direction_y, length);
+    nearest_sq = minimum(nearest_sq, foot.squared);
+    crossed = crossed ^ crossing(x, y, start_x, start_y, end_x, end_y, foot.across);
+  }
+};
+
+/// Returns what all edges say, without a branch on it: one that is predicted wrongly costs as much as several leaves.
+TOUCHSTONE_INLINE EdgesAndFoot scanned(const FrameQuery& query, const std::vector<EdgeTree::Leaf>& leaves) {
+  EdgesInView view;
+  const Pack x = all_lanes(query.x), y = all_lanes(query.y);
+  for (const EdgeTree::Leaf& leaf : leaves)  // a lane without an edge of its own holds a vertex
+    view.add(x, y, load(leaf.start_x), load(leaf.start_y), load(leaf.direction_x), load(leaf.direction_y),
+             load(leaf.length), load(leaf.end_x), load(leaf.end_y));
+  const double least = least_lane(view.nearest_sq);
+  return {least < query.certain_hit_sq, least <= query.boundary_sq, least <= query.certain_miss_sq,
+          (__builtin_popcount(negative_lanes(view.crossed)) & 1) != 0};
+}
+
 /// As EdgesAndFoot::certain_sign, by a walk of the edges.
 TOUCHSTONE_INLINE int certain_distance_sign(int plane, const FrameQuery& query, const EdgeIndex& edges) {
+  if (edges.is_scanned()) return scanned(query, edges.leaves()).certain_sign(plane);
   const double limit_sq = maximum(query.certain_miss_sq, query.boundary_sq);
   unsigned hit = 0, near_boundary = 0, unsure = 0;
   const bool inside = walk(edges, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
@@ -303,9 +336,7 @@ class SeenLeaves {
   [[nodiscard]] double least_sq() const {
     Pack least = all_lanes(0x1p500);
     for (std::size_t i = 0; i < count_; ++i) least = minimum(least, views_[i].squared);
-    double squared[kLanes];
-    store(squared, least);
-    return std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3]));
+    return least_lane(least);
   }
 
  private:

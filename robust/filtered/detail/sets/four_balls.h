@@ -31,8 +31,8 @@ struct EdgesAndFeet {
 struct BallLanes {
   Pack radius;
   Pack x, y;                                          ///< the feet
-  Pack certain_hit_sq, certain_miss_sq, boundary_sq;  ///< as in FrameQuery; the first only for balls that may hit
-  unsigned missed_plane, cut_plane, may_hit;          ///< a bit a ball
+  Pack certain_hit_sq, certain_miss_sq, boundary_sq;  ///< as in FrameQuery
+  unsigned missed_plane, cut_plane;                   ///< a bit a ball
 
   BallLanes(const Ball* four, const Frame& frame) {
     const auto lanes = [four](int axis) {
@@ -58,7 +58,6 @@ struct BallLanes {
     y = frame::coordinate(everywhere(frame.y), to_center);
     const Pack error = frame::distance_error(height.size);
     const frame::Disc<Pack> disc(radius, maximum(above - height.error, zero), above + height.error, error);
-    may_hit = negative_lanes(zero - disc.inner);
     certain_miss_sq = disc.outer_sq, certain_hit_sq = disc.inner_sq;
     boundary_sq = frame::boundary_square(error);
   }
@@ -73,37 +72,27 @@ struct BallLanes {
     for (int ball = 0; ball < kLanes; ++ball) {
       FrameQuery& query = queries[ball];
       query.x = all_x[ball], query.y = all_y[ball];
-      query.certain_hit_sq = (may_hit >> ball & 1) != 0 ? hit[ball] : -1;
+      query.certain_hit_sq = hit[ball];
       query.certain_miss_sq = miss[ball], query.boundary_sq = boundary[ball];
     }
   }
 };
 
-/// The feet as seen from the edges that were added.
-struct EdgesInView {
-  Pack nearest_sq = all_lanes(0x1p500);  ///< the least rho^2; larger than any without an edge, and finite
-  Pack crossed = all_lanes(0);           ///< negative: the ray to the right crosses an odd number of edges
-
-  void add(const EdgeTree::Leaf& leaf, std::uint32_t lane, const BallLanes& balls) {
-    const auto number = [lane](const double(&numbers)[EdgeTree::kWidth]) { return all_lanes(numbers[lane]); };
-    const Pack start_x = number(leaf.start_x), start_y = number(leaf.start_y);
-    const frame::FootFromEdge<Pack> foot(balls.x, balls.y, start_x, start_y, number(leaf.direction_x),
-                                         number(leaf.direction_y), number(leaf.length));
-    nearest_sq = minimum(nearest_sq, foot.squared);
-    crossed =
-        crossed ^ crossing(balls.x, balls.y, start_x, start_y, number(leaf.end_x), number(leaf.end_y), foot.across);
-  }
-};
+/// Adds one edge, as seen by four balls.
+TOUCHSTONE_INLINE void add(EdgesInView& view, const EdgeTree::Leaf& leaf, std::uint32_t lane, const BallLanes& balls) {
+  const auto number = [lane](const double(&numbers)[EdgeTree::kWidth]) { return all_lanes(numbers[lane]); };
+  view.add(balls.x, balls.y, number(leaf.start_x), number(leaf.start_y), number(leaf.direction_x),
+           number(leaf.direction_y), number(leaf.length), number(leaf.end_x), number(leaf.end_y));
+}
 
 /// Returns which of four balls certainly touch the polygon, and which certainly do not, by all of its edges.
 inline CertainContacts scan_for(const BallLanes& balls, const EdgeIndex& edges) {
   EdgesInView view;
   for (const EdgeTree::Leaf& leaf : edges.leaves())
-    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) view.add(leaf, lane, balls);
+    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) add(view, leaf, lane, balls);
 
   const auto not_above = [&](const Pack& limit_sq) { return ~negative_lanes(limit_sq - view.nearest_sq); };
-  // Without `may_hit`, 0 - 0 would report a hit where rounding is downward.
-  return EdgesAndFeet{.hit = negative_lanes(view.nearest_sq - balls.certain_hit_sq) & balls.may_hit,
+  return EdgesAndFeet{.hit = negative_lanes(view.nearest_sq - balls.certain_hit_sq),
                       .near_boundary = not_above(balls.boundary_sq),
                       .unsure = not_above(balls.certain_miss_sq),
                       .inside = negative_lanes(view.crossed)}

@@ -151,10 +151,16 @@ __attribute__((always_inline)) constexpr N box_reach(const N& limit_sq) {
   return limit_sq * constant<N>(bounds::kBoxReach);
 }
 
-/// Returns the radius of the disc in which a ball meets a plane at this distance from its centre; 0 if it misses it.
+/// Returns the square of the radius of the disc in which a ball meets a plane at this distance from its centre; it is
+/// negative if it misses it.
+template <class N>
+__attribute__((always_inline)) constexpr N chord_square(const N& radius, const N& distance) {
+  return (radius - distance) * (radius + distance);
+}
+/// Returns the radius of that disc; 0 if the ball misses the plane.
 template <class N>
 __attribute__((always_inline)) constexpr N half_chord(const N& radius, const N& distance) {
-  return square_root(maximum((radius - distance) * (radius + distance), constant<N>(0)));
+  return square_root(maximum(chord_square(radius, distance), constant<N>(0)));
 }
 
 /// Returns at least a distance, given its square.
@@ -170,19 +176,18 @@ __attribute__((always_inline)) constexpr N square_at_least(const N& a, const N& 
 }
 
 /// The disc in which a ball meets the plane. It tells which computed distances from its centre are certainly within it,
-/// and which certainly beyond.
+/// and which certainly beyond. The error adds at most error (2 radius + error) to the square of a distance up to the
+/// ball's radius, so no root is needed.
 template <class N>
 struct Disc {
-  N inner;               ///< the smaller radius; unless it is positive, no distance is certainly within
-  N inner_sq, outer_sq;  ///< the squares of both radii
+  N inner_sq, outer_sq;  ///< limits of squared distances; if inner_sq is negative, none is certainly within
 
   /// `low`, `high`: bounds of the distance between centre and plane, low not negative. `error`: that of distances.
   __attribute__((always_inline)) Disc(const N& radius, const N& low, const N& high, const N& error) {
     const N wide = constant<N>(bounds::kWide), narrow = constant<N>(bounds::kNarrow);
-    const N outer = half_chord(radius, low) + error;
-    inner = half_chord(radius, high) * narrow - error;
-    outer_sq = outer * outer * wide;
-    inner_sq = inner * inner;
+    const N more = error * (radius + radius + error) * wide;
+    outer_sq = maximum(chord_square(radius, low), constant<N>(0)) * wide + more;
+    inner_sq = chord_square(radius, high) * narrow - more;
   }
 };
 
