@@ -82,31 +82,35 @@ __attribute__((always_inline)) inline DoubleWord<Word> two_product(const Word& a
 #endif
 }
 
-inline DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
+__attribute__((always_inline)) inline DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
 
-inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+__attribute__((always_inline)) inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble high = two_sum(a.high, b.high), low = two_sum(a.low, b.low);
   const DoubleDouble sum = quick_two_sum(high.high, high.low + low.high);
   return quick_two_sum(sum.high, low.low + sum.low);
 }
-inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+__attribute__((always_inline)) inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
+  return a + -b;
+}
 
-inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+__attribute__((always_inline)) inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble product = two_product(a.high, b.high);
   return quick_two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
 /// Returns the high part of a b, and the rest to within 8 u^2 |a b|. Sums of products add the two parts separately.
 template <class Word>
-inline DoubleWord<Word> unnormalised_product(const DoubleWord<Word>& a, const DoubleWord<Word>& b) {
+__attribute__((always_inline)) inline DoubleWord<Word> unnormalised_product(const DoubleWord<Word>& a,
+                                                                            const DoubleWord<Word>& b) {
   const DoubleWord<Word> product = two_product(a.high, b.high);
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
 }
 
 /// Returns the sum of three unnormalised products: the last steps of `dot`.
 template <class Word>
-inline DoubleWord<Word> sum_of_products(const DoubleWord<Word>& x, const DoubleWord<Word>& y,
-                                        const DoubleWord<Word>& z) {
+__attribute__((always_inline)) inline DoubleWord<Word> sum_of_products(const DoubleWord<Word>& x,
+                                                                       const DoubleWord<Word>& y,
+                                                                       const DoubleWord<Word>& z) {
   const DoubleWord<Word> first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
   return two_sum(second.high, (((x.low + y.low) + first.low) + z.low) + second.low);
 }
@@ -114,29 +118,33 @@ inline DoubleWord<Word> sum_of_products(const DoubleWord<Word>& x, const DoubleW
 /// Returns a.b, with half the operations of separate products and sums and a third of their latency. Error:
 /// bounds::kDot.
 template <class Word>
-inline DoubleWord<Word> dot(const Vector3<DoubleWord<Word>>& a, const Vector3<DoubleWord<Word>>& b) {
+__attribute__((always_inline)) inline DoubleWord<Word> dot(const Vector3<DoubleWord<Word>>& a,
+                                                           const Vector3<DoubleWord<Word>>& b) {
   const DoubleWord<Word> x = unnormalised_product(a.x, b.x), y = unnormalised_product(a.y, b.y);
   return sum_of_products(x, y, unnormalised_product(a.z, b.z));
 }
 
 /// a b - c d. Error: bounds::kCross.
 template <class Word>
-inline DoubleWord<Word> product_difference(const DoubleWord<Word>& a, const DoubleWord<Word>& b,
-                                           const DoubleWord<Word>& c, const DoubleWord<Word>& d) {
+__attribute__((always_inline)) inline DoubleWord<Word> product_difference(const DoubleWord<Word>& a,
+                                                                          const DoubleWord<Word>& b,
+                                                                          const DoubleWord<Word>& c,
+                                                                          const DoubleWord<Word>& d) {
   const DoubleWord<Word> first = unnormalised_product(a, b), second = unnormalised_product(c, d);
   const DoubleWord<Word> high = two_difference(first.high, second.high);
   return two_sum(high.high, (first.low - second.low) + high.low);
 }
 
 template <class Word>
-inline Vector3<DoubleWord<Word>> cross(const Vector3<DoubleWord<Word>>& a, const Vector3<DoubleWord<Word>>& b) {
+__attribute__((always_inline)) inline Vector3<DoubleWord<Word>> cross(const Vector3<DoubleWord<Word>>& a,
+                                                                      const Vector3<DoubleWord<Word>>& b) {
   return {product_difference(a.y, b.z, a.z, b.y), product_difference(a.z, b.x, a.x, b.z),
           product_difference(a.x, b.y, a.y, b.x)};
 }
 
 /// a / b to within bounds::kQuotient of its size. Requires b != 0.
 template <class Word>
-inline DoubleWord<Word> operator/(const DoubleWord<Word>& a, const DoubleWord<Word>& b) {
+__attribute__((always_inline)) inline DoubleWord<Word> operator/(const DoubleWord<Word>& a, const DoubleWord<Word>& b) {
   const Word first = a.high / b.high;
   const DoubleWord<Word> after_first = a - b * DoubleWord<Word>(first);
   const Word second = after_first.high / b.high;
@@ -146,7 +154,7 @@ inline DoubleWord<Word> operator/(const DoubleWord<Word>& a, const DoubleWord<Wo
 
 /// 1 / b to within bounds::kQuotient of its size, by a step of Newton's method. Requires b != 0.
 template <class Word>
-inline DoubleWord<Word> reciprocal(const DoubleWord<Word>& b) {
+__attribute__((always_inline)) inline DoubleWord<Word> reciprocal(const DoubleWord<Word>& b) {
   const Word first = Word(1) / b.high;
   const DoubleWord<Word> product = two_product(b.high, first);
   const Word rest = ((Word(1) - product.high) - product.low) - b.low * first;
@@ -155,7 +163,7 @@ inline DoubleWord<Word> reciprocal(const DoubleWord<Word>& b) {
 
 /// The square root to within bounds::kQuotient of its size. Requires a >= 0.
 template <class Word>
-inline DoubleWord<Word> sqrt(const DoubleWord<Word>& a) {
+__attribute__((always_inline)) inline DoubleWord<Word> sqrt(const DoubleWord<Word>& a) {
   using std::sqrt;
   if (a.high == 0) return {};  // exact: the tail is zero with it
   const Word root = sqrt(a.high);

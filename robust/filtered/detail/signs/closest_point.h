@@ -33,7 +33,7 @@ constexpr bool surely_nearest(const Number& high, const Number& low, const Numbe
 /// Returns the double nearest to the number in the caller's unit of length, if every number within the error rounds to
 /// it, as a normal double or as an exact zero. `Edges` as below.
 template <class Edges>
-std::optional<double> rounded(const Enclosed& number, const Edges& edges) {
+TOUCHSTONE_INLINE std::optional<double> rounded(const Enclosed& number, const Edges& edges) {
   const double high = number.value.high, low = number.value.low;
   if (high == 0 && low == 0 && number.error == 0) return 0.0;            // exact
   assert(number.error == 0 || number.error >= 0x1p-52 * std::abs(low));  // exact
