@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "experiments/cases/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/kernels.h"
@@ -99,6 +100,34 @@ TEST(FilteredClosest, LeavesFacesOfNeedlesToBigIntegers) {
   filtered::detail::baseline_kernels().counted.triangle_closest(question, closest, nullptr, counts);
   EXPECT_EQ(closest.feature.kind, Feature::Kind::Face);
   EXPECT_GT(counts.decided_by(filtered::Stage::BigInteger), 0U);
+}
+
+// A point on an edge at 45 degrees is the mean of two coordinates: in one of eight cases, halfway between two doubles.
+TEST(FilteredClosest, LeavesPointsHalfwayBetweenDoublesToShortIntegers) {
+  const Eigen::Vector3d start(-300, 12'345, 7);
+  filtered::StageCounts counts;
+  for (const double turn : {1.0, -1.0}) {
+    const Triangle t{start, start + Eigen::Vector3d(4096, turn * 4096, 0), start - Eigen::Vector3d(0, 0, 4096)};
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+      workloads::Random random(2026, i, 95);
+      const double x = 1024 * (1 + random.unit()), y = 1024 * (1 + random.unit()), z = 1024 * random.unit();
+      const Eigen::Vector3d center = start + Eigen::Vector3d(x, turn * y, z);
+      const ClosestPoint truth = exact_closest(center, t);
+      EXPECT_EQ(truth.feature, (Feature{Feature::Kind::Edge, 0}));
+      EXPECT_EQ(filtered::closest(center, t, counts), truth) << "index " << i;
+    }
+  }
+  EXPECT_GT(counts.decided_by(filtered::Stage::FixedInteger), 300U);
+  EXPECT_EQ(counts.decided_by(filtered::Stage::BigInteger), 0U);
+}
+
+// With e = (q, 1) the first coordinate is w + (w' q - w) / (q^2 + 1): 3 / 2 of 1 / (q^2 + 1) below w + 1 / 2.
+TEST(FilteredClosest, TellsPointsFromThoseHalfwayBetweenDoubles) {
+  constexpr double q = 0x1p40, w = 0x1p52 + q + 1, other = (w - 1) / q + q / 2;
+  const Triangle t{{0, 0, 0}, {q * 0x1p20, 0x1p20, 0}, {0, 0, -q}};
+  const Eigen::Vector3d center(w, other, q);
+  EXPECT_EQ(exact_closest(center, t).point.x(), w);
+  EXPECT_EQ(filtered::closest(center, t), exact_closest(center, t));
 }
 
 // The double-doubles would be of no use if they were seldom sure.

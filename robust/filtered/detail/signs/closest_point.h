@@ -74,6 +74,10 @@ class ClosestPointOnFeature {
       edges_.counts().count(Stage::DoubleDouble);
       return *result;
     }
+    if (const auto result = coordinate_of_tie(axis)) {
+      edges_.counts().count(Stage::FixedInteger);
+      return *result;
+    }
     edges_.counts().count(Stage::BigInteger);
     return edges_.bigint_point(feature_, axis);
   }
@@ -139,6 +143,19 @@ class ClosestPointOnFeature {
                          bounds::kClosest * (view_->lifted ? view_->maxima.edge : 0) +
                          2 * bounds::kDoubleDoubleUnit * (std::abs(start.high) + std::abs(value.high)) + lift_error;
     return rounded({value, error}, edges_);
+  }
+
+  /// Returns the even one of two doubles if integers show that the coordinate of a point on an edge lies exactly halfway
+  /// between them, as often on edges at 45 degrees. Then no bound of errors can tell which is nearer.
+  [[nodiscard]] std::optional<double> coordinate_of_tie(int axis) const {
+    if (!edges_.scales() || vertex() || face() || view_->lifted || maximum() < kShortestDirection) return std::nullopt;
+    const DoubleDouble start = edges_.vertex(feature_.index, axis), value = start + multiple_ * direction()[axis];
+    const double beside = std::nextafter(value.high, value.low < 0 ? -HUGE_VAL : HUGE_VAL);
+    const double half = (beside - value.high) / 2;  // exact
+    const DoubleDouble step = two_difference(value.high, start.high), rest = two_sum(step.low, half);
+    if (rest.low != 0) return std::nullopt;  // exact
+    if (!is_step_along<62>(view_->to_center, view_->edge, {step.high, rest.high}, axis)) return std::nullopt;
+    return rounded({{value.high + half, 0}, 0}, edges_);  // to even
   }
 
   [[nodiscard]] std::optional<double> distance_in_doubles() const {

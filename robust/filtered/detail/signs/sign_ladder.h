@@ -96,6 +96,15 @@ class IntegerView {
     return {integer(operands_.normal.x), integer(operands_.normal.y), integer(operands_.normal.z)};
   }
   [[nodiscard]] Integer<Bits> radius() const { return integer(operands_.radius); }
+  /// @{
+  /// Returns whether both words of a length, which is at most the maxima, are integers after the scaling; their sum.
+  [[nodiscard]] bool fits(const DoubleDouble& length) const {
+    return whole(length.high, scale_) && whole(length.low, scale_);
+  }
+  [[nodiscard]] Integer<Bits + 1> integer(const DoubleDouble& length) const {
+    return integer(length.high) + integer(length.low);
+  }
+  /// @}
   [[nodiscard]] int axis() const { return operands_.axis; }
 
  private:
@@ -158,18 +167,24 @@ class IntegerView {
   return first == u[j].high * v[i].high && std::abs(first) >= 0x1p-900;  // exact: compared as rounded
 }
 
-/// Returns whether a component of e.e w - (w.e) e is zero, for exact vectors that are short integers times a power of
-/// two. False if they are not.
-[[nodiscard]] inline bool zero_across(const Vector3<DoubleDouble>& w, const Vector3<DoubleDouble>& e, int axis) {
+/// Returns whether e.e t - (w.e) e_axis is zero, for exact vectors and a number, no larger than their components, that
+/// are integers of at most Bits bits times a power of two. False if they are not.
+template <int Bits>
+[[nodiscard]] bool is_step_along(const Vector3<DoubleDouble>& w, const Vector3<DoubleDouble>& e, const DoubleDouble& t,
+                                 int axis) {
   const auto largest = [](const Vector3<DoubleDouble>& v) {
     return std::max({std::abs(v.x.high), std::abs(v.y.high), std::abs(v.z.high)});
   };
   const Vector3<DoubleDouble> edges[] = {e, e};  // there is no normal
   const EdgeOperands operands{w, e, e, 0, 0, {largest(w), largest(e), 0}, false, edges, false};
-  const IntegerView<30> view(operands);
-  if (!view.fits()) return false;
+  const IntegerView<Bits> view(operands);
+  if (!view.fits() || !view.fits(t)) return false;
   const auto to_center = view.to_center(), edge = view.edge();
-  return (dot(edge, edge) * to_center[axis] - dot(to_center, edge) * edge[axis]).sign() == 0;
+  return (dot(edge, edge) * view.integer(t) - dot(to_center, edge) * edge[axis]).sign() == 0;
+}
+/// Returns whether a component of e.e w - (w.e) e is zero. False if they are not short.
+[[nodiscard]] inline bool zero_across(const Vector3<DoubleDouble>& w, const Vector3<DoubleDouble>& e, int axis) {
+  return is_step_along<30>(w, e, w[axis], axis);
 }
 
 /// Returns whether the sign is 0 because the centre is the edge's start, or because the edge has no length, so that
