@@ -145,7 +145,7 @@ class ClosestPointOnFeature {
     return rounded({value, error}, edges_);
   }
 
-  /// Returns the even one of two doubles if integers show that the coordinate of a point on an edge lies exactly halfway
+  /// Returns the even one of two doubles if integers show that the coordinate of a point on an edge is exactly halfway
   /// between them, as often on edges at 45 degrees. Then no bound of errors can tell which is nearer.
   [[nodiscard]] std::optional<double> coordinate_of_tie(int axis) const {
     if (!edges_.scales() || vertex() || face() || view_->lifted || maximum() < kShortestDirection) return std::nullopt;
