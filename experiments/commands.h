@@ -23,8 +23,10 @@ namespace touchstone::commands {
 
 /// Returns the command that describes the tables of the other commands.
 [[nodiscard]] run::Command columns_command(const std::vector<run::Command>& commands);
-/// Returns the commands that plan the parts of those studies that have them, and that merge parts.
-[[nodiscard]] std::vector<run::Command> parts_commands(const std::vector<run::Command>& commands);
+/// Returns the command that merges parts of any of these commands.
+[[nodiscard]] run::Command merge_command(const std::vector<run::Command>& commands);
+/// Returns the command that plans the parts of those studies that have them.
+[[nodiscard]] run::Command plan_command(const std::vector<run::Command>& commands);
 /// Returns the command that prints a completion script for a shell and the one that writes the manual pages. Both cover
 /// these commands and themselves. `about`: the text of the program; `heading`: under which it lists the two.
 [[nodiscard]] std::vector<run::Command> help_commands(const std::string& about, const std::string& heading,

@@ -197,7 +197,7 @@ int plan(const PlanOptions& options, const std::vector<Command>& commands) {
 
 }  // namespace
 
-std::vector<Command> parts_commands(const std::vector<Command>& commands) {
+Command merge_command(const std::vector<Command>& commands) {
   auto merged = std::make_shared<MergeOptions>();
   Command merging("merge", "Add the parts of a study or a judgement up to the results of one run");
   merging.texts("FOLDER", merged->folders, "The folders of all parts, in any order").required();
@@ -213,7 +213,10 @@ std::vector<Command> parts_commands(const std::vector<Command>& commands) {
       "Of parts of `judge`, it tells what one run tells, with the same exit status.");
   merging.example("merge one two --output all");
   merging.runs([merged, commands] { return merge(*merged, commands); });
+  return merging;
+}
 
+Command plan_command(const std::vector<Command>& commands) {
   auto planned = std::make_shared<PlanOptions>();
   Command planning("plan", "Print a Snakefile, with which Snakemake runs studies by parts and merges them");
   planning.texts("STUDY", planned->studies,
@@ -225,7 +228,7 @@ std::vector<Command> parts_commands(const std::vector<Command>& commands) {
   std::ranges::copy_if(commands, std::back_inserter(studies),
                        [](const Command& command) { return command.description().heading == "Studies"; });
   planning.runs([planned, studies] { return plan(*planned, studies); });
-  return {merging, planning};
+  return planning;
 }
 
 }  // namespace touchstone::commands

@@ -28,9 +28,9 @@ std::vector<touchstone::run::Command> all_commands() {
 #ifndef TOUCHSTONE_WITHOUT_STUDIES
   add("Studies", study_commands());
   add("The cell and the thesis", {cell_command(), thesis_command()});
-  add("Studies", parts_commands(commands));
+  add("Studies", {plan_command(commands)});
 #endif
-  add("Tools", {columns_command(commands)});
+  add("Tools", {merge_command(commands), columns_command(commands)});
   add("Tools", help_commands(kAbout, "Tools", commands));
   return commands;
 }
