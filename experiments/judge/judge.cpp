@@ -41,6 +41,16 @@ std::vector<std::string> compared_keys(const Order& order, const cases::StatedAn
 
 double radius_of(const cases::AnyShapes& shapes) { return cases::ball_of(question_of(shapes)).radius; }
 
+bool is_triangle(const Polygon& polygon) { return polygon.vertex_count() == 3; }
+bool are_triangles(const cases::Shapes& shapes) { return is_triangle(shapes.polygon); }
+bool are_triangles(const cases::MeshShapes& shapes) { return std::ranges::all_of(shapes.mesh.faces(), is_triangle); }
+
+/// Returns whether the order leaves out cases of this kind.
+bool leaves_out(const Order& order, const cases::AnyShapes& shapes) {
+  if (order.at_rest && std::holds_alternative<Motion>(question_of(shapes))) return true;
+  return order.triangles && !std::visit([](const auto& one) { return are_triangles(one); }, shapes);
+}
+
 /// Returns the case without a comparison. `fault`: why there is no answer; else empty.
 Judged not_compared(const Order& order, const cases::Line& line, std::string_view method, const std::string& fault) {
   Judged judged;
@@ -205,7 +215,7 @@ std::uint64_t ask(const Order& order, const Take& take, const std::function<bool
         if (!continues) return false;
         ++lines;
         const bool is_valid = line.read && !std::holds_alternative<Rejection>(line.read->content);
-        if (order.at_rest && is_valid && std::holds_alternative<Motion>(question_of(line.read->shapes()))) return true;
+        if (is_valid && leaves_out(order, line.read->shapes())) return true;
         if (line.read && line.read->id) take({.place = line.place, .id = *line.read->id});
         if (!line.read)
           take(complaint(InputRejected, "touchstone: " + line.complaint));

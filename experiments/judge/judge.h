@@ -33,7 +33,8 @@ struct Order {
   bool new_ones_pass = false;  ///< failures that `known` notes do not change the status, either
   bool keeps_wrong = true;     ///< Judged has the case and the verdict if a value is wrong
   bool explain = false;
-  bool at_rest = false;  ///< leave out the cases of moving balls
+  bool at_rest = false;    ///< leave out the cases of moving balls
+  bool triangles = false;  ///< leave out the cases of other polygons, and of meshes with other faces
   bool prints_verdicts = true, prints_differences = true;
   cases::LineRange lines{};                             ///< only these are judged
   std::function<void(const Judged&)> judged{};          ///< receives each valid case for each method

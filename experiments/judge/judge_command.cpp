@@ -41,7 +41,7 @@ struct JudgeOptions : run::StudyOptions {
   std::vector<std::string> files, keys;
   std::string junit, report, beyond, known;
   double time_limit = std::chrono::duration<double>(methods::kTimeLimit).count();
-  bool explain = false, at_rest = false, summary = false, update = false;
+  bool explain = false, at_rest = false, triangles = false, summary = false, update = false;
   cases::LineCount counted;  ///< of the files, if the run is kept in a folder
 
   [[nodiscard]] bool reads_standard_input() const { return files.empty() || files == std::vector<std::string>{"-"}; }
@@ -74,8 +74,10 @@ judge::Order order_of(const JudgeOptions& options) {
   order.keeps_wrong = !options.report.empty();
   order.explain = options.explain;
   order.at_rest = options.at_rest;
+  order.triangles = options.triangles;
   order.prints_verdicts = !options.summary && !options.json;
-  order.prints_differences = order.prints_verdicts && !options.quiet;
+  // A summary does not name the new ones among many failures that are known.
+  order.prints_differences = !options.quiet && (order.prints_verdicts || (!options.known.empty() && !options.update));
   order.methods = methods::find_methods(options.methods.names);
   for (const std::string& text : options.methods.engines) {
     methods::Engine engine = methods::engine_of(text);
@@ -94,8 +96,8 @@ judge::Order order_of(const JudgeOptions& options) {
 void tell_of_known(const judge::KnownFailures& known, const std::string& file, bool update) {
   const auto mended = known.mended();
   for (const judge::Failure& failure : mended)
-    fmt::print(stderr, "{}: mended: case {}: method {}: {}\n", file, io::legible(failure.id),
-               io::legible(failure.method), failure.key);
+    fmt::print(stderr, "{}: mended: case {}: method {}: {}{}\n", file, io::legible(failure.id),
+               io::legible(failure.method), failure.key, failure.omits ? ", which it did not give" : "");
   if (update) {
     run::write_file(file, known.text(), true);
     fmt::print(stderr, "{}: {} added, {} removed\n", file, known.new_ones(), mended.size());
@@ -225,6 +227,10 @@ run::Command judge_command() {
       .flag("--at-rest", options->at_rest,
             "Leave out the cases of moving balls, for an engine that knows only balls at rest")
       .changes_results([options] { return std::string(run::yes_or_no(options->at_rest)); });
+  command
+      .flag("--triangles", options->triangles,
+            "Leave out the cases of other polygons than triangles, and of meshes with such faces")
+      .changes_results([options] { return std::string(run::yes_or_no(options->triangles)); });
   command
       .text("--beyond", options->beyond,
             "Count an answer as wrong only if it is still wrong when the radius is changed by this much: 2^-20 or 1e-6 "

@@ -27,8 +27,12 @@ Failure read_failure(const std::string& line) {
     return text.value[key].get<std::string>();
   };
   Failure failure{word("method"), word("case"), word("key")};
-  if (text.duplicate_key || text.value.size() != 3)
-    throw std::invalid_argument("it has more than method, case and key, once each");
+  const auto given = text.value.find("given");
+  if (given != text.value.end() && *given != nlohmann::json(false))
+    throw std::invalid_argument("\"given\" is not false");
+  failure.omits = given != text.value.end();
+  if (text.duplicate_key || text.value.size() != (failure.omits ? 4U : 3U))
+    throw std::invalid_argument("it has more than method, case, key and given, once each");
   constexpr std::array<std::string_view, 3> kOthers{Failure::kNoAnswer, "error", "message"};
   if (!cases::find_key(failure.key) && std::ranges::find(kOthers, failure.key) == kOthers.end())
     throw std::invalid_argument(fmt::format("no answer has a key \"{}\"", failure.key));
@@ -72,9 +76,11 @@ std::string KnownFailures::text() const {
   for (const Failure& failure : known_)
     if (!judged_.contains(failure)) all.insert(failure);
   std::string text;
-  for (const Failure& failure : all)
-    text +=
-        nlohmann::ordered_json{{"method", failure.method}, {"case", failure.id}, {"key", failure.key}}.dump() + "\n";
+  for (const Failure& failure : all) {
+    nlohmann::ordered_json object{{"method", failure.method}, {"case", failure.id}, {"key", failure.key}};
+    if (failure.omits) object["given"] = false;
+    text += object.dump() + "\n";
+  }
   return text;
 }
 

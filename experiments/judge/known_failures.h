@@ -10,11 +10,13 @@
 
 namespace touchstone::judge {
 
-/// A failure of a method: a key of a case whose expectation it does not meet, or an answer that it does not give.
+/// A failure of a method: a key of a case for which it gives another value than the expected one or none, or an answer
+/// that it does not give at all. To give a wrong value is not the same failure as to give none.
 struct Failure {
   static constexpr std::string_view kNoAnswer = "no answer";  ///< in place of the key
 
   std::string method, id, key;
+  bool omits = false;  ///< whether the answer lacks the key
   friend auto operator<=>(const Failure&, const Failure&) = default;
 };
 
@@ -34,7 +36,7 @@ class KnownFailures {
   /// Returns how many failures that are not known occurred.
   [[nodiscard]] std::size_t new_ones() const;
   /// Returns the failures that occurred and the known ones that were not judged, one a line of JSON, by method, case
-  /// and key: `{"method":"fast","case":"t","key":"contact"}`.
+  /// and key: `{"method":"fast","case":"t","key":"contact"}`, with `"given":false` if the answer lacks the key.
   [[nodiscard]] std::string text() const;
 
  private:

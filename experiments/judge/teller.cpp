@@ -70,10 +70,12 @@ void Teller::print(const std::string& verdict) {
 
 void Teller::tell_differences(Judged& judged) {
   const bool answers = judged.fault.empty(), is_known_fault = !answers && knows(no_answer(judged));
-  const auto failure = [&](const std::string& key) { return Failure{judged.method, judged.id, key}; };
+  const auto failure = [&](const std::string& key, bool omits) {
+    return Failure{judged.method, judged.id, key, omits};
+  };
   std::size_t known = 0;
   for (const cases::Difference& difference : judged.differences) {
-    if (answers ? knows(failure(difference.key)) : is_known_fault) {
+    if (answers ? knows(failure(difference.key, !difference.found)) : is_known_fault) {
       ++known;
       continue;
     }
@@ -82,9 +84,12 @@ void Teller::tell_differences(Judged& judged) {
   }
   judged.known = is_known_fault || (known > 0 && known == judged.differences.size());
   if (order_.known != nullptr && answers)
-    for (const std::string& key : judged.compared)
-      order_.known->judged(failure(key), std::ranges::find(judged.differences, key, &cases::Difference::key) !=
-                                             judged.differences.end());
+    for (const std::string& key : judged.compared) {
+      const auto found = std::ranges::find(judged.differences, key, &cases::Difference::key);
+      const bool fails = found != judged.differences.end(), omits = fails && !found->found;
+      order_.known->judged(failure(key, false), fails && !omits);
+      order_.known->judged(failure(key, true), omits);
+    }
   if (order_.judged) order_.judged(judged);
 }
 

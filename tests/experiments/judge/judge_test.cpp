@@ -104,6 +104,19 @@ TEST(Judge, LeavesAMovingBallUnansweredThatAMethodDoesNotKnow) {
   EXPECT_EQ(held.complaints, "case f: method thesis: cannot answer about moving balls\n");
 }
 
+TEST(Judge, LeavesOutOtherPolygonsThanTriangles) {
+  const std::string cases = with(kTouching, "") + R"(
+{"id":"s","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[2,0,0],[2,2,0],[0,2,0]]}}
+{"id":"m","ball":{"center":[1,1,1],"radius":1},"mesh":{"vertices":[[0,0,0],[2,0,0],[2,2,0]],"faces":[[0,1,2]]}}
+{"id":"q","ball":{"center":[1,1,1],"radius":1},"mesh":{"vertices":[[0,0,0],[2,0,0],[2,2,0],[0,2,0]],"faces":[[0,1,2],[0,1,2,3]]}})";
+  Order order;
+  order.triangles = true;
+  const Result result = run(cases, order);
+  EXPECT_EQ(result.verdicts.find("\"id\":\"t\""), 1U);
+  EXPECT_NE(result.verdicts.find("\"id\":\"m\""), std::string::npos);
+  EXPECT_EQ(std::ranges::count(result.verdicts, '\n'), 2);
+}
+
 TEST(Judge, ExitsByTheWorstThatItMet) {
   EXPECT_EQ(run(with(kCollinear, R"(,"expected":{"error":"zero-normal"})")).status, AllMet);
   EXPECT_EQ(run(with(kCollinear, R"(,"expected":{"error":true})")).status, AllMet);

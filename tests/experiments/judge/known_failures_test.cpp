@@ -63,6 +63,26 @@ TEST(KnownFailures, ThatAreMendedAreNamed) {
   EXPECT_EQ(ratchet.known.text().find(R"("exact","case":"t","key":"contact")"), std::string::npos);
 }
 
+// An engine that begins to answer is held to its answers.
+TEST(KnownFailures, OfAKeyThatWasNotGivenDoNotHideWrongValues) {
+  const std::string known = R"({"method":"exact","case":"t","key":"depth","given":false})"
+                            "\n";
+  const Ratchet wrong(R"({"depth":1})", known);
+  EXPECT_EQ(wrong.result.status, ExpectationNotMet);
+  EXPECT_EQ(wrong.result.complaints, "case t: method exact: depth: expected 1, found 0\n");
+  EXPECT_EQ(wrong.known.mended(), (std::vector<Failure>{{"exact", "t", "depth", true}}));
+  EXPECT_EQ(wrong.known.text(), R"({"method":"exact","case":"t","key":"depth"})"
+                                "\n");
+  const std::string silent = R"({"method":"thesis","case":"t","key":"depth","given":false})"
+                             "\n";
+  Order order;
+  order.methods = {methods::find_method("thesis")};  // it has no depth
+  EXPECT_EQ(Ratchet(R"({"depth":0})", silent, order).result.status, AllMet);
+  EXPECT_EQ(Ratchet(R"({"depth":0})", R"({"method":"thesis","case":"t","key":"depth"})", order).result.status,
+            ExpectationNotMet)
+      << "it gave a wrong one before";
+}
+
 // Another run may ask other keys, cases and methods: what it does not judge is neither mended nor forgotten.
 TEST(KnownFailures, ThatAreNotJudgedStay) {
   Order order;

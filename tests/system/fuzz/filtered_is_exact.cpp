@@ -62,7 +62,7 @@ Loop loop_of(Bytes& bytes, std::size_t vertices, unsigned flat_axis) {
 void expect(bool same, const char* question, const Ball& ball, const Polygon& polygon) {
   if (!same)
     throw std::logic_error(std::string("another answer to ") + question + ": " +
-                           cases::case_line("found", {ball, polygon}, {}));
+                           cases::case_line("found", cases::Shapes{ball, polygon}, {}));
 }
 
 /// What f gives in an environment; outside it, numbers are compared as they are.
