@@ -55,12 +55,12 @@ void answer_each(const Items& items, Answer* answers, const Ask& ask) {
   for (const auto& item : items) *answer++ = ask(item);
 }
 
-/// Calls ask(), whose batches run on at most `threads` threads, the caller's among them. 0, like any number above that
-/// of the cores, leaves it to the library.
+/// Calls ask(), whose batch of `count` runs on at most `threads` threads, the caller's among them. 0, like any number
+/// above that of the cores, leaves it to the library.
 template <class Ask>
-void on_threads([[maybe_unused]] std::uint32_t threads, const Ask& ask) {
+void on_threads([[maybe_unused]] std::uint32_t threads, [[maybe_unused]] std::size_t count, const Ask& ask) {
 #if !defined(TOUCHSTONE_WITHOUT_TBB)
-  if (threads != 0 && threads < parts_at_once()) {
+  if (count > 1 && threads != 0 && threads < parts_at_once()) {
     const FloatingPointState state;  // an arena may change that of the caller
     tbb::task_arena arena(static_cast<int>(threads));
     return arena.execute(ask);

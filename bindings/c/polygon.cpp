@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <memory>
-#include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -19,7 +19,10 @@ namespace {
 Polygon valid_polygon(const double* vertices, const size_t* loop_sizes, size_t loop_count) {
   const auto sizes = given(loop_sizes, loop_count, "the array of loop sizes");
   if (sizes.empty()) throw std::invalid_argument("a polygon has an outer loop, but the count of loops is 0");
-  const size_t vertex_count = std::accumulate(sizes.begin(), sizes.end(), size_t{0});
+  size_t vertex_count = 0;
+  for (const size_t size : sizes)
+    if (__builtin_add_overflow(vertex_count, size, &vertex_count))
+      throw std::invalid_argument("the loops have more vertices than memory can hold");
   const double* next = given(vertices, vertex_count, "the array of vertices").data();
   std::vector<Loop> loops;
   for (const size_t size : sizes) {

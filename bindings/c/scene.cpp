@@ -65,16 +65,17 @@ touchstone_first_face converted(const std::optional<scene::FirstFace>& first) {
   return {{first->face.object, first->face.face}, in_c(first->contact)};
 }
 
-/// Calls ask(scene, objects) as the options say.
+/// Calls ask(scene, objects), about `count` items, as the options say.
 template <class Ask>
-void ask_scene(const touchstone_scene* scene, const touchstone_scene_options* options, const Ask& ask) {
+void ask_scene(const touchstone_scene* scene, const touchstone_scene_options* options, std::size_t count,
+               const Ask& ask) {
   const Scene& held = given(scene, "the scene").held;
   if (options == nullptr) return ask(held, Scene::Objects());
   const auto numbers = given(options->objects, options->object_count, "the array of objects");
   const auto objects = options->objects == nullptr
                            ? Scene::Objects()
                            : Scene::Objects(std::vector<std::uint32_t>(numbers.begin(), numbers.end()));
-  on_threads(options->threads, [&] { ask(held, objects); });
+  on_threads(options->threads, count, [&] { ask(held, objects); });
 }
 
 /// Returns what ask(items) returns. One item is asked alone, as a batch costs more.
@@ -117,7 +118,7 @@ touchstone_status touchstone_scene_touches(const touchstone_scene* scene, const 
   return guarded(error, [&] {
     const auto asking = balls_of(balls, count);
     const std::span out = given(touches, count, "the array of answers");
-    ask_scene(scene, options, [&](const Scene& held, const Scene::Objects& objects) {
+    ask_scene(scene, options, count, [&](const Scene& held, const Scene::Objects& objects) {
       if (count == 1)
         out[0] = held.touches(asking[0], objects);
       else
@@ -131,7 +132,7 @@ touchstone_status touchstone_scene_nearest(const touchstone_scene* scene, const 
                                            touchstone_error* error) {
   return guarded(error, [&] {
     const auto asking = balls_of(balls, count);
-    ask_scene(scene, options, [&](const Scene& held, const Scene::Objects& objects) {
+    ask_scene(scene, options, count, [&](const Scene& held, const Scene::Objects& objects) {
       answer_each(each_of(asking, [&](const auto& one_or_all) { return held.nearest(one_or_all, objects); }), faces,
                   [](const auto& nearest) { return converted(nearest); });
     });
@@ -143,7 +144,7 @@ touchstone_status touchstone_scene_first_contact(const touchstone_scene* scene, 
                                                  touchstone_first_face* faces, touchstone_error* error) {
   return guarded(error, [&] {
     const auto asking = motions_of(motions, count);
-    ask_scene(scene, options, [&](const Scene& held, const Scene::Objects& objects) {
+    ask_scene(scene, options, count, [&](const Scene& held, const Scene::Objects& objects) {
       answer_each(each_of(asking, [&](const auto& one_or_all) { return held.first_contact(one_or_all, objects); }),
                   faces, [](const auto& first) { return converted(first); });
     });
@@ -156,7 +157,7 @@ touchstone_status touchstone_scene_touched(const touchstone_scene* scene, const 
   return created(lists, error, [&] {
     const auto asking = balls_of(balls, count);
     auto made = std::make_unique<touchstone_face_lists>();
-    ask_scene(scene, options, [&](const Scene& held, const Scene::Objects& objects) {
+    ask_scene(scene, options, count, [&](const Scene& held, const Scene::Objects& objects) {
       for (const auto& list :
            each_of(asking, [&](const auto& one_or_all) { return held.touched(one_or_all, objects); })) {
         for (const scene::FaceId& id : list) made->faces.push_back({id.object, id.face});

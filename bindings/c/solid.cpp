@@ -33,7 +33,7 @@ touchstone_status touchstone_solid_locate(const touchstone_solid* solid, const d
     const auto& held = given(solid, "the solid").held;
     const auto asking = points_of(points, count);
     std::vector<PointLocation> found(count);
-    on_threads(threads, [&] { held.locate(asking, found); });
+    on_threads(threads, count, [&] { held.locate(asking, found); });
     answer_each(found, locations, [](PointLocation location) { return in_c(location); });
   });
 }
@@ -44,7 +44,7 @@ touchstone_status touchstone_solid_touches(const touchstone_solid* solid, const 
     const auto& held = given(solid, "the solid").held;
     const auto asking = balls_of(balls, count);
     const auto out = given(touches, count, "the array of answers");
-    on_threads(threads, [&] { held.touches(asking, out); });
+    on_threads(threads, count, [&] { held.touches(asking, out); });
   });
 }
 
@@ -54,6 +54,6 @@ touchstone_status touchstone_solid_signed_distance(const touchstone_solid* solid
     const auto& held = given(solid, "the solid").held;
     const auto asking = points_of(points, count);
     const auto out = given(distances, count, "the array of answers");
-    on_threads(threads, [&] { held.signed_distance(asking, out); });
+    on_threads(threads, count, [&] { held.signed_distance(asking, out); });
   });
 }

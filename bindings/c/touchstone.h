@@ -17,11 +17,11 @@ extern "C" {
 ///
 /// Guarantees, for all arguments that are NULL or point to what the function says:
 ///  (1) every answer has the bits of the one in C++;
-///  (2) every function except those that free and name returns a status. It returns TOUCHSTONE_OK if and only if it did
-///      what it says. No exception leaves it, and nothing is printed;
-///  (3) every number is checked: a coordinate that is NaN or infinite, a negative radius, and loops that bound no
-///      region are refused with the code of the contract, by a message that names the loop and the vertex or edge. A
-///      batch is refused whole, by a message that names the first faulty element;
+///  (2) every function that can fail returns a status: TOUCHSTONE_OK if and only if it did what it says. No exception
+///      leaves a function, and nothing is printed;
+///  (3) every number is checked, except vertices that no face uses: a coordinate that is NaN or infinite, a negative
+///      radius, and loops that bound no region are refused with the code of the contract, by a message that names the
+///      loop and the vertex or edge. A batch is refused whole, by a message that names the first faulty element;
 ///  (4) a batch gives the answers of its elements alone, in their order, whatever the number of threads;
 ///  (5) after an error the objects in the arguments are as before, a handle that was to be made is NULL, and other
 ///      results mean nothing;
@@ -31,7 +31,8 @@ extern "C" {
 ///
 /// Lengths are in the unit of the input. Vertices and points are three doubles each, one after the other. Arrays of
 /// `count` elements may be NULL if count is 0. Enumerations are `int32_t` with the constants below, so that structures
-/// have the same layout for every compiler; new constants may be added. Costs are those of C++, and a few ns to check.
+/// have the same layout for every compiler; new constants may be added. Costs are those of C++, and a few ns to check;
+/// a batch of several on fewer threads than cores costs 1 us more, and a single point of a solid 0.1 us.
 /// The caller frees each handle once. Functions that free accept NULL.
 
 /// The way in which a function ended. The first eight after TOUCHSTONE_OK are the contract's codes of rejection.
@@ -50,7 +51,7 @@ enum {
   TOUCHSTONE_INVALID_ARGUMENT = 17,  ///< NULL, a name that is taken, a vertex that a mesh does not have
   TOUCHSTONE_NO_SUCH_OBJECT = 18,    ///< no object of the scene has this number
   TOUCHSTONE_OUT_OF_MEMORY = 19,     ///< memory was refused
-  TOUCHSTONE_INTERNAL_ERROR = 20     ///< a defect of the library or of the way it was compiled
+  TOUCHSTONE_INTERNAL_ERROR = 20     ///< the system refused a thread; else a defect of the library or its compilation
 };
 
 /// Why a function failed. It belongs to the caller, and a function that takes one writes to it, also on success. Pass
@@ -58,7 +59,7 @@ enum {
 typedef struct touchstone_error {
   touchstone_status status;  ///< what the function returned
   /// The sentence of the exception in C++, in UTF-8 and ending in 0; empty on success. One that is longer ends with
-  /// "...", after a whole character.
+  /// "...", after a whole character, as that about an object with a name of 400 bytes.
   char message[508];
 } touchstone_error;
 
@@ -242,7 +243,7 @@ void touchstone_scene_free(touchstone_scene *scene);                            
 
 /// Adds an object under a pose, NULL for the identity, and writes its number to *object: 0, 1 and so on. Fails with
 /// TOUCHSTONE_INVALID_ARGUMENT if the name is taken, and with a code of rejection, by a message that names the object
-/// and the face, for a face that is not valid as given or as posed.
+/// and the face, for a face that is not valid as given or as posed. `name` is UTF-8.
 touchstone_status touchstone_scene_add(touchstone_scene *scene, const char *name, const touchstone_faces *faces,
                                        const touchstone_pose *pose, uint32_t *object, touchstone_error *error);
 /// Removes an object. Its number is not given again, and its name is free.
@@ -273,7 +274,7 @@ touchstone_status touchstone_scene_touched(const touchstone_scene *scene, const 
                                            touchstone_error *error);
 /// Returns count + 1 numbers: list i has the elements offsets[i] to offsets[i + 1] - 1 of the array. NULL for NULL.
 const uint64_t *touchstone_face_lists_offsets(const touchstone_face_lists *lists);
-/// Returns the faces of all lists. NULL for NULL.
+/// Returns the faces of all lists. NULL for NULL, and perhaps if all lists are empty.
 const touchstone_face_id *touchstone_face_lists_faces(const touchstone_face_lists *lists);
 void touchstone_face_lists_free(touchstone_face_lists *lists);  ///< frees it
 
@@ -294,7 +295,7 @@ touchstone_status touchstone_solid_locate(const touchstone_solid *solid, const d
 /// Writes to touches[i] whether balls[i] touches the solid: a triangle, or by its centre inside.
 touchstone_status touchstone_solid_touches(const touchstone_solid *solid, const touchstone_ball *balls, size_t count,
                                            uint32_t threads, bool *touches, touchstone_error *error);
-/// Writes to distances[i] the distance of point i from the surface, negative inside.
+/// Writes to distances[i] the distance of point i from the surface, negative inside, +0 if it rounds to 0.
 touchstone_status touchstone_solid_signed_distance(const touchstone_solid *solid, const double *points, size_t count,
                                                    uint32_t threads, double *distances, touchstone_error *error);
 

@@ -121,7 +121,9 @@ class Reader {
     if (!mesh.is_object()) malformed("mesh is not an object");
     if (const auto file = mesh.find("file"); file != mesh.end()) {
       if (!file->is_string()) malformed("mesh.file is not a string");
-      if (mesh.size() != 1) malformed("mesh has other keys beside \"file\"");
+      if (mesh.contains("vertices") || mesh.contains("faces")) malformed("mesh has a file, and vertices or faces");
+      if (file->get_ref<const std::string&>().find('\0') != std::string::npos)
+        malformed("mesh.file has a NUL character");
       try {
         return read_mesh(folder / file->get<std::string>()).mesh;
       } catch (const BrokenMesh& error) {

@@ -126,6 +126,7 @@ Margin margin_of(const std::string& text) {
 AnswersWithin::AnswersWithin(AnyShapes shapes, double margin)
     : shapes_(std::move(shapes)),
       margin_(margin),
+      size_(size(shapes_)),
       answers_{answer_with(shapes_, std::max(ball().radius - margin, 0.0)), exact_answer(shapes_),
                answer_with(shapes_, larger_radius())} {}
 
@@ -145,9 +146,12 @@ bool AnswersWithin::has(const Key& key, const StatedAnswer& answer) const {
   const auto* asked = std::get_if<MeshShapes>(&shapes_);
   if (asked == nullptr) return is_between(key, answer.values);
   if (const auto decided = is_between_of_mesh(key, answer.values)) return *decided;
-  const std::optional<std::size_t> face = answer.values.face ? answer.values.face : truth().face;
-  if (!face || *face >= asked->mesh.faces().size()) return false;
-  return AnswersWithin(Shapes{asked->question, asked->mesh.faces()[*face]}, margin_).has(key, answer);
+  const bool names_one = answer.values.face && has_face(*answer.values.face);
+  const std::optional<std::size_t> face = names_one ? answer.values.face : truth().face;
+  if (!face) return false;
+  AnswersWithin about_face(Shapes{asked->question, asked->mesh.faces()[*face]}, margin_);
+  about_face.size_ = size_;
+  return about_face.has(key, answer);
 }
 
 std::optional<bool> AnswersWithin::is_between_of_mesh(const Key& key, const PartialAnswer& found) const {
@@ -155,8 +159,9 @@ std::optional<bool> AnswersWithin::is_between_of_mesh(const Key& key, const Part
   if (is(&PartialAnswer::face)) return has_face(*found.face);
   if (is(&PartialAnswer::touched)) return is_sorted_between(*smallest().touched, *found.touched, *largest().touched);
   if (is(&PartialAnswer::relation) || is(&PartialAnswer::first) || is(&PartialAnswer::time) ||
-      is(&PartialAnswer::distance) || is(&PartialAnswer::depth))
+      is(&PartialAnswer::distance) || (is(&PartialAnswer::depth) && motion() == nullptr))
     return is_between(key, found);
+  if (is(&PartialAnswer::contact)) return false;  // it is that of none of the radii
   return std::nullopt;
 }
 
@@ -222,7 +227,7 @@ bool AnswersWithin::has_point(const Eigen::Vector3d& point) const {
 
 bool AnswersWithin::has_normal(const Eigen::Vector3d& normal) const {
   const bool touches = motion() == nullptr || *largest().contact;
-  if (!touches || !(std::abs(normal.norm() - 1) * size(shapes_) <= margin_)) return false;
+  if (!touches || !(std::abs(normal.norm() - 1) * size_ <= margin_)) return false;
   const auto [begin, end] = centers();
   const Eigen::Vector3d to_polygon = -distance() * normal;
   return reaches(Motion({begin + to_polygon, margin_}, end + to_polygon));

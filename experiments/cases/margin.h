@@ -51,10 +51,11 @@ class AnswersWithin {
   ///  (7) `nearest`: if the distance to that feature exceeds the least by the margin at most;
   ///  (8) `touched`: if it has the faces that the smallest ball touches, and no face that the largest does not;
   ///  (9) `face`: if its distance, rounded, exceeds the least by the margin at most, or if a moving ball touches it
-  ///      with the largest radius no later than any face with the smallest. Of a mesh, (4) to (7) and `momentary` hold
-  ///      about the face that the answer names, and else about the right one. Distances of (4), (5) and (7) are
-  ///      computed in doubles. A key that the answer lacks, or whose value does not have the form of the contract, is
-  ///      not within it.
+  ///      with the largest radius no later than any face with the smallest.
+  ///
+  /// Of a mesh, (4) to (7), `momentary` and the depth of a moving ball are about the face that the answer names, if (9)
+  /// holds for that, and else about the right one. Distances of (4), (5) and (7) are computed in doubles. A key that the
+  /// answer lacks, or whose value does not have the form of the contract, is not within it.
   [[nodiscard]] bool has(const Key& key, const StatedAnswer& answer) const;
 
  private:
@@ -81,7 +82,7 @@ class AnswersWithin {
   [[nodiscard]] std::array<Eigen::Vector3d, 2> centers() const;
 
   AnyShapes shapes_;
-  double margin_;
+  double margin_, size_;                  ///< `size_`: that of the case
   std::array<PartialAnswer, 3> answers_;  ///< by radius, ascending
 };
 

@@ -121,6 +121,9 @@ std::optional<std::uint64_t> size_of(const std::vector<std::string>& files) {
 int judge_in_folder(judge::Order order, JudgeOptions& options) {
   if (options.reads_standard_input())
     throw run::UsageError("--output", "cases on standard input cannot be read again; name their files");
+  for (const std::string& file : options.files)
+    if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+      throw run::UsageError("--output", io::legible(file) + " is not a file that can be read again");
   run::StudyRun study("judge", kVersion, options);
   const auto file_in = [](const std::filesystem::path& folder) { return folder / "judgement"; };
   options.counted = cases::count_lines(order.files);
@@ -150,6 +153,11 @@ int judge_in_folder(judge::Order order, JudgeOptions& options) {
   judge::Teller teller(order);
   std::vector<std::filesystem::path> folders = options.merged;
   if (folders.empty()) folders = {study.folder()};
+  std::uint64_t bytes = 0;
+  for (const auto& folder : folders) bytes += std::filesystem::file_size(file_in(folder));
+  if (bytes != kept.bytes)
+    throw std::runtime_error(fmt::format("{}: the judgements have {} bytes, their checkpoints name {}",
+                                         folders.front().string(), bytes, kept.bytes));
   for (const auto& folder : folders)
     judge::read_judgement(file_in(folder), [&](judge::Entry&& entry) { teller.tell(std::move(entry)); });
   study.write_record(

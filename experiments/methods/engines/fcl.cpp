@@ -29,6 +29,7 @@ class FclScene : public BuiltScene {
     triangles.reserve(count_);
     for (const auto& [a, b, c] : mesh.corners)
       triangles.emplace_back(static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c));
+    for (const auto& vertex : mesh.vertices) largest_ = std::max(largest_, vertex.lpNorm<Eigen::Infinity>());
     model_.beginModel(static_cast<int>(count_), static_cast<int>(mesh.vertices.size()));
     model_.addSubModel(mesh.vertices, triangles);
     if (model_.endModel() != fcl::BVH_OK) throw std::runtime_error("FCL: no model of these triangles");
@@ -43,7 +44,11 @@ class FclScene : public BuiltScene {
       triangles.push_back(static_cast<std::uint32_t>(result.getContact(i).b1));
   }
 
+  /// FCL's walk does not end where boxes overflow.
   [[nodiscard]] std::uint32_t nearest(const Eigen::Vector3d& center) const override {
+    constexpr double kMost = 0x1p500;
+    if (!(std::max(largest_, center.lpNorm<Eigen::Infinity>()) < kMost))
+      throw std::runtime_error("FCL: no distance of such large numbers");
     const fcl::Sphere<double> sphere(0);
     fcl::DistanceResult<double> result;
     fcl::distance(&model_, Pose::Identity(), &sphere, at(center), fcl::DistanceRequest<double>(), result);
@@ -74,6 +79,7 @@ class FclScene : public BuiltScene {
   }
 
   std::size_t count_;
+  double largest_ = 0;  ///< the largest magnitude of a coordinate
   fcl::BVHModel<fcl::OBBRSS<double>> model_;
 };
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
+#include "experiments/cases/posed_mesh.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"
@@ -56,7 +57,7 @@ class Processes {
   Processes(std::string name, std::string command, std::chrono::milliseconds time_limit)
       : name_(std::move(name)), command_(std::move(command)), time_limit_(time_limit) {}
 
-  /// `shapes`: the keys `ball`, `motion` and `polygon` of the case.
+  /// `shapes`: the keys `ball`, `motion` and `polygon` or `mesh` of the case.
   [[nodiscard]] cases::PartialAnswer ask(const std::string& shapes) {
     const std::string id = std::to_string(++asked_);
     const std::string line = fmt::format(R"({{"id":"{}",{}}})", id, shapes);
@@ -116,19 +117,23 @@ std::string text_of(const cases::Verdict& member) {
 class PreparedEngine : public cases::PreparedMethod {
  public:
   PreparedEngine(Processes& processes, const Polygon& polygon)
-      : processes_(processes), polygon_(text_of(cases::object_of(polygon))) {}
+      : processes_(processes), target_("\"polygon\":" + text_of(cases::object_of(polygon))) {}
+  PreparedEngine(Processes& processes, const cases::PosedMesh& mesh)
+      : processes_(processes), target_("\"mesh\":" + text_of(cases::object_of(mesh.mesh()))) {
+    if (!(mesh.pose() == Pose())) target_ += ",\"pose\":" + text_of(cases::object_of(mesh.pose()));
+  }
 
   [[nodiscard]] cases::PartialAnswer ask(const Ball& ball, cases::QueryKind) const override {
-    return processes_.ask(fmt::format(R"("ball":{},"polygon":{})", text_of(cases::object_of(ball)), polygon_));
+    return processes_.ask(fmt::format(R"("ball":{},{})", text_of(cases::object_of(ball)), target_));
   }
   [[nodiscard]] std::optional<cases::PartialAnswer> ask_moving(const Motion& motion) const override {
-    return processes_.ask(fmt::format(R"("ball":{},"motion":{},"polygon":{})", text_of(cases::object_of(motion.ball)),
-                                      text_of(cases::object_of(motion)), polygon_));
+    return processes_.ask(fmt::format(R"("ball":{},"motion":{},{})", text_of(cases::object_of(motion.ball)),
+                                      text_of(cases::object_of(motion)), target_));
   }
 
  private:
   Processes& processes_;
-  std::string polygon_;
+  std::string target_;  ///< the key of the polygon or of the mesh
 };
 
 }  // namespace
@@ -156,7 +161,8 @@ std::unique_ptr<cases::Method> external_method(std::string name, std::string sum
   return std::make_unique<cases::Method>(
       std::move(name), std::move(summary),
       [processes](const Polygon& polygon) { return std::make_unique<PreparedEngine>(*processes, polygon); },
-      cases::Method::Kind::Pipe);
+      cases::Method::Kind::Pipe,
+      [processes](const cases::PosedMesh& mesh) { return std::make_unique<PreparedEngine>(*processes, mesh); });
 }
 
 }  // namespace touchstone::methods

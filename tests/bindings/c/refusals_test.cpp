@@ -82,6 +82,14 @@ TEST(Refusals, OfPolygonsHaveTheCodeAndTheMessageOfCpp) {
   }
 }
 
+// The sum of the sizes is 0 in the arithmetic of size_t.
+TEST(Refusals, OfLoopsThatNoMemoryHolds) {
+  const std::size_t sizes[] = {4, std::numeric_limits<std::size_t>::max() - 3};
+  touchstone_polygon* polygon = nullptr;
+  EXPECT_REFUSED(touchstone_polygon_create(nullptr, sizes, 2, &polygon, &error), TOUCHSTONE_INVALID_ARGUMENT,
+                 "the loops have more vertices than memory can hold");
+}
+
 TEST(Refusals, OfABatchNameTheFirstFaultyElement) {
   const auto polygon = polygon_in_c(Polygon(kSquare));
   const touchstone_ball good{{1, 1, 1}, 1};

@@ -255,12 +255,19 @@ TEST(AnswersWithin, OfAMeshNameAFaceThatIsNearlyAsNear) {
   EXPECT_TRUE(within(at_rest, 0.011, "nearest", R"({"face":0,"nearest":{"kind":"edge","index":1}})"));
   EXPECT_FALSE(within(at_rest, 0.011, "nearest", R"({"face":0,"nearest":{"kind":"edge","index":0}})"));
   EXPECT_FALSE(within(at_rest, 0.011, "nearest", R"({"face":9,"nearest":{"kind":"edge","index":1}})"));
+  EXPECT_FALSE(within(at_rest, 0.011, "point", R"({"face":2,"point":[4,2,-3]})")) << "true of a face that is far away";
+  EXPECT_FALSE(within(at_rest, 0.011, "contact_normal", R"({"face":1,"contact_normal":[0,0,1.01]})"));
+  const MeshShapes deep = steps(Ball{{4, 2, 1}, 1.5});
+  EXPECT_FALSE(within(deep, 0.011, "contact", R"({"face":2,"contact":false})"));
   EXPECT_TRUE(within(at_rest, 0.011, "distance", R"({"distance":1})"));
 
   const MeshShapes falling = steps(Motion({{4, 2, 3}, 1}, {4, 2, 0}));
   EXPECT_TRUE(within(falling, 0.011, "face", R"({"face":0})"));
   EXPECT_FALSE(within(falling, 0.004, "face", R"({"face":0})"));
   EXPECT_FALSE(within(falling, 0.011, "face", R"({"face":2})"));
+  const MeshShapes starts = steps(Motion({{4, 2, 0.5}, 0.51}, {4, 2, 0}));  // in face 1 by 0.02, in face 0 by 0.01
+  EXPECT_TRUE(within(starts, 0.02, "depth", R"({"face":0,"depth":0.01})"));
+  EXPECT_FALSE(within(starts, 0.02, "depth", R"({"face":0,"depth":0.1})"));
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ def read_polygon(case):
 
 
 def read_mesh(case):
-    """The loops of the faces of a well-formed mesh, as it has them and posed."""
+    """The loops of each face of a well-formed mesh, as it has them and then posed; None for posed ones beyond the doubles."""
+    reject_if("polygon" in case or "file" in member(case, "mesh", dict), "malformed-case")  # this reads no files
     mesh, pose = member(case, "mesh", dict), member(case, "pose", dict, {})
     vertices = read_loop(member(mesh, "vertices", list), False)
     faces = member(mesh, "faces", list)
@@ -112,17 +113,20 @@ def read_mesh(case):
         rows = (sum(Fraction(a) * Fraction(x) for a, x in zip(row, point)) for row in rotation)
         return tuple(nearest_double(x + Fraction(t)) for x, t in zip(rows, translation))
 
-    polygons = [[[place(vertices[int(i)]) for i in face]] for place in (tuple, posed) for face in faces]
-    reject_if(any(x is None for loops in polygons for loop in loops for p in loop for x in p), "not-finite")
-    return polygons
+    def loops(face, place):
+        points = [place(vertices[int(i)]) for i in face]
+        return None if any(x is None for p in points for x in p) else [points]
+
+    return [loops(face, place) for face in faces for place in (tuple, posed)]
 
 
 def read_case(case):
     """Centre, end of the motion or None, radius and polygons, each a list of loops, of a well-formed case, in floats.
 
-    The polygons are one, or the faces of a mesh as it has them and then posed.
+    The polygons are one, or each face of a mesh as it has it and then posed.
     """
     member(case, "id", str)
+    reject_if("pose" in case and "mesh" not in case, "malformed-case")
     ball = member(case, "ball", dict)
     center, radius = read_point(member(ball, "center", list)), member(ball, "radius", float)
     to = read_point(member(member(case, "motion", dict), "to", list)) if "motion" in case else None
@@ -294,7 +298,7 @@ def validate(radius, loops):
 
 def scaled_to_integers(center, to, radius, polygons):
     """The power of two that makes every number an integer, and the numbers times it."""
-    numbers = [radius, *center, *(to or ()), *(x for loops in polygons for loop in loops for p in loop for x in p)]
+    numbers = [radius, *center, *(to or ()), *(x for loops in polygons if loops for loop in loops for p in loop for x in p)]
     scale = max(x.as_integer_ratio()[1] for x in numbers)
 
     def exact(x):
@@ -304,7 +308,7 @@ def scaled_to_integers(center, to, radius, polygons):
     def point(p):
         return tuple(map(exact, p))
 
-    return scale, point(center), to and point(to), exact(radius), [[[point(p) for p in loop] for loop in loops] for loops in polygons]
+    return scale, point(center), to and point(to), exact(radius), [loops and [[point(p) for p in loop] for loop in loops] for loops in polygons]
 
 
 def quotient(a, b):
@@ -530,9 +534,10 @@ def judge_case(text_line):
         reject_if("not-finite" in flaws, "not-finite")
         scale, center, to, radius, polygons = scaled_to_integers(center, to, radius, polygons)
         for loops in polygons:
+            reject_if(loops is None, "not-finite")
             validate(radius, loops)
         if "mesh" in case:
-            verdict.update(answer_of_mesh(scale, center, to, radius, polygons[len(polygons) // 2:]))
+            verdict.update(answer_of_mesh(scale, center, to, radius, polygons[1::2]))
         elif to is not None:
             verdict.update(first_contact(scale, center, to, radius, *polygons)[1])
         else:
