@@ -47,3 +47,8 @@ while(public_headers)
   list(APPEND everything ${name}.h)
 endwhile()
 write_public_header(touchstone "All of Touchstone." ${everything})
+
+# Not part of <touchstone/touchstone.h>: users bring CGAL.
+write_public_header(cgal "touchstone::cgal: the shapes and face graphs of CGAL, and balls with a squared radius."
+                    bindings/cgal/cgal.h)
+install_headers(bindings/cgal/cgal.h)
