@@ -25,7 +25,8 @@ PosedMesh::PosedMesh(Mesh mesh, const Pose& pose) : mesh_(std::move(mesh)), pose
       throw Rejected({code, fmt::format("face {} of the mesh: {}", face, message)});
     }
   std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::ranges::stable_partition(order_, [this](std::size_t face) { return faces_[face].vertex_count() == 3; });
+  std::stable_partition(order_.begin(), order_.end(),
+                        [this](std::size_t face) { return faces_[face].vertex_count() == 3; });
 }
 
 }  // namespace touchstone::cases
