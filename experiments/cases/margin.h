@@ -54,8 +54,8 @@ class AnswersWithin {
   ///      with the largest radius no later than any face with the smallest.
   ///
   /// Of a mesh, (4) to (7), `momentary` and the depth of a moving ball are about the face that the answer names, if (9)
-  /// holds for that, and else about the right one. Distances of (4), (5) and (7) are computed in doubles. A key that the
-  /// answer lacks, or whose value does not have the form of the contract, is not within it.
+  /// holds for that, and else about the right one. Distances of (4), (5) and (7) are computed in doubles. A key that
+  /// the answer lacks, or whose value does not have the form of the contract, is not within it.
   [[nodiscard]] bool has(const Key& key, const StatedAnswer& answer) const;
 
  private:
