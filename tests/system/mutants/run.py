@@ -75,6 +75,9 @@ class Workshop:
             (folder / unit).write_text((self.source / unit).read_text())
         (folder / mutant["file"]).parent.mkdir(parents=True, exist_ok=True)
         (folder / mutant["file"]).write_text(text)
+        for top in re.findall(r'^#include "(?:\.\./)+(\w+)/', text, re.MULTILINE):  # as public headers have it
+            if not (folder / top).exists():
+                (folder / top).symlink_to(self.source / top)
         commands = {}  # by the objects that they make
         for unit in units(mutant):
             command = compile_command(self.commands[program], str(self.source / unit))
