@@ -341,6 +341,16 @@ const Question& question_of(const AnyShapes& shapes) {
   return std::visit([](const auto& one) -> const Question& { return one.question; }, shapes);
 }
 
+std::span<const Polygon> faces_of(const AnyShapes& shapes) {
+  if (const auto* one = std::get_if<Shapes>(&shapes)) return {&one->polygon, 1};
+  return std::get<MeshShapes>(shapes).mesh.faces();
+}
+
+AnyShapes with_radius(AnyShapes shapes, double radius) {
+  std::visit([&](auto& one) { one.question = with_radius(one.question, radius); }, shapes);
+  return shapes;
+}
+
 std::unique_ptr<PreparedMethod> prepare(const Method& method, const AnyShapes& shapes) {
   if (const auto* one = std::get_if<Shapes>(&shapes)) return method.prepare(one->polygon);
   return method.prepare(std::get<MeshShapes>(shapes).mesh);

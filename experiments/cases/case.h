@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -40,6 +41,10 @@ struct MeshShapes {
 /// A question about a polygon or a mesh.
 using AnyShapes = std::variant<Shapes, MeshShapes>;
 [[nodiscard]] const Question& question_of(const AnyShapes& shapes);
+/// Returns the polygon, or the posed faces of the mesh.
+[[nodiscard]] std::span<const Polygon> faces_of(const AnyShapes& shapes);
+/// Returns the question about a ball with another radius.
+[[nodiscard]] AnyShapes with_radius(AnyShapes shapes, double radius);
 /// Prepares the polygon or the mesh.
 [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Method& method, const AnyShapes& shapes);
 

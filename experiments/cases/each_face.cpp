@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "experiments/cases/method.h"
 #include "experiments/cases/posed_mesh.h"

@@ -21,21 +21,13 @@ double size(const AnyShapes& shapes) {
   double largest = std::max(ball_of(question).radius, ball_of(question).center.lpNorm<Eigen::Infinity>());
   if (const auto* motion = std::get_if<Motion>(&question))
     largest = std::max(largest, motion->to.lpNorm<Eigen::Infinity>());
-  const auto meet = [&](const Polygon& polygon) {
+  for (const Polygon& polygon : faces_of(shapes))
     for (std::size_t i = 0; i < polygon.vertex_count(); ++i)
       largest = std::max(largest, polygon.vertex(i).lpNorm<Eigen::Infinity>());
-  };
-  if (const auto* one = std::get_if<Shapes>(&shapes))
-    meet(one->polygon);
-  else
-    std::ranges::for_each(std::get<MeshShapes>(shapes).mesh.faces(), meet);
   return largest;
 }
 
-PartialAnswer answer_with(AnyShapes shapes, double radius) {
-  std::visit([&](auto& one) { one.question = with_radius(one.question, radius); }, shapes);
-  return exact_answer(shapes);
-}
+PartialAnswer answer_with(const AnyShapes& shapes, double radius) { return exact_answer(with_radius(shapes, radius)); }
 
 /// The supporting plane of a polygon, in rationals.
 class SupportingPlane {

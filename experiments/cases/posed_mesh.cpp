@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <utility>
 
@@ -14,6 +15,7 @@
 namespace touchstone::cases {
 
 PosedMesh::PosedMesh(Mesh mesh, const Pose& pose) : mesh_(std::move(mesh)), pose_(pose), order_(mesh_.faces.size()) {
+  assert(!mesh_.faces.empty());
   for (std::size_t i = 0; i < mesh_.vertices.size(); ++i)
     if (!mesh_.vertices[i].allFinite())
       throw Rejected({RejectionCode::NotFinite, fmt::format("vertex {} of the mesh is not finite", i)});

@@ -13,8 +13,8 @@ namespace touchstone::cases {
 /// A mesh under a pose. Every face is valid, as the mesh has it and posed.
 class PosedMesh {
  public:
-  /// Poses the faces (posing.h). Throws Rejected: `not-finite` if a vertex or the pose is not finite, and else the
-  /// rejection of the first bad face, which the message names.
+  /// Poses the faces (posing.h), of which there must be one. Throws Rejected: `not-finite` if a vertex or the pose is
+  /// not finite, and else the rejection of the first bad face, which the message names.
   explicit PosedMesh(Mesh mesh, const Pose& pose = {});
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }

@@ -42,13 +42,11 @@ std::vector<std::string> compared_keys(const Order& order, const cases::StatedAn
 double radius_of(const cases::AnyShapes& shapes) { return cases::ball_of(question_of(shapes)).radius; }
 
 bool is_triangle(const Polygon& polygon) { return polygon.vertex_count() == 3; }
-bool are_triangles(const cases::Shapes& shapes) { return is_triangle(shapes.polygon); }
-bool are_triangles(const cases::MeshShapes& shapes) { return std::ranges::all_of(shapes.mesh.faces(), is_triangle); }
 
 /// Returns whether the order leaves out cases of this kind.
 bool leaves_out(const Order& order, const cases::AnyShapes& shapes) {
   if (order.at_rest && std::holds_alternative<Motion>(question_of(shapes))) return true;
-  return order.triangles && !std::visit([](const auto& one) { return are_triangles(one); }, shapes);
+  return order.triangles && !std::ranges::all_of(faces_of(shapes), is_triangle);
 }
 
 /// Returns the case without a comparison. `fault`: why there is no answer; else empty.

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <optional>
 #include <set>
-#include <span>
 
 #include "experiments/cases/comparison.h"
 #include "experiments/judge/corpus/corpus_case.h"
@@ -49,9 +48,6 @@ void check_rejection(const cases::Case& read, const std::string& line, std::vect
                                  again ? "\"" + std::string(to_string(*again)) + "\"" : "nothing"));
 }
 
-const std::vector<Polygon>& polygons_of(const cases::MeshShapes& shapes) { return shapes.mesh.faces(); }
-std::span<const Polygon> polygons_of(const cases::Shapes& shapes) { return {&shapes.polygon, 1}; }
-
 /// Derives the answer without `exact`: in rationals, or by `filtered` if the ball moves.
 std::vector<std::string> differences_again(const cases::AnyShapes& shapes, const cases::StatedAnswer& expected) {
   if (const auto* ball = std::get_if<Ball>(&question_of(shapes))) {
@@ -71,13 +67,9 @@ std::vector<std::string> differences_again(const cases::AnyShapes& shapes, const
 
 void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
   const cases::AnyShapes shapes = read.shapes();
-  std::visit(
-      [&](const auto& one) {
-        for (const Polygon& polygon : polygons_of(one))
-          if (const auto fault = find_rational_fault(polygon))
-            faults.push_back(fmt::format("error: exact finds nothing, rational arithmetic \"{}\"", to_string(*fault)));
-      },
-      shapes);
+  for (const Polygon& polygon : faces_of(shapes))
+    if (const auto fault = find_rational_fault(polygon))
+      faults.push_back(fmt::format("error: exact finds nothing, rational arithmetic \"{}\"", to_string(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
   for (const cases::Difference& difference : cases::differences(*read.expected, exact_answer(shapes)))
     faults.push_back(to_string(difference) + ", by exact");

@@ -50,17 +50,9 @@ std::optional<float> least_radius(const cases::Question& question, const Faces& 
   return std::bit_cast<float>(at);
 }
 
-const std::vector<Polygon>& faces_of(const cases::MeshShapes& shapes) { return shapes.mesh.faces(); }
-std::vector<Polygon> faces_of(const cases::Shapes& shapes) { return {shapes.polygon}; }
-
 Faces prepared(const cases::AnyShapes& shapes) {
-  Faces faces;
-  std::visit(
-      [&](const auto& one) {
-        for (const Polygon& face : faces_of(one)) faces.emplace_back(face);
-      },
-      shapes);
-  return faces;
+  const auto faces = faces_of(shapes);
+  return {faces.begin(), faces.end()};
 }
 
 bool is_at_threshold(const cases::AnyShapes& shapes) {
@@ -152,10 +144,8 @@ std::optional<CorpusCase> in_floats(CorpusCase given) try {
     const float towards[] = {0, *least, kLargest};
     const auto sum = std::accumulate(id.begin(), id.end(), 0U,
                                      [](unsigned all, char c) { return all + static_cast<unsigned char>(c); });
-    if (*least > 0) {
-      const auto radius = static_cast<double>(std::nextafter(*least, towards[sum % 3]));
-      std::visit([&](auto& one) { one.question = cases::with_radius(one.question, radius); }, *shapes);
-    }
+    if (*least > 0)
+      shapes = with_radius(std::move(*shapes), static_cast<double>(std::nextafter(*least, towards[sum % 3])));
   }
   if (!is_valid(question_of(*shapes))) return std::nullopt;
   given.shapes = std::move(*shapes);

@@ -84,11 +84,8 @@ bool is_usable(const AnyShapes& shapes) {
 double threshold_of(const AnyShapes& shapes) {
   const auto* motion = std::get_if<Motion>(&question_of(shapes));
   if (!motion) return *exact_answer(shapes).distance;
-  std::vector<filtered::PreparedPolygon> faces;
-  if (const auto* one = std::get_if<Shapes>(&shapes))
-    faces.emplace_back(one->polygon);
-  else
-    for (const Polygon& face : std::get<MeshShapes>(shapes).mesh.faces()) faces.emplace_back(face);
+  const auto polygons = faces_of(shapes);
+  const std::vector<filtered::PreparedPolygon> faces(polygons.begin(), polygons.end());
   return workloads::grazing_radius(*motion, [&faces](const Motion& asked) {
     return std::ranges::any_of(faces, [&](const auto& face) { return filtered::contact(asked, face); });
   });
@@ -178,9 +175,7 @@ class Shrinker {
     if (std::abs(margin_) > kMostMargin || !is_usable(shapes)) return false;
     const double threshold = threshold_of(shapes);
     if (!std::isfinite(threshold)) return false;
-    const double radius = workloads::move_by_doubles(threshold, margin_);
-    std::visit([&](auto& one) { one.question = cases::with_radius(one.question, radius); }, shapes);
-    return take(shapes);
+    return take(with_radius(std::move(shapes), workloads::move_by_doubles(threshold, margin_)));
   } catch (const Rejected&) {
     return false;
   }

@@ -58,17 +58,11 @@ double Radii::radius(const cases::AnyShapes& shapes, std::size_t i) const {
   return workloads::move_radius_by_doubles(cases::ball_of(question_of(shapes)).radius, offsets[i]);
 }
 
-const Polygon& CaseView::polygon() const {
-  if (const auto* one = std::get_if<cases::Shapes>(&shapes)) return one->polygon;
-  return std::get<cases::MeshShapes>(shapes).mesh.faces()[truth.face.value_or(0)];
-}
+const Polygon& CaseView::polygon() const { return faces_of(shapes)[truth.face.value_or(0)]; }
 
 Radii radii_around(const cases::AnyShapes& shapes) {
-  std::vector<exact::PreparedPolygon> faces;
-  if (const auto* one = std::get_if<cases::Shapes>(&shapes))
-    faces.emplace_back(one->polygon);
-  else
-    for (const Polygon& face : std::get<cases::MeshShapes>(shapes).mesh.faces()) faces.emplace_back(face);
+  const auto polygons = faces_of(shapes);
+  const std::vector<exact::PreparedPolygon> faces(polygons.begin(), polygons.end());
   const cases::Question& question = question_of(shapes);
   const Ball& own_ball = cases::ball_of(question);
   const auto touches = [&](double radius) {

@@ -81,15 +81,14 @@ std::optional<FlatCase> flat_case(const CaseView& view) {
     for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
       points.push_back(flat(polygon.vertex(i)));
   }
-  if (const auto* mesh = std::get_if<cases::MeshShapes>(&view.shapes))
-    for (const Polygon& face : mesh->mesh.faces()) {
-      if (&face == &polygon) continue;
-      auto& points = result.other_faces.emplace_back();
-      for (std::size_t i = 0; i < face.vertex_count(); ++i) {
-        const Vector2d place = flat(face.vertex(i));
-        points.emplace_back(place.x(), place.y(), scaled(face.vertex(i)).dot(normal));
-      }
+  for (const Polygon& face : faces_of(view.shapes)) {
+    if (&face == &polygon) continue;
+    auto& points = result.other_faces.emplace_back();
+    for (std::size_t i = 0; i < face.vertex_count(); ++i) {
+      const Vector2d place = flat(face.vertex(i));
+      points.emplace_back(place.x(), place.y(), scaled(face.vertex(i)).dot(normal));
     }
+  }
   const Vector3d center = view.ball().center, end = view.motion() ? view.motion()->to : center;
   result.foot = flat(center);
   result.foot_at_end = flat(end);
