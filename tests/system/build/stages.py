@@ -58,21 +58,31 @@ class Table(unittest.TestCase):
         groups = bash('for group in "${packages_of_all[@]}" ${packages[@]}; do list=packages_$group; echo "$group ${!list}"; done')
         self.assertGreater(len(groups), 4)
 
-    def test_three_stages_run_all_tests_with_assertions_and_three_with_sanitizers(self):
+    def test_the_parts_of_the_tests_are_all_tests(self):
         folders = re.findall(r"add_subdirectory\((\w+)\)", (ROOT / "tests/CMakeLists.txt").read_text())
-        tested = re.findall(r'tests_in "\$1" (.*)', (ROOT / ".ci/stages").read_text())
-        self.assertEqual(sorted(" ".join(tested).split()), sorted(folders))
-        for preset, stages in (("dev", "dev"), ("asan-ubsan", "asan")):
-            for part in "library", "laboratory", "system":
-                self.assertRegex((ROOT / ".ci/stages").read_text(), rf"{stages}-{part}\) {part}_in {preset} ;;")
+        rooms = re.search(r"foreach\(folder (.*)\)", (ROOT / "tests/experiments/CMakeLists.txt").read_text())[1].split()
+        folders = [folder for folder in folders if folder != "experiments"] + [f"experiments/{room}" for room in rooms]
+        self.assertEqual(sorted(folder for _, tested in self.parts() for folder in tested), sorted(folders))
+
+    def test_stages_run_every_part_with_assertions_and_with_sanitizers(self):
+        text = (ROOT / ".ci/stages").read_text()
+        parts = set(re.findall(r"^(\w+)_in\(\) \{$", text, re.MULTILINE)) - {"tests"}
+        self.assertEqual(len(parts), len(self.parts()))
+        for part in parts:
+            for preset in "dev", "asan-ubsan":
+                self.assertRegex(text, rf"[) ]{part}_in {preset}\b")
+
+    def parts(self):
+        """Of each part of the tests, the targets that it builds and the folders whose tests it runs."""
+        parts = re.findall(r'build "\$1" (.*)\n *tests_in "\$1" (.*)', (ROOT / ".ci/stages").read_text())
+        return [[bash(f"printf '%s\\n' {words}") for words in part] for part in parts]
 
     def test_each_part_builds_what_its_tests_name(self):
-        parts = re.findall(r'build "\$1" (.*)\n *tests_in "\$1" (.*)', (ROOT / ".ci/stages").read_text())
-        self.assertEqual(len(parts), 3)
+        self.assertEqual(len(self.parts()), 5)
         made = {line.split(":")[0] for line in printed("ninja", "-C", BUILD, "-t", "targets", "all")}
-        for targets, folders in parts:
-            commands = " ".join(printed("ninja", "-C", BUILD, "-t", "commands", *targets.split())).split()
-            for folder in folders.split():
+        for targets, folders in self.parts():
+            commands = " ".join(printed("ninja", "-C", BUILD, "-t", "commands", *targets)).split()
+            for folder in folders:
                 tests = printed("ctest", "--test-dir", BUILD / "tests" / folder, "--show-only=json-v1")
                 for test in json.loads("\n".join(tests))["tests"]:
                     # A test whose own program is not built has no command, and fails by itself.
