@@ -275,26 +275,6 @@ bool walk_stream(std::istream& stream, const std::string& name, std::uint64_t& b
   return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
 }
 
-void walk_lines(const std::vector<std::string>& files, const Take& take) {
-  std::uint64_t bytes = 0;
-  if (files.empty()) {
-    run::announce_standard_input("cases");
-    walk_stream(std::cin, "standard input", bytes, take);
-  }
-  for (const std::string& file : files) {
-    std::ifstream stream;
-    std::string complaint;
-    try {
-      stream = run::open_file(file);
-    } catch (const std::runtime_error& error) {
-      complaint = error.what();
-    }
-    const bool continues = complaint.empty() ? walk_stream(stream, file, bytes, take)
-                                             : take({.text = {}, .place = {}, .read = {}, .complaint = complaint});
-    if (!continues) return;
-  }
-}
-
 void read_case_of(Line& line) {
   try {
     line.read = read_case(line.text, std::filesystem::path(line.file).parent_path());
@@ -385,6 +365,27 @@ Case read_case(std::string_view line, const std::filesystem::path& folder) {
   }
   result.expected = std::move(expected.answer);
   return result;
+}
+
+void walk_lines(const std::vector<std::string>& files, const Take& take) {
+  std::uint64_t bytes = 0;
+  if (files.empty()) {
+    run::announce_standard_input("cases");
+    walk_stream(std::cin, "standard input", bytes, take);
+  }
+  for (const std::string& file : files) {
+    std::ifstream stream;
+    std::string complaint;
+    try {
+      stream = run::open_file(file);
+    } catch (const std::runtime_error& error) {
+      complaint = error.what();
+    }
+    const bool continues = complaint.empty()
+                               ? walk_stream(stream, file, bytes, take)
+                               : take({.text = {}, .place = {}, .read = {}, .complaint = complaint, .file = file});
+    if (!continues) return;
+  }
 }
 
 void read_lines(const std::vector<std::string>& files, const Take& take, LineRange range) {

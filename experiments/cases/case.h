@@ -95,7 +95,11 @@ struct LineRange {
   std::uint64_t first = 0, count = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// Calls `take` with the lines of the files in this range, until it returns false. Without files, reads standard input.
+/// Calls `take` with the lines of the files, until it returns false, and reads no case. Without files, reads standard
+/// input.
+void walk_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take);
+
+/// Likewise calls `take` with the lines in this range, and reads their cases.
 void read_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take, LineRange range = {});
 
 /// How many lines files have, and a hash of them: parts of a run are of the same lines.

@@ -29,17 +29,18 @@ void declare_parts(Command& command, StudyOptions& options) {
   declare_part(command, options);
 }
 
-Option declare_part(Command& command, StudyOptions& options) {
+Option declare_part(Command& command, std::string& part, const std::string& about) {
   const auto fault = [](const std::string& text) {
     return Part::read(text) ? "" : fmt::format("\"{}\" is not I/N, 1 <= I <= N <= {}", io::legible(text), kMostParts);
   };
-  Option part =
-      command
-          .text("--part", options.part,
-                "Run only part I of N, for `touchstone merge`, which adds the parts up to the results of one run",
-                fault)
-          .takes("I/N")
-          .excludes("--json");
+  return command.text("--part", part, about, fault).takes("I/N");
+}
+
+Option declare_part(Command& command, StudyOptions& options) {
+  Option part = declare_part(command, options.part,
+                             "Run only part I of N, for `touchstone merge`, which adds the parts up to the results of "
+                             "one run")
+                    .excludes("--json");
   command.merges(options.merged);
   command.keep_result_options(options.result_options);
   return part;

@@ -41,6 +41,8 @@ Option declare_study(Command& command, StudyOptions& options, const std::string&
 void declare_parts(Command& command, StudyOptions& options);
 /// Declares --part alone, after --json.
 Option declare_part(Command& command, StudyOptions& options);
+/// Declares --part of a command whose parts nothing merges.
+Option declare_part(Command& command, std::string& part, const std::string& about);
 
 /// One run of a study: its phases and its end.
 ///

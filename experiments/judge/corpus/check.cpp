@@ -3,16 +3,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 
+#include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
-#include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/rational_answer.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/input.h"
 #include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
 
@@ -77,42 +78,59 @@ void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
   for (const std::string& difference : differences_again(shapes, *read.expected)) faults.push_back(difference);
 }
 
+std::vector<std::string> faults_of(const cases::Line& line, std::set<std::string>& ids) {
+  std::string id = "without id";
+  std::vector<std::string> faults;
+  try {
+    const cases::Case read = cases::read_case(line.text, std::filesystem::path(line.file).parent_path());
+    if (read.id) id = *read.id;
+    if (read.id && !ids.insert(*read.id).second) faults.emplace_back("id: duplicate");
+    if (std::holds_alternative<Rejection>(read.content))
+      check_rejection(read, line.text, faults);
+    else
+      check_answer(read, faults);
+  } catch (const run::NotJson& error) {
+    faults.push_back(std::string("not JSON: ") + error.what());
+  }
+  for (std::string& fault : faults) fault = fmt::format("{}: case {}: {}", line.place, io::legible(id), fault);
+  return faults;
+}
+
+void note_id(const std::string& line, std::set<std::string>& ids) try {
+  const auto value = run::read_strict_json(line).value;
+  if (!value.is_object()) return;
+  if (const auto id = value.find("id"); id != value.end() && id->is_string()) ids.insert(id->get<std::string>());
+} catch (const run::NotJson&) {  // a fault of the part that checks the line
+}
+
 }  // namespace
 
-Findings check_files(const std::vector<std::string>& files) {
+Findings check_files(const std::vector<std::string>& files, run::Part part, const std::atomic<bool>& stop,
+                     const run::Progress& progress) {
+  const std::uint64_t all = part.of > 1 ? cases::count_lines(files).lines : std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t first = part.first(all), size = part.size(all);
   Findings findings;
-  std::set<std::string> ids;
-  for (const std::string& file : files) {
-    std::ifstream stream;
-    try {
-      stream = run::open_file(file);
-    } catch (const std::runtime_error& error) {
-      findings.faults.emplace_back(error.what());
-      continue;
-    }
-    const std::size_t before = findings.cases;
-    std::string line;
-    for (std::size_t number = 1; std::getline(stream, line); ++number) {
-      if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-      std::string name = "without id";
-      std::vector<std::string> faults;
+  std::set<std::string> ids, files_with_lines;
+  std::uint64_t place = 0;
+  cases::walk_lines(files, [&](cases::Line&& line) {
+    if (stop) return false;
+    const bool is_own = place >= first && place - first < size;
+    ++place;
+    files_with_lines.insert(line.file);
+    if (!line.complaint.empty()) {
+      if (is_own) findings.faults.push_back(line.complaint);
+    } else if (is_own) {
       ++findings.cases;
-      try {
-        const cases::Case read = cases::read_case(line, std::filesystem::path(file).parent_path());
-        if (read.id) name = *read.id;
-        if (read.id && !ids.insert(*read.id).second) faults.emplace_back("id: duplicate");
-        if (std::holds_alternative<Rejection>(read.content))
-          check_rejection(read, line, faults);
-        else
-          check_answer(read, faults);
-      } catch (const run::NotJson& error) {
-        faults.push_back(std::string("not JSON: ") + error.what());
-      }
-      for (const std::string& fault : faults)
-        findings.faults.push_back(fmt::format("{}: line {}: case {}: {}", file, number, io::legible(name), fault));
+      std::ranges::move(faults_of(line, ids), std::back_inserter(findings.faults));
+      progress(line.end);
+    } else if (place <= first) {
+      note_id(line.text, ids);
     }
-    if (findings.cases == before) findings.faults.push_back(file + ": holds no case");
-  }
+    return true;
+  });
+  for (const std::string& file : files)
+    if (!stop && part.number == 1 && !files_with_lines.contains(file))
+      findings.faults.push_back(file + ": holds no case");
   return findings;
 }
 

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "experiments/cases/case.h"
@@ -26,6 +29,9 @@
 #include "experiments/run/output.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/stop_signal.h"
+#include "experiments/run/study.h"
+#include "experiments/run/sweep.h"
+#include "experiments/run/terminal.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -58,11 +64,31 @@ std::vector<std::string> corpus_files() {
   return files;
 }
 
-int check(const std::vector<std::string>& files) {
-  const auto findings = corpus::check_files(files);
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string part;
+};
+
+/// Returns the size of the regular ones of these files, in bytes.
+std::uint64_t size_of(const std::vector<std::string>& files) {
+  std::uint64_t sum = 0;
+  for (const std::string& file : files)
+    if (std::error_code none; std::filesystem::is_regular_file(file, none)) sum += std::filesystem::file_size(file);
+  return sum;
+}
+
+int check(const CheckOptions& options) {
+  const auto files = options.files.empty() ? corpus_files() : options.files;
+  const run::Part part = run::Part::read(options.part).value_or(run::Part{});
+  const run::StopSignal stop_signal;
+  run::ProgressLine line("corpus check", size_of(files));
+  const auto findings = corpus::check_files(files, part, stop_signal.requested(), std::ref(line));
+  line.erase();
   for (const std::string& fault : findings.faults) fmt::print(stderr, "{}\n", io::all_legible(fault));
+  if (stop_signal.requested()) fmt::print("interrupted: these are the findings of the first cases\n");
   fmt::print("{} in {}, checked twice: {}\n", run::counted(findings.cases, "case"), run::counted(files.size(), "file"),
              run::counted(findings.faults.size(), "fault"));
+  if (stop_signal.requested()) return run::kInterrupted;
   return findings.faults.empty() ? 0 : 1;
 }
 
@@ -151,10 +177,12 @@ run::Command make_command() {
 
 run::Command check_command() {
   run::Command command("check", "Derive every answer again, with two exact number types");
-  auto files = std::make_shared<std::vector<std::string>>();
-  command.texts("FILES", *files, "Files of cases with whole answers (default: the corpus)");
+  auto options = std::make_shared<CheckOptions>();
+  command.texts("FILES", options->files, "Files of cases with whole answers (default: the corpus)");
+  run::declare_part(command, options->part,
+                    "Check only part I of N of the cases; the parts' faults are those of one run");
   command.example("corpus check");
-  command.runs([files] { return check(files->empty() ? corpus_files() : *files); });
+  command.runs([options] { return check(*options); });
   return command;
 }
 

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 
@@ -20,13 +23,23 @@ namespace {
 constexpr const char* kGood =
     R"({"id":"good","ball":{"center":[1,1,2],"radius":2},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},"expected":{"plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[1,1,0],"distance":2,"contact_normal":[0,0,1],"depth":0,"off_plane":0}})";
 
+Findings check_files(const std::vector<std::string>& files, run::Part part = {}) {
+  const std::atomic<bool> stop = false;
+  return corpus::check_files(files, part, stop, [](std::uint64_t) {});
+}
+
+/// Writes the lines, and returns the file.
+std::string file_of(const std::filesystem::path& file, const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  run::write_file(file, text);
+  return file.string();
+}
+
 /// Returns the findings about a file of these lines.
 Findings check(const std::vector<std::string>& lines) {
   const run_tests::Scratch scratch;
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  run::write_file(scratch.path / "file.jsonl", text);
-  return check_files({(scratch.path / "file.jsonl").string()});
+  return check_files({file_of(scratch.path / "file.jsonl", lines)});
 }
 
 std::string with(const std::string& part, const std::string& other, const std::string& id = "bad") {
@@ -74,6 +87,40 @@ TEST(Check, NamesLinesThatAreNotCasesAndContinues) {
   EXPECT_NE(findings.faults[1].find("line 3: case none: rejected: malformed-case"), std::string::npos);
   EXPECT_NE(findings.faults[2].find("line 4: case negative: rejected: negative-radius"), std::string::npos);
   EXPECT_NE(findings.faults[3].find("line 5: case good: id: duplicate"), std::string::npos);
+}
+
+TEST(Check, FindsInAllPartsWhatOneRunFinds) {
+  const run_tests::Scratch scratch;
+  const auto wrong = [](const std::string& id) { return with(R"("distance":2)", R"("distance":3)", id); };
+  const std::vector<std::string> files = {
+      file_of(scratch.path / "one.jsonl", {kGood, wrong("first"), "", "{", R"({"id":"none"})"}),
+      (scratch.path / "missing.jsonl").string(),
+      file_of(scratch.path / "empty.jsonl", {}),
+      file_of(scratch.path / "two.jsonl", {wrong("second"), kGood, wrong("third")}),
+  };
+  const Findings whole = check_files(files);
+  ASSERT_EQ(whole.cases, 7U);
+  ASSERT_EQ(whole.faults.size(), 11U);
+  for (const std::uint64_t parts : {2U, 3U, 8U, 20U}) {
+    Findings sum;
+    for (std::uint64_t i = 1; i <= parts; ++i) {
+      const Findings part = check_files(files, {i, parts});
+      sum.cases += part.cases;
+      sum.faults.insert(sum.faults.end(), part.faults.begin(), part.faults.end());
+    }
+    EXPECT_EQ(sum.cases, whole.cases);
+    EXPECT_TRUE(std::ranges::is_permutation(sum.faults, whole.faults)) << parts << " parts";
+  }
+}
+
+TEST(Check, FindsInTheFirstCasesWhenItIsStopped) {
+  const run_tests::Scratch scratch;
+  const std::string bad = with(R"("distance":2)", R"("distance":3)");
+  const auto file = file_of(scratch.path / "file.jsonl", {kGood, bad, bad});
+  std::atomic<bool> stop = false;
+  const auto findings = corpus::check_files({file}, {}, stop, [&stop](std::uint64_t) { stop = true; });
+  EXPECT_EQ(findings.cases, 1U);
+  EXPECT_TRUE(findings.faults.empty());
 }
 
 TEST(Check, NamesAFileThatCannotBeRead) {
