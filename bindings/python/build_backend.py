@@ -3,7 +3,7 @@
 
 No backend of Debian 12 drives CMake. This one needs only Python's own library, so that `pip install .` works without a
 network. `pip install . --config-settings build-dir=FOLDER` keeps the compiled files for the next time, and `--config-settings
-compiled=build/release/python/touchstone` takes a module that is compiled already.
+compiled=build/release/python/touchstone_contact` takes a module that is compiled already.
 """
 
 import base64
@@ -51,7 +51,7 @@ def compile_package(build):
                    check=True)
     subprocess.run(["cmake", "--build", build, "--target", "touchstone_python", "--parallel", str(os.cpu_count() or 1)],
                    check=True)
-    return pathlib.Path(build) / "python" / "touchstone"
+    return pathlib.Path(build) / "python" / "touchstone_contact"
 
 
 def write_wheel(directory, package):
@@ -59,9 +59,10 @@ def write_wheel(directory, package):
     table = project()
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
     tag = f"{python}-{python}-{re.sub(r'[-.]', '_', sysconfig.get_platform())}"
-    stem = f"{table['name']}-{table['version']}"
+    stem = f"{table['name'].replace('-', '_')}-{table['version']}"
     info = f"{stem}.dist-info"
-    files = {f"touchstone/{file.name}": file.read_bytes() for file in sorted(package.iterdir()) if file.is_file()}
+    files = {f"{package.name}/{file.name}": file.read_bytes() for file in sorted(package.iterdir()) if file.is_file()}
+    files["touchstone.py"] = (ROOT / "bindings/python/touchstone.py").read_bytes()
     files |= {f"{info}/METADATA": metadata(table).encode(),
               f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: touchstone\nRoot-Is-Purelib: false\nTag: {tag}\n".encode(),
               f"{info}/LICENSE": (ROOT / "LICENSE-APACHE").read_bytes(),
@@ -96,7 +97,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 def build_sdist(sdist_directory, config_settings=None):
     """Packs the files that git tracks."""
     table = project()
-    stem = f"{table['name']}-{table['version']}"
+    stem = f"{table['name'].replace('-', '_')}-{table['version']}"
     tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
     with tarfile.open(pathlib.Path(sdist_directory) / f"{stem}.tar.gz", "w:gz") as archive:
         for name in filter(None, tracked.split("\0")):

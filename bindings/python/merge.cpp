@@ -34,7 +34,8 @@ py::object merge_faces(const py::object& object, double tolerance, const std::st
     faces.append(py::array_t<std::uint32_t>(static_cast<py::ssize_t>(face.faces.size()), face.faces.data()));
     *displacement++ = face.off_plane;
   }
-  return py::module_::import("touchstone").attr("MergedMesh")(polygons, faces, off_plane, named_faces(merged.rejected));
+  return py::module_::import("touchstone_contact")
+      .attr("MergedMesh")(polygons, faces, off_plane, named_faces(merged.rejected));
 }
 
 }  // namespace

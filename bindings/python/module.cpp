@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The module that python/touchstone/__init__.py exports.
+// The module that touchstone_contact/__init__.py exports.
 #include <exception>
 #include <utility>
 

@@ -16,7 +16,8 @@ void make_picklable(pybind11::class_<T>& type, const Arguments& arguments_of) {
   const auto reduce = [type, arguments_of](const py::object& object) {
     const py::tuple made_of =
         py::make_tuple(py::type::of(object), type, py::tuple(arguments_of(object.cast<const T&>())));
-    return py::make_tuple(py::module_::import("touchstone").attr("_remade"), made_of, object.attr("__getstate__")());
+    return py::make_tuple(py::module_::import("touchstone_contact").attr("_remade"), made_of,
+                          object.attr("__getstate__")());
   };
   type.def("__reduce__", reduce);
   type.def(

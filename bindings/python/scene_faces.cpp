@@ -59,7 +59,7 @@ mesh::MeshFaces scene_faces_of(py::handle object, mesh::OnBadFace on_bad_face) {
     return faces_of(object.cast<const filtered::TriangleSet&>().triangles(), on_bad_face);
   if (py::isinstance<ValidPolygon>(object)) return numbered({{}, {object.cast<const ValidPolygon&>().polygon()}});
   if (holds_polygons(object)) return faces_of(py::reinterpret_borrow<py::sequence>(object));
-  if (py::isinstance(object, py::module_::import("touchstone").attr("MergedMesh")))
+  if (py::isinstance(object, py::module_::import("touchstone_contact").attr("MergedMesh")))
     return scene_faces_of(object.attr("polygons"), on_bad_face);
   if (is_mesh(object)) {
     const HeldMesh mesh = mesh_of(object, on_bad_face);

@@ -4,7 +4,7 @@ import sys
 
 import matplotlib
 import numpy as np
-import touchstone
+import touchstone_contact as touchstone
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt

@@ -13,7 +13,7 @@ import sys
 import unittest
 
 import numpy as np
-import touchstone
+import touchstone_contact as touchstone
 
 LEAST = 5e-324
 LARGEST = sys.float_info.max

@@ -15,7 +15,7 @@ import unittest
 import zipfile
 
 SAMPLE = """
-import touchstone
+import touchstone_contact as touchstone
 square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
 scene = touchstone.Scene()
 scene.add("square", touchstone.Mesh(square, [[0, 1, 2], [0, 2, 3]]))
@@ -47,7 +47,7 @@ class Install(unittest.TestCase):
         where, *answers = self.run_command(python, "-c", SAMPLE).split()
         self.assertTrue(pathlib.Path(where).is_relative_to(self.folder / "venv"), where)
         self.assertEqual(answers, ["True", "True", "False", "False", "True"])
-        self.assertIn("Name: touchstone\nVersion: ", self.run_command(python, "-m", "pip", "show", "touchstone"))
+        self.assertIn("Name: touchstone-contact\nVersion: ", self.run_command(python, "-m", "pip", "show", "touchstone-contact"))
 
     def test_of_a_wheel_brings_licence_contract_and_annotations(self):
         sys.path.insert(0, str(self.source / "bindings/python"))

@@ -7,7 +7,7 @@ import types
 import unittest
 
 import numpy as np
-import touchstone
+import touchstone_contact as touchstone
 
 VERTICES = np.array([[x, y, z] for x in (0.0, 2) for y in (0, 2) for z in (0, 2)])
 FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6],

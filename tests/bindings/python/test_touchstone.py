@@ -18,7 +18,7 @@ import types
 import unittest
 
 import numpy as np
-import touchstone
+import touchstone_contact as touchstone
 
 CORPUS = pathlib.Path(__file__).parents[2] / "corpus"
 SQUARE = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
@@ -515,6 +515,26 @@ class Pickling(unittest.TestCase):
                 refused(scene)
 
 
+class FormerName(unittest.TestCase):
+    """The module `touchstone`, which version 0.4 drops."""
+
+    def test_gives_the_same_objects_with_a_warning(self):
+        sys.modules.pop("touchstone", None)
+        with self.assertWarnsRegex(DeprecationWarning, "import touchstone_contact instead of touchstone") as warned:
+            import touchstone as former
+        self.assertEqual(warned.filename, __file__)
+        for name in touchstone.__all__:
+            self.assertIs(getattr(former, name), getattr(touchstone, name))
+
+    def test_loads_pickles_that_name_it(self):
+        for thing in one_of_each_class():
+            if isinstance(thing, (touchstone.Scene, touchstone.Solid)):
+                continue
+            older = pickle.dumps(thing, protocol=0).replace(b"ctouchstone_contact\n", b"ctouchstone\n")
+            self.assertIn(b"ctouchstone\n", older)
+            self.assertEqual(pickle.loads(older), thing)
+
+
 class Equality(unittest.TestCase):
     def test_of_polygons_is_that_of_their_loops(self):
         hole = [[1, 1, 0], [1, 2, 0], [2, 1, 0]]
@@ -555,7 +575,7 @@ class Page(unittest.TestCase):
         self.assertEqual([line.split() for line in printed.getvalue().splitlines()], [line.split() for line in said])
         self.assertGreater(len(said), 4)
         with self.assertRaises(touchstone.Rejected) as caught:
-            exec("import touchstone\n" + refused, {})
+            exec("import touchstone_contact as touchstone\n" + refused, {})
         kind = f"{type(caught.exception).__module__}.{type(caught.exception).__name__}"
         self.assertIn(f"# {kind}: {caught.exception}\n", refused)
 

@@ -5,7 +5,7 @@ import pathlib
 import types
 
 import numpy as np
-import touchstone
+import touchstone_contact as touchstone
 from numpy.typing import NDArray
 
 

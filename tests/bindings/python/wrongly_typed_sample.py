@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every marked line is an error, which mypy must find (test_types.py)."""
 
-import touchstone
+import touchstone_contact as touchstone
 
 square = touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 touchstone.filtered.contact([0, 0, 0, 1], "square")  # wrong

@@ -22,7 +22,7 @@ if [ -e packages/touchstone_*.deb ]; then
   touchstone cell new /tmp/cell >/dev/null && touchstone corpus check | grep -q ' 0 faults$' && echo "data: found"
 fi
 if [ -e packages/python3-touchstone_*.deb ]; then
-  echo "module: $(python3 -c 'import touchstone
+  echo "module: $(python3 -c 'import touchstone_contact as touchstone
 square = touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 print(touchstone.filtered.contact([0.5, 0.25, 1, 1], square))')"
 fi

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Does a ball touch a planar polygon, possibly non-convex and with holes, where, and how sure is the answer?
 
-    import touchstone
+    import touchstone_contact as touchstone
     square = touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
     touchstone.filtered.answer([0.5, 0.25, 1, 1], square).relation    # 'touching'
     touchstone.filtered.contact([[0.5, 0.25, 1, 1], [0.5, 0.25, 2, 1]], square)    # array([True, False])
