@@ -139,8 +139,12 @@ template <DoubleKernel K>
 }
 /// @}
 
+}  // namespace touchstone::cgal
+
 /// The parts that this header alone uses.
-namespace detail {
+namespace touchstone::cgal::detail {
+/// @{
+/// Returns what `filtered` says.
 template <DoubleKernel K>
 bool contact(const Ball& ball, const CGAL::Triangle_3<K>& t) {
   return filtered::contact(ball, triangle(t));
@@ -148,7 +152,10 @@ bool contact(const Ball& ball, const CGAL::Triangle_3<K>& t) {
 inline bool contact(const Ball& ball, const PreparedPolygon& polygon) {
   return filtered::contact(ball, polygon.prepared);
 }
-}  // namespace detail
+/// @}
+}  // namespace touchstone::cgal::detail
+
+namespace touchstone::cgal {
 
 /// A shape whose relation to a sphere is decided: a Triangle_3 or a PreparedPolygon.
 template <class S, class K>

@@ -193,7 +193,8 @@ bool equal(const HeldMesh& a, const HeldMesh& b) {
 
 /// Translates BrokenMesh to the Python exception BrokenMesh, a ValueError.
 void add_broken_mesh(py::module_& module) {
-  py::register_exception<BrokenMesh>(module, "BrokenMesh", PyExc_ValueError);
+  py::register_exception<BrokenMesh>(module, "BrokenMesh", PyExc_ValueError).doc() =
+      "A mesh file that cannot be read: names the file and the line or byte.";
 }
 
 bool has(py::handle object, const char* points, const char* faces) {

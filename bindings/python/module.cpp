@@ -15,6 +15,7 @@ namespace py = pybind11;
 /// Translates Rejected to the Python exception Rejected: a ValueError with the `code` of the contract.
 void add_rejected(py::module_& module) {
   static py::handle type = py::exception<Rejected>(module, "Rejected", PyExc_ValueError).release();
+  type.doc() = "What the contract does not accept, and why: a sentence, and the `code` of the contract.";
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(std::move(pointer));
