@@ -154,13 +154,18 @@ void Scene::nearest_each(std::span<const Ball> balls, const Objects& objects, co
   });
 }
 
-std::vector<std::optional<NearestFace>> Scene::nearest(std::span<const Ball> balls, const Objects& objects) const {
+void Scene::nearest(std::span<const Ball> balls, const TakeNearest& take, const Objects& objects) const {
   const FloatingPointState state;
   expect(objects);
-  std::vector<std::optional<NearestFace>> answers(balls.size());
   nearest_each(
       balls, objects, [](std::size_t, const FaceId&) { return false; },
-      [&](std::size_t i, NearestSearch& search) { answers[i] = search.nearest(); });
+      [&](std::size_t i, NearestSearch& search) { take(i, search.nearest()); });
+}
+
+std::vector<std::optional<NearestFace>> Scene::nearest(std::span<const Ball> balls, const Objects& objects) const {
+  std::vector<std::optional<NearestFace>> answers(balls.size());
+  nearest(
+      balls, [&](std::size_t i, const std::optional<NearestFace>& face) { answers[i] = face; }, objects);
   return answers;
 }
 

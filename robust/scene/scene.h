@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -198,6 +199,13 @@ class Scene {
   [[nodiscard]] std::vector<std::optional<FirstFace>> first_contact(std::span<const Motion> motions,
                                                                     const Objects& objects = {}) const;
   /// @}
+
+  /// Takes the answer about ball number i.
+  using TakeNearest = std::function<void(std::size_t i, const std::optional<NearestFace>& face)>;
+  /// The same as `nearest` for many balls, but passes each answer on where that keeps it in a vector: for answers that
+  /// are to be kept in another form. Calls `take` once for each ball, in any order, from several threads at once, in
+  /// round to nearest without flush-to-zero. An exception of `take` ends the batch and is thrown to the caller.
+  void nearest(std::span<const Ball> balls, const TakeNearest& take, const Objects& objects = {}) const;
 
  private:
   friend class Solid;

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
+#include <stdexcept>
 
 #include "robust/filtered/detail/sets/eight_balls.h"
 #include "robust/scene/detail/crowd_parts.h"
@@ -140,6 +143,30 @@ TEST(Crowd, FindsTheNearestTriangleOfAnObjectThatItsPoseEnlarges) {
   scene.add("enlarged", {{triangle}, {}}, Pose{4 * Eigen::Matrix3d::Identity(), {0, 0, 9}});
   for (const auto& face : scene.nearest_face(std::vector<Eigen::Vector3d>(100, {0, 0, 0})))
     EXPECT_EQ(face, (scene::FaceId{1, 0}));
+}
+
+void expect_each_once(const Scene& scene, const std::vector<Ball>& balls) {
+  std::vector<std::atomic<int>> times(balls.size());
+  scene.nearest(balls, [&](std::size_t i, const std::optional<scene::NearestFace>& face) {
+    ++times[i];
+    EXPECT_EQ(face, scene.nearest(balls[i]));
+  });
+  for (const std::atomic<int>& taken : times) EXPECT_EQ(taken, 1);
+}
+
+TEST(Crowd, PassesEachNearestFaceOnOnce) {
+  const Subject subject(draw_objects(Kind::Soup, 2027, 5), "soup");
+  for (const std::uint64_t count : {0, 5, 300})
+    expect_each_once(subject.built, draw_balls(subject.faces.polygons(), count, 5));
+  expect_each_once(Scene(), std::vector<Ball>(100, Ball{{0, 0, 0}, 1}));
+}
+
+TEST(Crowd, EndsWithTheExceptionOfWhoTakesAnAnswer) {
+  const Subject subject(draw_objects(Kind::Soup, 2027, 5), "soup");
+  for (const std::uint64_t count : {5, 300})
+    EXPECT_THROW(subject.built.nearest(draw_balls(subject.faces.polygons(), count, 5),
+                                       [](std::size_t, const auto&) { throw std::length_error("full"); }),
+                 std::length_error);
 }
 
 TEST(AlongCurve, IsAPermutationOfAnyBalls) {
