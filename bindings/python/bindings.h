@@ -5,6 +5,8 @@
 
 namespace touchstone::python {
 
+class SharedScene;
+
 /// @{
 /// Add a class or function to the module, with the functions that unpickling it needs.
 void add_answer(pybind11::module_& module);
@@ -16,5 +18,9 @@ void add_scene(pybind11::module_& module);
 void add_solid(pybind11::module_& module);
 void add_triangle_set(pybind11::module_& module);
 /// @}
+
+/// Adds the methods that ask about balls and motions to the class of scenes, and to the module the classes of their
+/// answers.
+void add_scene_questions(pybind11::module_& module, pybind11::class_<SharedScene>& type);
 
 }  // namespace touchstone::python

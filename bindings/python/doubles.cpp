@@ -58,6 +58,12 @@ void expect_unmasked(py::handle numbers) {
     throw py::type_error("masked numbers are not supported");
 }
 
+py::array view_of(const double* owned, const std::vector<py::ssize_t>& shape, py::handle owner) {
+  const Doubles view(shape, owned, owner);
+  view.attr("setflags")(py::arg("write") = false);
+  return view;
+}
+
 Doubles doubles_of(py::handle numbers) {
   const DefaultState state;
   // NumPy would convert strings to numbers, and drop imaginary parts and masks.

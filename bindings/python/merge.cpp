@@ -16,12 +16,10 @@ namespace py = pybind11;
 
 py::object merge_faces(const py::object& object, double tolerance, const std::string& bad_faces) {
   const mesh::OnBadFace on_bad_face = bad_faces_policy(bad_faces);
-  const HeldMesh mesh = mesh_of(object);
-  mesh::MergedMesh merged;
-  {
+  mesh::MergedMesh merged = with_mesh(object, mesh::OnBadFace::Refuse, [&](const Mesh& mesh) {
     const py::gil_scoped_release release;
-    merged = mesh::merge_faces(mesh, tolerance);
-  }
+    return mesh::merge_faces(mesh, tolerance);
+  });
   if (!merged.rejected.empty() && on_bad_face == mesh::OnBadFace::Refuse) {
     const auto& [face, rejection] = merged.rejected.front();
     throw Rejected({rejection.code, "face " + std::to_string(face) + " of the mesh: " + rejection.message});

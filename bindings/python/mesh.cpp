@@ -255,9 +255,13 @@ bool is_mesh(py::handle object) {
          has(object, "points", "cells");
 }
 
+const HeldMesh* held_mesh(py::handle object) {
+  return py::isinstance<HeldMesh>(object) ? &object.cast<const HeldMesh&>() : nullptr;
+}
+
 HeldMesh mesh_of(py::handle object, mesh::OnBadFace on_bad_face) {
   const auto made = [&](py::handle vertices, py::handle faces) { return mesh_of(vertices, faces, on_bad_face); };
-  if (py::isinstance<HeldMesh>(object)) return object.cast<const HeldMesh&>();
+  if (const HeldMesh* held = held_mesh(object)) return *held;
   if (has(object, "vertices", "faces")) return made(object.attr("vertices"), object.attr("faces"));
   if (has(object, "vertices", "triangles")) return made(object.attr("vertices"), object.attr("triangles"));
   if (has(object, "points", "faces")) {
@@ -292,14 +296,23 @@ void add_mesh(py::module_& module) {
                   "ValueError that names the file and the line or byte. With bad_faces='leave out' faulty lines,\n"
                   "vertices and faces are left out, and `left_out` names them.")
       .def_static(
-          "of", [](const py::object& object) { return mesh_of(object); }, py::arg("object"),
+          "of",
+          [](const py::object& object) { return held_mesh(object) != nullptr ? object : py::cast(mesh_of(object)); },
+          py::arg("object"),
           "Returns the mesh of any object with `vertices` and `faces`, such as one of trimesh, or with `triangles`\n"
           "(Open3D), with `points` and flat `faces` (PyVista) or blocks of `cells` (meshio).")
       .def_property_readonly("places", places_of,
                              "The place in the file of each face, such as 'line 12'; empty without a file.")
       .def_readonly("left_out", &HeldMesh::left_out,
                     "A sentence for each of the first 1000 parts of the file that were left out.")
-      .def_property_readonly("vertices", vertices_of, "A copy of the vertices, m x 3.")
+      .def_property_readonly(
+          "vertices",
+          [](const py::object& object) {
+            const HeldMesh& mesh = object.cast<const HeldMesh&>();
+            const double* const first = mesh.vertices.empty() ? nullptr : mesh.vertices.front().data();
+            return view_of(first, {static_cast<py::ssize_t>(mesh.vertices.size()), 3}, object);
+          },
+          "The vertices, m x 3: a view that cannot be written to.")
       .def_property_readonly("faces", numbers_of_faces,
                              "A copy of the faces: n x 3 if all are triangles, else a list of lists.")
       .def("__len__", [](const HeldMesh& mesh) { return mesh.faces.size(); })

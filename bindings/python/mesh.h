@@ -26,6 +26,14 @@ struct HeldMesh : Mesh {
 ///
 /// Throws pybind11::type_error for other objects, and what mesh_of throws.
 [[nodiscard]] HeldMesh mesh_of(pybind11::handle object, mesh::OnBadFace on_bad_face = mesh::OnBadFace::Refuse);
+/// Returns what a Mesh of Python holds; null for other objects.
+[[nodiscard]] const HeldMesh* held_mesh(pybind11::handle object);
+/// Returns f(mesh) for what mesh_of returns, without a copy of a Mesh.
+template <class F>
+auto with_mesh(pybind11::handle object, mesh::OnBadFace on_bad_face, const F& f) {
+  if (const HeldMesh* held = held_mesh(object)) return f(*held);
+  return f(mesh_of(object, on_bad_face));
+}
 
 /// Returns the mesh with these vertices, m x 3, and faces, an array of n x k or a list of lists of vertex numbers.
 /// Throws what doubles_of throws, and Rejected, which names the vertex or face. With another policy than `Refuse`, bad

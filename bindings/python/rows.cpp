@@ -2,6 +2,7 @@
 #include "bindings/python/rows.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <type_traits>
 
@@ -24,6 +25,18 @@ constexpr const char* kForm[] = {
     "motions must be an array of 7 or of n x 7 numbers (x, y, z, r and the end x', y', z')"};
 constexpr const char* kName[] = {"ball ", "motion "};
 
+/// Returns balls of these centres, (3,) or (n, 3), and their radii, or one of all.
+Doubles balls_of(const Doubles& centers, std::span<const double> radii) {
+  const py::ssize_t count = centers.size() / 3;
+  Doubles rows = centers.ndim() == 1 ? Doubles(4) : Doubles({count, py::ssize_t{4}});
+  double* row = rows.mutable_data();
+  for (py::ssize_t i = 0; i < count; ++i) {
+    row = std::copy_n(centers.data() + 3 * i, 3, row);
+    *row++ = radii[radii.size() == 1 ? 0 : static_cast<std::size_t>(i)];
+  }
+  return rows;
+}
+
 }  // namespace
 
 Doubles rows_of(py::handle object) {
@@ -41,12 +54,13 @@ Doubles rows_of(py::handle object) {
   if (!one && (radii.ndim() != 1 || radii.size() != count))
     throw Rejected({RejectionCode::MalformedCase,
                     "for " + std::to_string(count) + " centres there must be one radius or as many radii"});
-  Doubles rows = centers.ndim() == 1 ? Doubles(4) : Doubles({count, py::ssize_t{4}});
-  double* row = rows.mutable_data();
-  for (py::ssize_t i = 0; i < count; ++i) {
-    row = std::copy_n(centers.data() + 3 * i, 3, row);
-    *row++ = radii.data()[one ? 0 : i];
-  }
+  return balls_of(centers, {radii.data(), static_cast<std::size_t>(radii.size())});
+}
+
+Doubles rows_of_balls_or_centers(py::handle object) {
+  const Doubles rows = rows_of(object);
+  constexpr double kPoint[] = {0};
+  if ((rows.ndim() == 1 || rows.ndim() == 2) && rows.shape(rows.ndim() - 1) == 3) return balls_of(rows, kPoint);
   return rows;
 }
 

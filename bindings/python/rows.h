@@ -12,6 +12,8 @@ namespace touchstone::python {
 /// Returns the rows of an array, or of a tuple of centres, (3,) or (n, 3), and radii, one or n. Throws what doubles_of
 /// throws, and Rejected for another number of radii.
 [[nodiscard]] Doubles rows_of(pybind11::handle object);
+/// The same, and centres alone, (3,) or (n, 3), are balls of radius 0: for questions that depend on the centre.
+[[nodiscard]] Doubles rows_of_balls_or_centers(pybind11::handle object);
 
 /// Rows of numbers, used as balls (x, y, z, r) or as motions (x, y, z, r and the end of the centre's way) without a
 /// copy.
@@ -27,6 +29,8 @@ class Rows {
 
   [[nodiscard]] bool single() const { return rows_.ndim() == 1; }
   [[nodiscard]] std::span<const Shape> all() const { return all_; }
+  /// Returns the array in which these are, the caller's or a copy.
+  [[nodiscard]] const Doubles& array() const { return rows_; }
 
  private:
   Doubles rows_;

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/scene.h"
 
-#include <pybind11/eigen.h>
-#include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
+#include <cstdint>
 #include <string>
-#include <variant>
+#include <utility>
+#include <vector>
 
 #include "bindings/python/bindings.h"
 #include "bindings/python/initialised.h"
 #include "bindings/python/mesh.h"
 #include "bindings/python/pickling.h"
-#include "bindings/python/rows.h"
 #include "bindings/python/scene_faces.h"
 #include "bindings/python/shared_scene.h"
 #include "bindings/python/words.h"
@@ -21,27 +20,6 @@ namespace touchstone::python {
 namespace {
 
 namespace py = pybind11;
-using scene::FaceId;
-using scene::FirstFace;
-using scene::NearestFace;
-
-/// An object's number or name.
-using ObjectKey = std::variant<std::uint32_t, Name>;
-
-std::uint32_t number_of(const scene::Scene& scene, const ObjectKey& key) {
-  if (const auto* const number = std::get_if<std::uint32_t>(&key)) return *number;
-  return scene.find(std::get<Name>(key).utf8);
-}
-
-/// None stands for all objects.
-using ObjectKeys = std::optional<std::vector<ObjectKey>>;
-
-scene::Scene::Objects objects_of(const scene::Scene& scene, const ObjectKeys& keys) {
-  if (!keys) return {};
-  std::vector<std::uint32_t> numbers;
-  for (const ObjectKey& key : *keys) numbers.push_back(number_of(scene, key));
-  return numbers;
-}
 
 std::uint32_t add(SharedScene& scene, const Name& name, const py::object& faces, const py::object& pose,
                   const std::string& bad_faces) {
@@ -81,78 +59,6 @@ void set_pose(SharedScene& scene, const ObjectKey& object, const py::object& mat
   scene.change([&](scene::Scene& held) { held.set_pose(number_of(held, object), pose); });
 }
 
-py::object touches(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
-  return with_balls_or_motions(rows, [&](const auto& asking) -> py::object {
-    py::array_t<bool> answers(static_cast<py::ssize_t>(asking.all().size()));
-    const std::span<bool> out(answers.mutable_data(), asking.all().size());
-    scene.ask([&](const scene::Scene& held) { held.touches(asking.all(), out, objects_of(held, objects)); });
-    if (asking.single()) return py::bool_(out[0]);
-    return answers;
-  });
-}
-
-/// Returns objects and faces in rows.
-py::array_t<std::uint32_t> array_of(const std::vector<FaceId>& faces) {
-  py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(faces.size()), py::ssize_t{2}});
-  std::uint32_t* row = rows.mutable_data();
-  for (const FaceId& id : faces) *row++ = id.object, *row++ = id.face;
-  return rows;
-}
-
-py::object touched(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
-  return with_balls_or_motions(rows, [&](const auto& asking) -> py::object {
-    const auto all =
-        scene.ask([&](const scene::Scene& held) { return held.touched(asking.all(), objects_of(held, objects)); });
-    if (asking.single()) return array_of(all[0]);
-    py::list arrays;
-    for (const auto& faces : all) arrays.append(array_of(faces));
-    return arrays;
-  });
-}
-
-py::object touched_in_order(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
-  const Motions motions(rows);
-  const auto all = scene.ask(
-      [&](const scene::Scene& held) { return held.touched_in_order(motions.all(), objects_of(held, objects)); });
-  return motions.single() ? py::cast(all[0]) : py::cast(all);
-}
-
-py::object first_contact(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
-  const Motions motions(rows);
-  const auto all =
-      scene.ask([&](const scene::Scene& held) { return held.first_contact(motions.all(), objects_of(held, objects)); });
-  if (motions.single()) return py::cast(all[0]);
-  py::list list;
-  for (const auto& face : all) list.append(py::cast(face));
-  return list;
-}
-
-py::object nearest(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
-  const Balls balls(rows);
-  const auto all =
-      scene.ask([&](const scene::Scene& held) { return held.nearest(balls.all(), objects_of(held, objects)); });
-  if (balls.single()) return py::cast(all[0]);
-  py::list list;
-  for (const auto& face : all) list.append(py::cast(face));
-  return list;
-}
-
-py::tuple closest(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
-  const Balls balls(rows);
-  const auto all =
-      scene.ask([&](const scene::Scene& held) { return held.nearest(balls.all(), objects_of(held, objects)); });
-  const auto count = static_cast<py::ssize_t>(all.size());
-  Doubles points({count, py::ssize_t{3}}), distances(count);
-  double *point = points.mutable_data(), *distance = distances.mutable_data();
-  for (const auto& face : all) {
-    if (!face) throw py::value_error("the scene has no faces, so nothing is closest");
-    for (const double x : face->point) *point++ = x;
-    *distance++ = face->distance;
-  }
-  if (balls.single()) return py::make_tuple(points.reshape({3}), *distances.data());
-  return py::make_tuple(points, distances);
-}
-
 std::vector<std::uint32_t> numbers_of(const scene::Scene& scene) {
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < scene.object_count(); ++i)
@@ -176,83 +82,15 @@ void remove(SharedScene& scene, const ObjectKey& object) {
   });
 }
 
-NearestFace nearest_face_from(std::uint32_t object, std::uint32_t face, int kind, std::size_t index,
-                              const Coordinates& point, double distance, const Coordinates& contact_normal,
-                              double depth) {
-  require_member(distance >= 0, "distance", "must not be negative");
-  return {{object, face}, feature_from(kind, index, "feature"), vector_of(point), distance, vector_of(contact_normal),
-          depth};
-}
-
-void add_nearest_face(py::module_& module) {
-  py::class_<NearestFace> type(module, "NearestFace",
-                               "The face of a scene that is nearest to a centre, and its closest point.");
-  make_picklable(type, [](const NearestFace& n) {
-    return py::make_tuple(n.face.object, n.face.face, static_cast<int>(n.feature.kind), n.feature.index,
-                          coordinates_of(n.point), n.distance, coordinates_of(n.contact_normal), n.depth);
-  });
-  type.def(py::init(&nearest_face_from), "Takes what `pickle` kept.")
-      .def_property_readonly(
-          "object", [](const NearestFace& n) { return n.face.object; }, "The number of the object.")
-      .def_property_readonly(
-          "face", [](const NearestFace& n) { return n.face.face; }, "The number of the face in the object.")
-      .def_property_readonly("feature", [](const NearestFace& n) { return feature_of(n.feature); })
-      .def_readonly("point", &NearestFace::point)
-      .def_readonly("distance", &NearestFace::distance)
-      .def_readonly("contact_normal", &NearestFace::contact_normal)
-      .def_readonly("depth", &NearestFace::depth)
-      .def(
-          "__eq__",
-          [](const NearestFace& a, const NearestFace& b) {
-            return a.face == b.face && a.feature == b.feature && same_point(a.point, b.point) &&
-                   same_number(a.distance, b.distance) && same_point(a.contact_normal, b.contact_normal) &&
-                   same_number(a.depth, b.depth);
-          },
-          py::is_operator())
-      .def("__repr__", [](const NearestFace& n) {
-        return "NearestFace(object " + std::to_string(n.face.object) + ", face " + std::to_string(n.face.face) +
-               ", distance " + py::repr(py::float_(n.distance)).cast<std::string>() + ")";
-      });
-  type.attr("__hash__") = py::none();
-}
-
-void add_first_face(py::module_& module) {
-  py::class_<FirstFace> type(module, "FirstFace",
-                             "A face of a scene that a moving ball touches, and its first contact with it.");
-  make_picklable(type, [](const FirstFace& f) { return py::make_tuple(f.face.object, f.face.face, f.contact); });
-  type.def(py::init([](std::uint32_t object, std::uint32_t face, const FirstContact& contact) {
-             require_member(contact.contact(), "contact", "a face that is touched first has one");
-             return FirstFace{{object, face}, contact};
-           }),
-           "Takes what `pickle` kept.")
-      .def_property_readonly(
-          "object", [](const FirstFace& f) { return f.face.object; }, "The number of the object.")
-      .def_property_readonly(
-          "face", [](const FirstFace& f) { return f.face.face; }, "The number of the face in the object.")
-      .def_property_readonly("contact", [](const FirstFace& f) { return f.contact; })
-      .def(
-          "__eq__", [](const FirstFace& a, const FirstFace& b) { return a.face == b.face && a.contact == b.contact; },
-          py::is_operator())
-      .def("__repr__", [](const FirstFace& f) {
-        return "FirstFace(object " + std::to_string(f.face.object) + ", face " + std::to_string(f.face.face) +
-               ", time " + py::repr(py::float_(f.contact.time)).cast<std::string>() + ")";
-      });
-  type.attr("__hash__") = py::none();
-}
-
 }  // namespace
 
 void add_scene(py::module_& module) {
-  add_nearest_face(module);
-  add_first_face(module);
   py::class_<SharedScene> type(
       module, "Scene",
       "Named objects of many faces, each under a pose, and exact questions about all of them. The cost of a question\n"
       "grows with the number of faces near the ball. Several threads may ask and move at once. A scene cannot be\n"
       "pickled or copied: keep its meshes and poses.");
   refuse_pickling(type, "cannot pickle or copy a Scene: add its meshes to another one, and set their poses");
-  const py::arg balls("balls");
-  const auto objects = py::arg("objects") = py::none();
   type.def(py::init())
       .def(
           "add", add, py::arg("name"), py::arg("faces"), py::arg("pose") = py::none(), py::arg("bad_faces") = "refuse",
@@ -298,25 +136,6 @@ void add_scene(py::module_& module) {
             return scene.ask([&](const scene::Scene& held) { return held.face_count(number_of(held, object)); });
           },
           py::arg("object"), "Returns the number of faces of an object.")
-      .def(
-          "touches", touches, balls, objects,
-          "Returns whether the ball touches any face: a bool, or an array of them. `objects` selects some, by number\n"
-          "or name. Batches run on all cores. A row of seven numbers is a moving ball: whether it touches at any time.")
-      .def("touched", touched, balls, objects,
-           "Returns the faces that the ball touches, ascending: an array of k x 2, object and face, or a list of "
-           "arrays.")
-      .def("touched_in_order", touched_in_order, py::arg("motions"), objects,
-           "Returns the faces that a moving ball (7,) touches, in the order of their exact first times, then by\n"
-           "object and face: a list of FirstFace, or a list of lists.")
-      .def("first_contact", first_contact, py::arg("motions"), objects,
-           "Returns the face that a moving ball (7,) touches first, the lowest of several: a FirstFace, None if it\n"
-           "touches none, or a list of them.")
-      .def("nearest", nearest, balls, objects,
-           "Returns the face nearest to the ball's centre, the lowest of several: a NearestFace, None without faces,\n"
-           "or a list of them.")
-      .def("closest", closest, balls, objects,
-           "Returns the closest point of all faces and its distance: (3,) and a float, or (n, 3) and (n,). Raises\n"
-           "ValueError if there are no faces.")
       .def("__len__",
            [](const SharedScene& scene) {
              return scene.ask([](const scene::Scene& held) { return numbers_of(held).size(); });
@@ -331,6 +150,7 @@ void add_scene(py::module_& module) {
         return "Scene(" + std::to_string(objects_held) + (objects_held == 1 ? " object, " : " objects, ") +
                std::to_string(faces) + (faces == 1 ? " face)" : " faces)");
       });
+  add_scene_questions(module, type);
 }
 
 }  // namespace touchstone::python

@@ -61,11 +61,11 @@ mesh::MeshFaces scene_faces_of(py::handle object, mesh::OnBadFace on_bad_face) {
   if (holds_polygons(object)) return faces_of(py::reinterpret_borrow<py::sequence>(object));
   if (py::isinstance(object, py::module_::import("touchstone_contact").attr("MergedMesh")))
     return scene_faces_of(object.attr("polygons"), on_bad_face);
-  if (is_mesh(object)) {
-    const HeldMesh mesh = mesh_of(object, on_bad_face);
-    const py::gil_scoped_release release;
-    return mesh::scene_faces(mesh, on_bad_face);
-  }
+  if (is_mesh(object))
+    return with_mesh(object, on_bad_face, [&](const Mesh& mesh) {
+      const py::gil_scoped_release release;
+      return mesh::scene_faces(mesh, on_bad_face);
+    });
   return faces_of(Triangles(object).all(), on_bad_face);
 }
 

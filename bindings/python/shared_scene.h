@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <mutex>
 #include <shared_mutex>
+#include <variant>
 #include <vector>
 
 #include "bindings/python/fair_shared_mutex.h"
+#include "bindings/python/words.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 
@@ -47,5 +49,13 @@ class SharedScene {
   mutable FairSharedMutex mutex_;
   HeldScene scene_;
 };
+
+/// An object's number or name.
+using ObjectKey = std::variant<std::uint32_t, Name>;
+
+[[nodiscard]] inline std::uint32_t number_of(const scene::Scene& scene, const ObjectKey& key) {
+  if (const auto* const number = std::get_if<std::uint32_t>(&key)) return *number;
+  return scene.find(std::get<Name>(key).utf8);
+}
 
 }  // namespace touchstone::python

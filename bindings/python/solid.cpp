@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/solid.h"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "bindings/python/answer_arrays.h"
 #include "bindings/python/bindings.h"
 #include "bindings/python/initialised.h"
 #include "bindings/python/mesh.h"
@@ -37,51 +39,49 @@ class Points {
 
   [[nodiscard]] bool single() const { return rows_.ndim() == 1; }
   [[nodiscard]] std::span<const Eigen::Vector3d> all() const { return all_; }
+  [[nodiscard]] const Doubles& array() const { return rows_; }
 
  private:
   Doubles rows_;
   std::span<const Eigen::Vector3d> all_;
 };
 
-py::object locate(const Solid& solid, const py::object& rows) {
+py::object locate(const Solid& solid, const py::object& rows, const py::object& out) {
   const Points points(rows);
+  AnswerArrays arrays(points.all().size(), points.single(), out, points.array());
+  const std::span<Code> codes = arrays.add<Code>();
   std::vector<PointLocation> locations(points.all().size());
   {
     const py::gil_scoped_release release;
     solid.locate(points.all(), locations);
+    std::ranges::transform(locations, codes.begin(), code_of<PointLocation>);
   }
   if (points.single()) return text(to_string(locations[0]));
-  py::array_t<std::uint8_t> numbers(static_cast<py::ssize_t>(locations.size()));
-  std::uint8_t* number = numbers.mutable_data();
-  for (const PointLocation location : locations) *number++ = static_cast<std::uint8_t>(location);
-  py::list words;
-  for (const auto location : {PointLocation::Inside, PointLocation::Boundary, PointLocation::Outside})
-    words.append(text(to_string(location)));
-  return py::module_::import("numpy").attr("array")(words)[numbers];
+  return arrays.result();
 }
 
-py::object touches_solid(const Solid& solid, const py::object& rows) {
+py::object touches_solid(const Solid& solid, const py::object& rows, const py::object& out) {
   const Balls balls(rows);
-  py::array_t<bool> answers(static_cast<py::ssize_t>(balls.all().size()));
-  const std::span<bool> out(answers.mutable_data(), balls.all().size());
+  AnswerArrays arrays(balls.all().size(), balls.single(), out, balls.array());
+  const std::span<bool> answers = arrays.add<bool>();
   {
     const py::gil_scoped_release release;
-    solid.touches(balls.all(), out);
+    solid.touches(balls.all(), answers);
   }
-  if (balls.single()) return py::bool_(out[0]);
-  return answers;
+  if (balls.single()) return py::bool_(answers[0]);
+  return arrays.result();
 }
 
-py::object signed_distance(const Solid& solid, const py::object& rows) {
+py::object signed_distance(const Solid& solid, const py::object& rows, const py::object& out) {
   const Points points(rows);
-  Doubles answers(static_cast<py::ssize_t>(points.all().size()));
-  const std::span<double> out(answers.mutable_data(), points.all().size());
+  AnswerArrays arrays(points.all().size(), points.single(), out, points.array());
+  const std::span<double> answers = arrays.add<double>();
   {
     const py::gil_scoped_release release;
-    solid.signed_distance(points.all(), out);
+    solid.signed_distance(points.all(), answers);
   }
-  if (points.single()) return py::float_(out[0]);
-  return answers;
+  if (points.single()) return py::float_(answers[0]);
+  return arrays.result();
 }
 
 Solid solid_of(const Mesh& mesh) {
@@ -102,14 +102,18 @@ void add_solid(py::module_& module) {
                          "be pickled or copied: keep its mesh.");
   refuse_pickling(type, "cannot pickle or copy a Solid: make another one of its mesh");
   const py::arg points("points"), balls("balls");
-  type.def(py::init([](const py::object& mesh) { return solid_of(mesh_of(mesh)); }), py::arg("mesh"))
+  const auto out = py::arg("out") = py::none();
+  type.def(py::init([](const py::object& mesh) { return with_mesh(mesh, mesh::OnBadFace::Refuse, solid_of); }),
+           py::arg("mesh"))
       .def(py::init(
                [](const py::object& vertices, const py::object& faces) { return solid_of(mesh_of(vertices, faces)); }),
            py::arg("vertices"), py::arg("faces"))
-      .def("locate", locate, points,
-           "Returns where a point lies: 'inside', 'boundary' or 'outside'; for n points an array of these words.")
-      .def("touches", touches_solid, balls, "Returns whether the ball touches the solid: a bool, or an array of them.")
-      .def("signed_distance", signed_distance, points,
+      .def("locate", locate, points, out,
+           "Returns where a point lies: 'inside', 'boundary' or 'outside'; for n points an array of the codes of\n"
+           "PointLocation.")
+      .def("touches", touches_solid, balls, out,
+           "Returns whether the ball touches the solid: a bool, or an array of them.")
+      .def("signed_distance", signed_distance, points, out,
            "Returns the distance of a point from the surface, the nearest double, negative inside: a float, or an\n"
            "array of them.")
       .def("__repr__", [](const Solid& solid) { return "Solid(" + std::to_string(solid.face_count()) + " faces)"; });

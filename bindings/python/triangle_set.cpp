@@ -2,8 +2,11 @@
 #include "robust/filtered/triangle_set.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "bindings/python/answer_arrays.h"
 #include "bindings/python/bindings.h"
 #include "bindings/python/initialised.h"
 #include "bindings/python/pickling.h"
@@ -17,30 +20,30 @@ namespace {
 namespace py = pybind11;
 using filtered::TriangleSet;
 
-py::array_t<bool> ask_contact(const TriangleSet& set, const py::object& rows) {
+py::object ask_contact(const TriangleSet& set, const py::object& rows, const py::object& out) {
   const Balls balls(rows);
-  const auto count = static_cast<py::ssize_t>(set.size());
-  py::array_t<bool> touches = balls.single() ? py::array_t<bool>(count)
-                                             : py::array_t<bool>({static_cast<py::ssize_t>(balls.all().size()), count});
-  bool* row = touches.mutable_data();
-  const py::gil_scoped_release release;
-  for (const Ball& ball : balls.all()) {
-    contact(ball, set, {row, set.size()});
-    row += set.size();
-  }
-  return touches;
-}
-
-py::object ask_any_contact(const TriangleSet& set, const py::object& rows) {
-  const Balls balls(rows);
-  if (balls.single()) return py::bool_(any_contact(balls.all()[0], set));
-  py::array_t<bool> touches(static_cast<py::ssize_t>(balls.all().size()));
-  bool* touch = touches.mutable_data();
+  AnswerArrays arrays(balls.single() ? set.size() : balls.all().size(), false, out, balls.array());
+  std::span<bool> touches = balls.single() ? arrays.add<bool>() : arrays.add_rows<bool>(set.size());
   {
     const py::gil_scoped_release release;
-    for (const Ball& ball : balls.all()) *touch++ = any_contact(ball, set);
+    for (const Ball& ball : balls.all()) {
+      contact(ball, set, touches.first(set.size()));
+      touches = touches.subspan(set.size());
+    }
   }
-  return touches;
+  return arrays.result();
+}
+
+py::object ask_any_contact(const TriangleSet& set, const py::object& rows, const py::object& out) {
+  const Balls balls(rows);
+  AnswerArrays arrays(balls.all().size(), balls.single(), out, balls.array());
+  if (balls.single()) return py::bool_(any_contact(balls.all()[0], set));
+  const std::span<bool> touches = arrays.add<bool>();
+  {
+    const py::gil_scoped_release release;
+    std::ranges::transform(balls.all(), touches.begin(), [&](const Ball& ball) { return any_contact(ball, set); });
+  }
+  return arrays.result();
 }
 
 py::object ask_triangles_hit(const TriangleSet& set, const py::object& rows) {
@@ -50,13 +53,8 @@ py::object ask_triangles_hit(const TriangleSet& set, const py::object& rows) {
     const py::gil_scoped_release release;
     for (const Ball& ball : balls.all()) hit.push_back(triangles_hit(ball, set));
   }
-  const auto array = [](const std::vector<std::size_t>& numbers) {
-    return py::array_t<std::size_t>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
-  };
-  if (balls.single()) return array(hit[0]);
-  py::list all;
-  for (const auto& numbers : hit) all.append(array(numbers));
-  return all;
+  if (!balls.single()) return hits_of(hit);
+  return py::array_t<std::size_t>(static_cast<py::ssize_t>(hit[0].size()), hit[0].data());
 }
 
 Degenerate degenerate_policy(const std::string& name) {
@@ -84,6 +82,7 @@ void add_triangle_set(py::module_& module) {
       "sets are equal if their triangles are.");
   make_picklable(type, [](const TriangleSet& set) { return py::make_tuple(array_of(set.triangles()), "as segments"); });
   const py::arg balls("balls");
+  const auto out = py::arg("out") = py::none();
   type.def(py::init([](const py::object& rows, const std::string& bad_faces) {
              const Triangles triangles(rows);
              const Degenerate degenerate = degenerate_policy(bad_faces);
@@ -91,15 +90,20 @@ void add_triangle_set(py::module_& module) {
              return TriangleSet(triangles.all(), degenerate);
            }),
            py::arg("triangles"), py::arg("bad_faces") = "refuse")
-      .def("contact", ask_contact, balls,
+      .def("contact", ask_contact, balls, out,
            "Returns whether the ball touches each triangle: an array of n bools; for m balls an array of m x n.")
-      .def("any_contact", ask_any_contact, balls,
+      .def("any_contact", ask_any_contact, balls, out,
            "Returns whether the ball touches at least one triangle: a bool, or an array of them.")
       .def("triangles_hit", ask_triangles_hit, balls,
-           "Returns the numbers of the triangles that the ball touches, ascending: an array, or a list of arrays.")
+           "Returns the numbers of the triangles that the ball touches, ascending: an array, or Hits.")
       .def_property_readonly(
-          "triangles", [](const TriangleSet& set) { return array_of(set.triangles()); },
-          "A copy of the triangles, n x 3 x 3.")
+          "triangles",
+          [](const py::object& object) {
+            const std::span<const Triangle> all = object.cast<const TriangleSet&>().triangles();
+            const double* const first = all.empty() ? nullptr : all.front().a.data();
+            return view_of(first, {static_cast<py::ssize_t>(all.size()), 3, 3}, object);
+          },
+          "The triangles, n x 3 x 3: a view that cannot be written to.")
       .def("__len__", &TriangleSet::size)
       .def(
           "__eq__",

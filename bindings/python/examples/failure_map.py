@@ -17,10 +17,8 @@ start, end = notched.outer[:2]
 above = start + 0.51 * (end - start) + [-0.125, -0.0625, 0.5]  # along the normal from a point of edge 0
 x, y = np.meshgrid(above[0] + steps * np.spacing(above[0]), above[1] + steps * np.spacing(above[1]))
 balls = np.stack([x, y, np.full_like(x, above[2]), np.ones_like(x)], axis=-1).reshape(-1, 4)
-places = ["outside", "boundary", "inside"]
-said = np.array([places.index(word) for word in touchstone.fast.foot(balls, notched)])
-true = np.array([places.index(word) for word in touchstone.filtered.foot(balls, notched)])
-plt.imshow((said - true).reshape(x.shape), origin="lower", extent=[-half, half] * 2, cmap="coolwarm", vmin=-2, vmax=2)
+said, true = touchstone.fast.foot(balls, notched), touchstone.filtered.foot(balls, notched)  # inside 0 to outside 2
+plt.imshow((true - said).reshape(x.shape), origin="lower", extent=[-half, half] * 2, cmap="coolwarm", vmin=-2, vmax=2)
 wrong = ["outside for inside", "one place too far out", "right", "one place too far in", "inside for outside"]
 plt.colorbar(ticks=range(-2, 3)).ax.set_yticklabels(wrong)
 plt.xlabel("x of the centre, in doubles")

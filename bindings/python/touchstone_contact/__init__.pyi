@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+from enum import IntEnum
 from os import PathLike
 from typing import Any, Literal, NamedTuple, Protocol, Sequence, TypedDict, overload
 
@@ -7,30 +8,63 @@ from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 
-PlaneSide = Literal["in_front", "behind", "intersects"]
-PointLocation = Literal["inside", "boundary", "outside"]
-Relation = Literal["separate", "touching", "overlapping"]
+_PlaneSide = Literal["in_front", "behind", "intersects"]
+_PointLocation = Literal["inside", "boundary", "outside"]
+_Relation = Literal["separate", "touching", "overlapping"]
+_Bools = NDArray[np.bool_]
+_Codes = NDArray[np.int8]
+_Numbers = NDArray[np.int64]
+_Doubles = NDArray[np.float64]
+
+class _Code(IntEnum):
+    @classmethod
+    def words(cls, codes: ArrayLike) -> NDArray[np.str_]: ...
+
+class Relation(_Code):
+    separate = 0
+    touching = 1
+    overlapping = 2
+
+class PlaneSide(_Code):
+    in_front = 0
+    behind = 1
+    intersects = 2
+
+class PointLocation(_Code):
+    inside = 0
+    boundary = 1
+    outside = 2
+
+class FeatureKind(_Code):
+    face = 0
+    edge = 1
+    vertex = 2
+
+class FirstContactKind(_Code):
+    start = 0
+    way = 1
+    none = 2
 
 class Rejected(ValueError):
     code: str
 
-class _FeatureKind(TypedDict):
+class _HasKind(TypedDict):
     kind: Literal["face", "edge", "vertex"]
 
-class Feature(_FeatureKind, total=False):
+class Feature(_HasKind, total=False):
     index: int
 
 class Answer:
     @property
-    def plane(self) -> PlaneSide: ...
+    def plane(self) -> _PlaneSide: ...
     @property
     def plane_tangent(self) -> bool: ...
     @property
-    def foot(self) -> PointLocation: ...
+    def foot(self) -> _PointLocation: ...
     @property
     def edges_hit(self) -> list[int]: ...
     @property
-    def relation(self) -> Relation: ...
+    def relation(self) -> _Relation: ...
     @property
     def contact(self) -> bool: ...
     @property
@@ -64,6 +98,84 @@ class FirstContact:
     def contact_normal(self) -> NDArray[np.float64]: ...
     @property
     def depth(self) -> float: ...
+
+class Hits(NamedTuple):
+    indptr: _Numbers
+    number: _Numbers
+
+class Answers(NamedTuple):
+    plane: _Codes
+    plane_tangent: _Bools
+    foot: _Codes
+    relation: _Codes
+    nearest: _Codes
+    nearest_index: _Numbers
+    point: _Doubles
+    distance: _Doubles
+    contact_normal: _Doubles
+    depth: _Doubles
+    off_plane: _Doubles
+    edges_hit: Hits
+    @property
+    def contact(self) -> _Bools: ...
+
+class ClosestPoints(NamedTuple):
+    point: _Doubles
+    distance: _Doubles
+
+class FirstContacts(NamedTuple):
+    kind: _Codes
+    time: _Doubles
+    momentary: _Bools
+    feature: _Codes
+    feature_index: _Numbers
+    point: _Doubles
+    contact_normal: _Doubles
+    depth: _Doubles
+    @property
+    def contact(self) -> _Bools: ...
+
+class FirstFaces(NamedTuple):
+    object: _Numbers
+    face: _Numbers
+    kind: _Codes
+    time: _Doubles
+    momentary: _Bools
+    feature: _Codes
+    feature_index: _Numbers
+    point: _Doubles
+    contact_normal: _Doubles
+    depth: _Doubles
+    @property
+    def contact(self) -> _Bools: ...
+
+class FacesInOrder(NamedTuple):
+    indptr: _Numbers
+    object: _Numbers
+    face: _Numbers
+    kind: _Codes
+    time: _Doubles
+    momentary: _Bools
+    feature: _Codes
+    feature_index: _Numbers
+    point: _Doubles
+    contact_normal: _Doubles
+    depth: _Doubles
+
+class TouchedFaces(NamedTuple):
+    indptr: _Numbers
+    object: _Numbers
+    face: _Numbers
+
+class NearestFaces(NamedTuple):
+    object: _Numbers
+    face: _Numbers
+    feature: _Codes
+    feature_index: _Numbers
+    point: _Doubles
+    distance: _Doubles
+    contact_normal: _Doubles
+    depth: _Doubles
 
 class FirstFace:
     @property
@@ -162,9 +274,9 @@ class TriangleSet:
     def __init__(self, triangles: ArrayLike, bad_faces: Literal["refuse", "as segments"] = ...) -> None: ...
     @property
     def triangles(self) -> NDArray[np.float64]: ...
-    def contact(self, balls: _Balls) -> NDArray[np.bool_]: ...
-    def any_contact(self, balls: _Balls) -> bool | NDArray[np.bool_]: ...
-    def triangles_hit(self, balls: _Balls) -> NDArray[np.uint64] | list[NDArray[np.uint64]]: ...
+    def contact(self, balls: _Balls, out: _Bools | None = ...) -> _Bools: ...
+    def any_contact(self, balls: _Balls, out: _Bools | None = ...) -> bool | _Bools: ...
+    def triangles_hit(self, balls: _Balls) -> NDArray[np.uint64] | Hits: ...
     def __len__(self) -> int: ...
 
 class NearestFace:
@@ -208,22 +320,21 @@ class Scene:
     @property
     def numbers(self) -> list[int]: ...
     def face_count(self, object: _Object) -> int: ...
-    def touches(self, balls: _Balls, objects: Sequence[_Object] | None = ...) -> bool | NDArray[np.bool_]: ...
+    def touches(
+        self, balls: _Balls, objects: Sequence[_Object] | None = ..., out: _Bools | None = ...
+    ) -> bool | _Bools: ...
     def touched(
         self, balls: _Balls, objects: Sequence[_Object] | None = ...
-    ) -> NDArray[np.uint32] | list[NDArray[np.uint32]]: ...
+    ) -> NDArray[np.uint32] | TouchedFaces: ...
     def touched_in_order(
         self, motions: ArrayLike, objects: Sequence[_Object] | None = ...
-    ) -> list[FirstFace] | list[list[FirstFace]]: ...
+    ) -> list[FirstFace] | FacesInOrder: ...
     def first_contact(
-        self, motions: ArrayLike, objects: Sequence[_Object] | None = ...
-    ) -> FirstFace | None | list[FirstFace | None]: ...
+        self, motions: ArrayLike, objects: Sequence[_Object] | None = ..., out: FirstFaces | None = ...
+    ) -> FirstFace | None | FirstFaces: ...
     def nearest(
-        self, balls: _Balls, objects: Sequence[_Object] | None = ...
-    ) -> NearestFace | None | list[NearestFace | None]: ...
-    def closest(
-        self, balls: _Balls, objects: Sequence[_Object] | None = ...
-    ) -> tuple[NDArray[np.float64], float | NDArray[np.float64]]: ...
+        self, balls: _Balls, objects: Sequence[_Object] | None = ..., out: NearestFaces | None = ...
+    ) -> NearestFace | None | NearestFaces: ...
     def __len__(self) -> int: ...
 
 class Solid:
@@ -233,29 +344,33 @@ class Solid:
     def __init__(self, mesh: Mesh | _MeshLike) -> None: ...
     @overload
     def __init__(self, vertices: ArrayLike, faces: ArrayLike | Sequence[Sequence[int]]) -> None: ...
-    def locate(self, points: ArrayLike) -> PointLocation | NDArray[np.str_]: ...
-    def touches(self, balls: _Balls) -> bool | NDArray[np.bool_]: ...
-    def signed_distance(self, points: ArrayLike) -> float | NDArray[np.float64]: ...
+    def locate(self, points: ArrayLike, out: _Codes | None = ...) -> _PointLocation | _Codes: ...
+    def touches(self, balls: _Balls, out: _Bools | None = ...) -> bool | _Bools: ...
+    def signed_distance(self, points: ArrayLike, out: _Doubles | None = ...) -> float | _Doubles: ...
 
 class _Path:
     """The questions of one path. A single ball (4,) has one answer; many balls (n, 4) have n."""
 
     @staticmethod
-    def contact(balls: _Balls, polygon: Polygon) -> bool | NDArray[np.bool_]: ...
+    def contact(balls: _Balls, polygon: Polygon, out: _Bools | None = ...) -> bool | _Bools: ...
     @staticmethod
-    def first_contact(motions: ArrayLike, polygon: Polygon) -> FirstContact | list[FirstContact]: ...
+    def first_contact(
+        motions: ArrayLike, polygon: Polygon, out: FirstContacts | None = ...
+    ) -> FirstContact | FirstContacts: ...
     @staticmethod
-    def relation(balls: _Balls, polygon: Polygon) -> Relation | NDArray[np.str_]: ...
+    def relation(balls: _Balls, polygon: Polygon, out: _Codes | None = ...) -> _Relation | _Codes: ...
     @staticmethod
-    def plane_side(balls: _Balls, polygon: Polygon) -> PlaneSide | NDArray[np.str_]: ...
+    def plane_side(balls: _Balls, polygon: Polygon, out: _Codes | None = ...) -> _PlaneSide | _Codes: ...
     @staticmethod
-    def foot(balls: _Balls, polygon: Polygon) -> PointLocation | NDArray[np.str_]: ...
+    def foot(balls: _Balls, polygon: Polygon, out: _Codes | None = ...) -> _PointLocation | _Codes: ...
     @staticmethod
-    def edges_hit(balls: _Balls, polygon: Polygon) -> NDArray[np.uint64] | list[NDArray[np.uint64]]: ...
+    def edges_hit(balls: _Balls, polygon: Polygon) -> NDArray[np.uint64] | Hits: ...
     @staticmethod
-    def closest(balls: _Balls, polygon: Polygon) -> tuple[NDArray[np.float64], float | NDArray[np.float64]]: ...
+    def closest(
+        balls: _Balls, polygon: Polygon, out: ClosestPoints | None = ...
+    ) -> tuple[_Doubles, float] | ClosestPoints: ...
     @staticmethod
-    def answer(balls: _Balls, polygon: Polygon) -> Answer | list[Answer]: ...
+    def answer(balls: _Balls, polygon: Polygon) -> Answer | Answers: ...
 
 filtered: _Path
 exact: _Path

@@ -20,7 +20,7 @@ class Solids(unittest.TestCase):
         mesh = touchstone.Mesh(VERTICES, FACES)
         for solid in (touchstone.Solid(mesh), touchstone.Solid(VERTICES, FACES), touchstone.Solid(vertices=VERTICES.tolist(), faces=FACES.tolist()),
                       touchstone.Solid(types.SimpleNamespace(vertices=VERTICES, faces=FACES[:, ::-1]))):
-            self.assertEqual(solid.locate(POINTS).tolist(), ["inside", "boundary", "boundary", "outside", "inside"])
+            self.assertEqual(touchstone.PointLocation.words(solid.locate(POINTS)).tolist(), ["inside", "boundary", "boundary", "outside", "inside"])
             self.assertEqual(solid.signed_distance(POINTS).tolist(), [-1, 0, 0, 1, -0.25])
             self.assertEqual(repr(solid), "Solid(12 faces)")
             balls = np.column_stack([POINTS, [0, 0, 0, 0.5, 0]])
@@ -28,7 +28,8 @@ class Solids(unittest.TestCase):
 
     def test_answer_one_as_many(self):
         solid = touchstone.Solid(VERTICES, FACES)
-        for point, word, distance in zip(POINTS, solid.locate(POINTS), solid.signed_distance(POINTS)):
+        for point, code, distance in zip(POINTS, solid.locate(POINTS), solid.signed_distance(POINTS)):
+            word = touchstone.PointLocation(code).name
             self.assertEqual((solid.locate(point), solid.signed_distance(point)), (word, distance))
             self.assertIs(type(solid.locate(point)), str)
             self.assertIs(type(solid.signed_distance(point)), float)

@@ -9,12 +9,16 @@ import touchstone_contact as touchstone
 from numpy.typing import NDArray
 
 
-def about_one_face() -> touchstone.Answer | list[touchstone.Answer]:
+def about_one_face() -> touchstone.Answer | touchstone.Answers:
     square = touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0]], holes=[], closed=True)
     assert touchstone.Polygon.of("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))") == square
     assert touchstone.Polygon.of({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}) == square
     touches: bool | NDArray[np.bool_] = touchstone.filtered.contact([0.5, 0.25, 1, 1], square)
     assert touches is True
+    sides: NDArray[np.int8] = np.empty(3, np.int8)
+    touchstone.exact.plane_side(np.zeros((3, 4)), square, out=sides)
+    words: NDArray[np.str_] = touchstone.PlaneSide.words(sides)
+    assert words[0] == touchstone.PlaneSide.intersects.name
     return touchstone.exact.answer(np.zeros((3, 4)), square)
 
 
@@ -28,13 +32,17 @@ def about_many_faces(file: pathlib.Path) -> float | None:
     assert len(scene.face_numbers(number)) + len(bad) == len(mesh.places)
     scene.add("merged", merged)
     scene.add("open3d", types.SimpleNamespace(vertices=mesh.vertices, triangles=mesh.faces))
-    for face in scene.touched_in_order([0, 0, 0, 1, 1, 0, 0]):
-        assert isinstance(face, list) or face.contact.time <= 1
+    ways = scene.touched_in_order(np.zeros((3, 7)))
+    if isinstance(ways, touchstone.FacesInOrder):
+        ends: NDArray[np.int64] = ways.indptr[1:]
+        assert ends[-1] == len(ways.time)
     scene.touches((np.zeros((3, 3)), 0.5))
     scene.add("triangles", np.zeros((0, 3, 3)))
     scene.add("others", types.SimpleNamespace(vertices=mesh.vertices, faces=mesh.faces))
     scene.set_pose("mesh", None)
     nearest = scene.nearest([0, 0, 0, 1], objects=[number, "triangles"])
+    if isinstance(nearest, touchstone.NearestFaces):
+        scene.nearest(np.zeros((len(nearest.face), 3)), out=nearest)
     if isinstance(nearest, touchstone.NearestFace):
         kind: str = nearest.feature["kind"]
         return nearest.distance if kind == "face" else None

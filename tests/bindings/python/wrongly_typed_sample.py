@@ -10,4 +10,7 @@ touchstone.Mesh.of(3)  # wrong
 touchstone.Scene().touches([0, 0, 0, 1], objects=3)  # wrong
 touchstone.Scene().add(3, square)  # wrong
 touchstone.filtered.answer([0, 0, 0, 1], square).relaton  # wrong
+touchstone.Scene().touches([0, 0, 0, 1], out=[True])  # wrong
+touchstone.Scene().nearest([0, 0, 0, 1], out=touchstone.Hits)  # wrong
+touchstone.Relation.word  # wrong
 touchstone.TriangleSet().contact([0, 0, 0, 1])  # wrong
