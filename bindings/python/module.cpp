@@ -52,7 +52,7 @@ PYBIND11_MODULE(_touchstone, module) {
   add_solid(module);
   QueryFunctions<filtered::PreparedPolygon>::add_to(module, "filtered",
                                                     "The answers of `exact`, at about the price of `fast`.");
-  QueryFunctions<exact::PreparedPolygon>::add_to(module, "exact", "Exact answers, over an exact kernel of CGAL.");
+  QueryFunctions<exact::PreparedPolygon>::add_to(module, "exact", "Exact answers, by an exact kernel.");
   QueryFunctions<fast::PreparedPolygon<>>::add_to(
       module, "fast", "Plain doubles: may be wrong near a boundary, without any indication.");
   module.attr("__version__") = TOUCHSTONE_VERSION;

@@ -63,7 +63,7 @@ def main():
     flags = next((scratch / "consumer/prefix").rglob("touchstone.pc")).read_text()
     expect(not re.search(r"-l(gmp|mpfr|tbb)", flags), f"touchstone.pc says\n{flags}")
 
-    for part in ("EXPERIMENTS", "TESTS", "PYTHON"):
+    for part in ("EXPERIMENTS", "TESTS"):
         refused = run(*configuration(source, scratch / part, compiler, f"-DTOUCHSTONE_{part}=ON"), expected=1)
         expect(f"TOUCHSTONE_{part}=ON needs TOUCHSTONE_EXACT=ON" in refused.stderr, f"TOUCHSTONE_{part}=ON is refused otherwise: {refused.stderr}")
 

@@ -8,16 +8,16 @@ build without the program or the module is tested without them.
 """
 
 import pathlib
-import platform
 import re
 import shutil
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).parents[1]))
+from clean_root import run_in_clean_root  # noqa: E402
 from running import expect, run  # noqa: E402
 
 SOURCE, BUILD, SCRATCH = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-TOOLS = "g++,cmake,ninja-build,pkg-config"
+TOOLS = ["g++", "cmake", "ninja-build", "pkg-config"]
 HERE = pathlib.Path(__file__).parent
 
 
@@ -51,23 +51,6 @@ def check_exports(package):
         print(f"{library.name} exports {len(symbols)} symbols, all of touchstone")
 
 
-def sources():
-    """The files from which apt installs on this machine."""
-    folder = pathlib.Path("/etc/apt")
-    return [path for path in [folder / "sources.list", *sorted((folder / "sources.list.d").glob("*.*"))]
-            if path.exists() and path.suffix in (".list", ".sources")]
-
-
-def use_in_clean_root(given):
-    """What in_clean_root.sh answers in a new Debian with the folder `given` in it, by what was asked."""
-    answers = SCRATCH / "answers"
-    run("mmdebstrap", "--variant=minbase", "--format=null", "--quiet", f"--include={TOOLS}",
-        f"--customize-hook=copy-in {given} /",
-        f"--customize-hook=chroot \"$1\" sh /input/in_clean_root.sh >'{answers}'",
-        platform.freedesktop_os_release()["VERSION_CODENAME"], "/dev/null", *sources())
-    return dict(line.split(": ", 1) for line in answers.read_text().splitlines())
-
-
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     given = SCRATCH / "input"
@@ -90,7 +73,7 @@ def main():
         wanted |= {"program": "agrees with the corpus", "data": "found"}
     if "python3-touchstone" in names:
         wanted["module"] = "True"
-    answers = use_in_clean_root(given)
+    answers = dict(line.split(": ", 1) for line in run_in_clean_root(TOOLS, given, "in_clean_root.sh", SCRATCH / "answers").splitlines())
     for what, answer in wanted.items():
         expect(answers.get(what) == answer, f"in a clean root, {what} answers {answers.get(what)}, not {answer}")
         print(f"in a clean root, {what}: {answer}")
