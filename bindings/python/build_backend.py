@@ -26,8 +26,9 @@ import tomllib
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# What of the repository the module is built of.
-SOURCES = ("CMakeLists.txt", "LICENSE", "LICENSE-APACHE", "pyproject.toml", "bindings/python", "cmake", "geometry", "robust")
+# What of the repository the module is built of: of the corpus, no cases that are under the GPL.
+SOURCES = ("CMakeLists.txt", "LICENSE", "LICENSE-APACHE", "pyproject.toml", "bindings/python", "cmake", "geometry", "robust",
+           "tests/corpus/floats", ":!tests/corpus/floats/real-meshes.jsonl")
 # What CMake says if it does not find something, what that is, and the package of Debian that has it.
 NOT_FOUND = '(Could NOT find|provided by) "?'
 NEEDS = (("No CMAKE_CXX_COMPILER could be found", "g++ 12 or clang++ 14", "g++"),
@@ -111,7 +112,8 @@ def write_wheel(directory, package):
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
     tag = f"{python}-{python}-{platform_tag(next(package.glob('_touchstone.*.so')))}"
     info = f"{stem_of(table)}.dist-info"
-    files = {f"{package.name}/{file.name}": file.read_bytes() for file in sorted(package.iterdir()) if file.is_file()}
+    files = {str(file.relative_to(package.parent)): file.read_bytes() for file in sorted(package.rglob("*"))
+             if file.is_file() and file.suffix != ".pyc"}
     files["touchstone.py"] = (ROOT / "bindings/python/touchstone.py").read_bytes()
     files |= {f"{info}/METADATA": metadata(table).encode(),
               f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: touchstone\nRoot-Is-Purelib: false\nTag: {tag}\n".encode(),

@@ -20,6 +20,8 @@ Many faces: TriangleSet asks about one ball and all triangles of an array; Mesh 
 PyVista and meshio have; merge_faces merges its coplanar faces; Scene holds meshes under poses, and finds the faces that a
 ball touches and the nearest one. These are surfaces: a ball inside a mesh touches nothing. Solid is what a closed mesh
 bounds.
+
+judge asks a function of the user about certified cases and says where it is wrong.
 """
 
 from enum import IntEnum as _IntEnum
@@ -213,7 +215,9 @@ def _remade(kind, base, arguments):
     return made
 
 
+from .judging import judge  # noqa: E402  needs the names above
+
 __all__ = ["Answer", "Answers", "BrokenMesh", "ClosestPoints", "FacesInOrder", "FeatureKind", "FirstContact", "FirstContactKind",
            "FirstContacts", "FirstFace", "FirstFaces", "Hits", "MergedMesh", "Mesh", "NearestFace", "NearestFaces", "PlaneSide",
            "PointLocation", "Polygon", "Rejected", "Relation", "Scene", "Solid", "TouchedFaces", "TriangleSet", "__version__",
-           "exact", "fast", "filtered", "merge_faces"]
+           "exact", "fast", "filtered", "judge", "merge_faces"]

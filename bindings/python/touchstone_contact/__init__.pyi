@@ -6,6 +6,8 @@ from typing import Any, Literal, NamedTuple, Protocol, Sequence, TypedDict, over
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .judging import judge as judge
+
 __version__: str
 
 _PlaneSide = Literal["in_front", "behind", "intersects"]

@@ -60,7 +60,8 @@ class Install(unittest.TestCase):
             names = {name.partition("/")[2]: name for name in wheel.namelist()}
             said = email.message_from_bytes(wheel.read(names["METADATA"]))
             self.assertIn(b"GNU Lesser General Public License", wheel.read(names["licenses/bindings/python/NOTICES"]))
-        for name in ("CONTRACT.md", "py.typed", "__init__.pyi", "RECORD", *(f"licenses/{file}" for file in said.get_all("License-File"))):
+        self.assertFalse(any("real-meshes" in name for name in names))  # under the GPL
+        for name in ("CONTRACT.md", "py.typed", "__init__.pyi", "RECORD", "cases/edge.jsonl", "cases/LICENSE.txt", "judging/__init__.py", *(f"licenses/{file}" for file in said.get_all("License-File"))):
             self.assertIn(name, names)
         self.assertEqual((said["Name"], said["Version"]), ("touchstone-contact", CITATION["version"]))
         self.assertNotRegex(said.get_payload(), r"\]\((?!https://)")
@@ -79,7 +80,9 @@ class Install(unittest.TestCase):
         with tarfile.open(self.folder / build_backend.build_sdist(self.folder)) as archive:
             names = {name.partition("/")[2] for name in archive.getnames()}
             texts = [archive.extractfile(member).read(200) for member in archive]
-        self.assertLess({"PKG-INFO", "pyproject.toml", "CMakeLists.txt", "bindings/python/NOTICES", "robust/scene/scene.cpp"}, names)
+        self.assertLess({"PKG-INFO", "pyproject.toml", "CMakeLists.txt", "bindings/python/NOTICES", "robust/scene/scene.cpp",
+                         "tests/corpus/floats/edge.jsonl"}, names)
+        self.assertNotIn("tests/corpus/floats/real-meshes.jsonl", names)
         self.assertFalse([text for text in texts if b"Identifier: GPL-" in text])
 
 

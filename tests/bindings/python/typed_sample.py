@@ -50,6 +50,15 @@ def about_many_faces(file: pathlib.Path) -> float | None:
     return float(np.count_nonzero(hit))
 
 
+def about_a_function(file: pathlib.Path) -> tuple[float, str]:
+    def contact(centre: NDArray[np.float32], radius: np.float32, vertices: NDArray[np.float32]) -> bool:
+        return bool(np.linalg.norm(vertices - centre, axis=1).min() <= radius)
+
+    judged = touchstone.judge(contact, [file], keys=["contact"], beyond=2**-20, known=file, triangles=True, floats=True, name="mine")
+    judged.write_known(file)
+    return judged.all.upper, "" if judged else judged.new[0].small.call
+
+
 def about_a_solid(mesh: touchstone.Mesh) -> float | NDArray[np.float64]:
     solid = touchstone.Solid(mesh)
     if solid.locate([0, 0, 0]) == "inside" and solid.touches(np.zeros((2, 4))) is not False:

@@ -54,7 +54,8 @@ def contact(case):
     return squared <= radius**2
 
 
-for line in sys.stdin:
-    case = json.loads(line)
-    answer = {} if "motion" in case else {"contact": contact(case)}
-    print(json.dumps({"id": case["id"], **answer}), flush=True)
+if __name__ == "__main__":
+    for line in sys.stdin:
+        case = json.loads(line)
+        answer = {} if "motion" in case else {"contact": contact(case)}
+        print(json.dumps({"id": case["id"], **answer}), flush=True)
