@@ -67,6 +67,11 @@ def metadata(table):
     return "".join(f"{name}: {value}\n" for name, value in fields) + "\n" + readme
 
 
+def entry_points(table):
+    return "".join(f"[{group}]\n" + "".join(f"{name} = {place}\n" for name, place in members.items())
+                   for group, members in table["entry-points"].items())
+
+
 def configure(build, system_libraries):
     if shutil.which("cmake") is None:
         raise SystemExit("touchstone-contact needs CMake 3.25, which is not installed. In Debian it is the package cmake.")
@@ -117,6 +122,7 @@ def write_wheel(directory, package):
     files["touchstone.py"] = (ROOT / "bindings/python/touchstone.py").read_bytes()
     files |= {f"{info}/METADATA": metadata(table).encode(),
               f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: touchstone\nRoot-Is-Purelib: false\nTag: {tag}\n".encode(),
+              f"{info}/entry_points.txt": entry_points(table).encode(),
               **{f"{info}/licenses/{file}": (ROOT / file).read_bytes() for file in table["license-files"]},
               f"{info}/CONTRACT.md": (ROOT / "geometry" / "contact" / "CONTRACT.md").read_bytes()}
     record = io.StringIO()

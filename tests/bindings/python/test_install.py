@@ -55,13 +55,18 @@ class Install(unittest.TestCase):
         self.assertEqual(answers, ["True", "True", "False", "False", "True"])
         self.assertIn("Name: touchstone-contact\nVersion: ", self.run_command(python, "-m", "pip", "show", "touchstone-contact"))
 
+        (self.folder / "mine.py").write_text("import touchstone_contact\n\n\ndef contact(centre, radius, vertices):\n"
+                                             "    return touchstone_contact.filtered.contact((centre, radius), touchstone_contact.Polygon(vertices))\n")
+        judged = self.run_command(python, "-m", "pytest", "--touchstone", "mine:contact", "-k", "sliver or holes", "-q")
+        self.assertIn("1 passed, 1 skipped", judged)
+
     def test_of_a_wheel_brings_licences_contract_and_annotations(self):
         with zipfile.ZipFile(self.folder / build_backend.build_wheel(self.folder, {"compiled": COMPILED})) as wheel:
             names = {name.partition("/")[2]: name for name in wheel.namelist()}
             said = email.message_from_bytes(wheel.read(names["METADATA"]))
             self.assertIn(b"GNU Lesser General Public License", wheel.read(names["licenses/bindings/python/NOTICES"]))
         self.assertFalse(any("real-meshes" in name for name in names))  # under the GPL
-        for name in ("CONTRACT.md", "py.typed", "__init__.pyi", "RECORD", "cases/edge.jsonl", "cases/LICENSE.txt", "judging/__init__.py", *(f"licenses/{file}" for file in said.get_all("License-File"))):
+        for name in ("CONTRACT.md", "py.typed", "__init__.pyi", "RECORD", "entry_points.txt", "cases/edge.jsonl", "cases/LICENSE.txt", "judging/__init__.py", *(f"licenses/{file}" for file in said.get_all("License-File"))):
             self.assertIn(name, names)
         self.assertEqual((said["Name"], said["Version"]), ("touchstone-contact", CITATION["version"]))
         self.assertNotRegex(said.get_payload(), r"\]\((?!https://)")
