@@ -58,29 +58,6 @@ py::object array_of(const std::vector<FaceId>& faces) {
   return rows;
 }
 
-/// Returns arrays of all that lists hold, with the ends of the lists.
-template <class List>
-AnswerArrays arrays_of_lists(const std::vector<List>& lists, const char* kind) {
-  const py::array indptr = indptr_of(lists);
-  AnswerArrays arrays(static_cast<std::size_t>(static_cast<const Number*>(indptr.data())[lists.size()]), kind);
-  arrays.add_made(indptr);
-  return arrays;
-}
-
-py::object touched(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
-  return with_balls_or_motions(rows, [&](const auto& asking) -> py::object {
-    const auto all =
-        scene.ask([&](const scene::Scene& held) { return held.touched(asking.all(), objects_of(held, objects)); });
-    if (asking.single()) return array_of(all[0]);
-    AnswerArrays arrays = arrays_of_lists(all, "TouchedFaces");
-    FaceArrays faces(arrays);
-    std::size_t i = 0;
-    for (const auto& list : all)
-      for (const FaceId& id : list) faces.set(i++, id);
-    return arrays.result();
-  });
-}
-
 /// Faces that motions touch, and the first contacts with them.
 class FirstFaceArrays {
  public:
@@ -101,17 +78,32 @@ class FirstFaceArrays {
   FirstContactArrays contact_;
 };
 
+/// Returns what all lists hold in arrays, and where each list ends, as a class of the package.
+template <class Arrays, class List>
+py::object arrays_of_lists(const std::vector<List>& lists, const char* kind) {
+  const py::array indptr = indptr_of(lists);
+  AnswerArrays arrays(static_cast<std::size_t>(static_cast<const Number*>(indptr.data())[lists.size()]), kind);
+  arrays.add_made(indptr);
+  Arrays elements(arrays);
+  std::size_t i = 0;
+  for (const List& list : lists)
+    for (const auto& element : list) elements.set(i++, element);
+  return arrays.result();
+}
+
+py::object touched(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
+  return with_balls_or_motions(rows, [&](const auto& asking) -> py::object {
+    const auto all =
+        scene.ask([&](const scene::Scene& held) { return held.touched(asking.all(), objects_of(held, objects)); });
+    return asking.single() ? array_of(all[0]) : arrays_of_lists<FaceArrays>(all, "TouchedFaces");
+  });
+}
+
 py::object touched_in_order(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects) {
   const Motions motions(rows);
   const auto all = scene.ask(
       [&](const scene::Scene& held) { return held.touched_in_order(motions.all(), objects_of(held, objects)); });
-  if (motions.single()) return py::cast(all[0]);
-  AnswerArrays arrays = arrays_of_lists(all, "FacesInOrder");
-  FirstFaceArrays faces(arrays);
-  std::size_t i = 0;
-  for (const auto& list : all)
-    for (const FirstFace& first : list) faces.set(i++, first);
-  return arrays.result();
+  return motions.single() ? py::cast(all[0]) : arrays_of_lists<FirstFaceArrays>(all, "FacesInOrder");
 }
 
 py::object first_contact(const SharedScene& scene, const py::object& rows, const ObjectKeys& objects,
