@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: judged_engines.py NAME [COUNT]
+"""Usage: judged_engines.py NAME [doubles]
 
 Engines for the judge of the module and, behind a pipe, for the program's: what they return is a function of the question.
 """
@@ -48,7 +48,7 @@ def careless(centre, radius, vertices, holes, to, faces, pose):
 
 def wrongly(key, value, other, draw):
     """The value of a key, or in about half of the cases another one."""
-    kind, shift = draw.randrange(24), 1 + draw.choice([-1, 1]) * 2.0 ** draw.randrange(-40, -6)
+    kind, shift = draw.randrange(24), 1 + draw.choice([-1, 1]) * 2.0 ** draw.randrange(-24, -8)
     if kind < 8:
         return value
     if kind < 16 or value is None:
@@ -73,7 +73,7 @@ def wrongly(key, value, other, draw):
 ENGINES = {one.__name__: one for one in (fast, corners, careless)}
 
 if __name__ == "__main__":
-    engine = Engine(ENGINES[sys.argv[1]], np.float32)
+    engine = Engine(ENGINES[sys.argv[1]], np.float64 if "doubles" in sys.argv else np.float32)
     for line in sys.stdin:
         case = json.loads(line)
         question = question_of(case, None)

@@ -117,6 +117,14 @@ class Judge(unittest.TestCase):
         self.write({"near": {**near, "ball": {"center": [1, 1, 1], "radius": 1.001}}})
         self.assertFalse(touchstone.judge(never, self.file, beyond="1e-4m"))
 
+    def test_measures_a_normal_of_a_mesh_by_the_size_of_the_mesh(self):
+        corners = TRIANGLE["outer"] + [[1000, 0, 0], [1000, 1, 0], [1000, 0, 1]]
+        self.write({"far": {"ball": {"center": [1, 1, 1], "radius": 1}, "mesh": {"vertices": corners, "faces": [[0, 1, 2], [3, 4, 5]]},
+                            "expected": {"contact_normal": [0, 0, 1]}}})
+        for length, right in ((1 + 2**-22, True), (1 + 2**-16, False)):
+            judged = touchstone.judge(lambda c, r, v, faces: {"contact_normal": [0, 0, length]}, self.file, keys="contact_normal", beyond="2^-20")
+            self.assertEqual(bool(judged), right)
+
     def test_knows_failures_and_names_those_that_are_mended(self):
         known = self.folder / "known.jsonl"
         touchstone.judge(never, self.file).write_known(known)

@@ -17,6 +17,7 @@ import touchstone_contact as touchstone
 from touchstone_contact.judging import case_files
 
 ENGINES = pathlib.Path(judged_engines.__file__)
+POSED = sorted((pathlib.Path(__file__).parents[2] / "corpus/meshes").glob("*.jsonl"))  # in doubles; no case in floats has a pose
 AT_FACES = [file for file in case_files() if not file.stem.startswith("meshes")]
 
 
@@ -24,9 +25,9 @@ class SameVerdicts(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
 
-    def judged_by_program(self, name, files, options):
+    def judged_by_program(self, name, files, options, numbers):
         """The counts of the program, and the text of all failures with its known ones in."""
-        engine = ["--methods", name] if name == "fast" else ["--engine", f"{sys.executable} -B {ENGINES} {name}={name}"]
+        engine = ["--methods", name] if name == "fast" else ["--engine", f"{sys.executable} -B {ENGINES} {name} {numbers}={name}"]
         command = [TOUCHSTONE, "judge", *engine, "--json", "--known", self.folder / "known.jsonl", "--update", *options, *files]
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=600)
         self.assertLessEqual(done.returncode, 1, done.stderr)
@@ -34,14 +35,14 @@ class SameVerdicts(unittest.TestCase):
         mended = [line for line in done.stderr.splitlines() if ": mended: " in line]
         return method, len(mended), (self.folder / "known.jsonl").read_text()
 
-    def compare(self, name, files, beyond=None, keys="all", known="", options=(), **others):
+    def compare(self, name, files, beyond=None, keys="all", known="", options=(), floats=True, **others):
         """Returns both judgements' common count of all cases."""
         (self.folder / "known.jsonl").write_text(known)
-        found = touchstone.judge(judged_engines.ENGINES[name], files, floats=True, keys=keys, beyond=beyond,
+        found = touchstone.judge(judged_engines.ENGINES[name], files, floats=floats, keys=keys, beyond=beyond,
                                  known=self.folder / "known.jsonl", **others)
         found.write_known(self.folder / "found.jsonl")
         options = [*options, *(["--beyond", beyond] if beyond else []), *([] if keys == "all" else ["--keys", keys])]
-        method, mended, text = self.judged_by_program(name, files, options)
+        method, mended, text = self.judged_by_program(name, files, options, "floats" if floats else "doubles")
         self.assertEqual((self.folder / "found.jsonl").read_text(), text)
         self.assertEqual(len(found.mended), mended)
         for count, of_program in [(found.all, method["all"]), *((found.families[family], method["families"][family])
@@ -76,6 +77,11 @@ class SameVerdicts(unittest.TestCase):
             count, _ = self.compare("careless", case_files(), beyond, known=before)
             self.assertEqual(count.known > 0, before != "")
             self.assertGreater(count.within, 300)
+
+    def test_about_posed_meshes(self):
+        for beyond in (None, "2^-20", "1e-3"):
+            count, _ = self.compare("careless", POSED, beyond, floats=False)
+            self.assertEqual((count.cases, count.wrong > 150), (240, True))
 
 
 if __name__ == "__main__":

@@ -28,6 +28,10 @@ class Types(unittest.TestCase):
         wrong = {i for i, line in enumerate(sample.read_text().splitlines(), 1) if line.endswith("# wrong")}
         self.assertEqual({int(line) for line in re.findall(r"sample\.py:(\d+): error", found.stdout)}, wrong, found.stdout)
 
+    def test_hold_in_the_modules_of_python(self):
+        found = mypy("--strict", "-p", "touchstone_contact.judging", "-p", "touchstone_contact.strategies")
+        self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
+
     def test_name_every_class_and_function(self):
         found = mypy("touchstone_contact", "--ignore-missing-stub", "--allowlist", str(HERE / "not_in_stubs.txt"), module="mypy.stubtest")
         self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
