@@ -47,6 +47,7 @@ def check_needs_glibc_alone(wheel):
     expect(exported == ["PyInit__touchstone"], f"{module.name} exports {exported[:5]}")
     newest = max((int(major), int(minor)) for major, minor in re.findall(r"\bGLIBC_(\d+)\.(\d+)", run("objdump", "-T", module).stdout))
     expect("-manylinux_{}_{}_".format(*newest) in wheel.name, f"{module.name} needs glibc {newest}, its wheel is {wheel.name}")
+    expect(wheel.name in (SOURCE / PAGE).read_text(), f"{PAGE} does not name {wheel.name}")
     print(f"{wheel.name}, {wheel.stat().st_size} bytes, needs {' '.join(needed)}")
 
 
