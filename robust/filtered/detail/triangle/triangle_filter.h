@@ -169,9 +169,11 @@ template <bool always, class Signs, bool scaled>
 TOUCHSTONE_INLINE FilterResult filter_edges(const TriangleLanes<Pack>& triangle,
                                             const BallAtTriangle<Pack, scaled>& ball, Signs& signs) {
   const bool yes = ball.certainly_touches(), no = ball.certainly_misses();
-  // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted.
+  // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted. It
+  // compiles `yes ? Yes : No` to such a branch, too: that took a quarter of a query's time.
+  static_assert(static_cast<FilterResult>(true) == FilterResult::Yes);
   if (!always && yes != no) [[likely]]
-    return yes ? FilterResult::Yes : FilterResult::No;
+    return static_cast<FilterResult>(yes);
   write(signs, triangle, ball);
   return yes ? FilterResult::Yes : no ? FilterResult::No : FilterResult::Unsure;
 }
