@@ -61,6 +61,14 @@ class FloatingPointState {
     std::fesetenv(&found_);
   }
 #endif
+  /// Returns whether the state is found to be as the constructor would set it. False if that cannot be read fast.
+  [[nodiscard]] __attribute__((always_inline)) static bool is_found() {
+#if defined(__SSE2__)
+    return (_mm_getcsr() & ~kFlags) == kDefault;
+#else
+    return false;
+#endif
+  }
   FloatingPointState(const FloatingPointState&) = delete;
   FloatingPointState& operator=(const FloatingPointState&) = delete;
 

@@ -34,7 +34,7 @@ LEFT = {
                     BY_DEFINITION),
     **dict.fromkeys(("kTiny", "kSmallest", "kFramePoint", "kFrameDirection", "kFrameLength", "kExtent", "kHeight", "kGivenHeight",
                      "kDistance", "kNear", "kBoxReach", "kBoxRounding", "kLaneDistance", "kLaneVertex", "kLift", "kSlope",
-                     "kLiftedEdge", "kLiftedMaximum", "kPerSquare", "kClosest"), AFTER_STEPS),
+                     "kLiftedEdge", "kLiftedMaximum", "kPerSquare", "kClosest", "kUnnormalised"), AFTER_STEPS),
     **dict.fromkeys(("kWide", "kNarrow"), RATIOS),
     "kWideError": AFTER_STEPS + ". The roundings of errors: " + RATIOS,
     **dict.fromkeys(("kLaneCentre", "kLaneStored"), RATIOS), "kLaneTiny": AFTER_STEPS,

@@ -89,16 +89,17 @@ void expect_same(const DoubleDouble& a, const DoubleDouble& b) {
   EXPECT_EQ(a.low, b.low);
 }
 
-// The operations are the same, so are all bits.
-TEST(FilteredDoubleDoubleVector, IsTheSameInLanes) {
+// The operations are the same except for the last one, which normalises without an error; so are all bits.
+TEST(FilteredDoubleDoubleVector, IsTheSameInLanesOnceNormalised) {
   for (std::uint64_t i = 0; i < kVectors; ++i) {
     Random random(2014, i);
     const Vector3<DoubleDouble> a = vector(random), b = partner(random, a), apart = cross(a, b);
-    expect_same(dot(in_lanes(a), in_lanes(b)), dot(a, b));
+    const DoubleDouble sum = dot(in_lanes(a), in_lanes(b)).sum;
+    expect_same(filtered::detail::two_sum(sum.high, sum.low), dot(a, b));
     double high[filtered::detail::kLanes], low[filtered::detail::kLanes];
     const filtered::detail::LaneVector together = cross(in_lanes(a), in_lanes(b));
     store(high, together.lanes.high), store(low, together.lanes.low);
-    for (int axis = 0; axis < 3; ++axis) expect_same({high[axis], low[axis]}, apart[axis]);
+    for (int axis = 0; axis < 3; ++axis) expect_same(filtered::detail::two_sum(high[axis], low[axis]), apart[axis]);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "experiments/cases/workloads/adversarial/case.h"
+#include "geometry/detail/floating_point_state.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/filtered/wrong_answers.h"
 #include "tests/robust/support/environment.h"
@@ -113,6 +114,21 @@ void set_flags(int flags) {
   std::feraiseexcept(flags);
   std::feclearexcept(FE_ALL_EXCEPT & ~flags);
 }
+
+#if defined(__SSE2__)
+// Then questions of one sign in double-doubles leave it alone; whatever flags stand.
+TEST(FilteredEnvironment, IsFoundToNeedNothingOnlyToNearestWithSubnormalNumbers) {
+  for (const State& state : kStates)
+    for (const int flags : {0, kFlags}) {
+      const bool found = [&] {
+        const Environment changed(state);
+        set_flags(flags);
+        return FloatingPointState::is_found();
+      }();
+      EXPECT_EQ(found, state.mode == FE_TONEAREST && state.flush == Environment::kKeep) << state << ", flags " << flags;
+    }
+}
+#endif
 
 // Whatever flags stand before a call stand after it, and no others: each question by itself.
 TEST(FilteredEnvironment, IsLeftAsFound) {

@@ -106,13 +106,13 @@ __attribute__((always_inline)) inline DoubleWord<Word> unnormalised_product(cons
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
 }
 
-/// Returns the sum of three unnormalised products: the last steps of `dot`.
+/// Returns the sum of three unnormalised products, not normalised either.
 template <class Word>
-__attribute__((always_inline)) inline DoubleWord<Word> sum_of_products(const DoubleWord<Word>& x,
-                                                                       const DoubleWord<Word>& y,
-                                                                       const DoubleWord<Word>& z) {
+__attribute__((always_inline)) inline DoubleWord<Word> unnormalised_sum(const DoubleWord<Word>& x,
+                                                                        const DoubleWord<Word>& y,
+                                                                        const DoubleWord<Word>& z) {
   const DoubleWord<Word> first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
-  return two_sum(second.high, (((x.low + y.low) + first.low) + z.low) + second.low);
+  return {second.high, (((x.low + y.low) + first.low) + z.low) + second.low};
 }
 
 /// Returns a.b, with half the operations of separate products and sums and a third of their latency. Error:
@@ -121,18 +121,27 @@ template <class Word>
 __attribute__((always_inline)) inline DoubleWord<Word> dot(const Vector3<DoubleWord<Word>>& a,
                                                            const Vector3<DoubleWord<Word>>& b) {
   const DoubleWord<Word> x = unnormalised_product(a.x, b.x), y = unnormalised_product(a.y, b.y);
-  return sum_of_products(x, y, unnormalised_product(a.z, b.z));
+  const DoubleWord<Word> sum = unnormalised_sum(x, y, unnormalised_product(a.z, b.z));
+  return two_sum(sum.high, sum.low);
 }
 
-/// a b - c d. Error: bounds::kCross.
+/// a b - c d, not normalised. Error: bounds::kCross.
+template <class Word>
+__attribute__((always_inline)) inline DoubleWord<Word> unnormalised_difference(const DoubleWord<Word>& a,
+                                                                               const DoubleWord<Word>& b,
+                                                                               const DoubleWord<Word>& c,
+                                                                               const DoubleWord<Word>& d) {
+  const DoubleWord<Word> first = unnormalised_product(a, b), second = unnormalised_product(c, d);
+  const DoubleWord<Word> high = two_difference(first.high, second.high);
+  return {high.high, (first.low - second.low) + high.low};
+}
 template <class Word>
 __attribute__((always_inline)) inline DoubleWord<Word> product_difference(const DoubleWord<Word>& a,
                                                                           const DoubleWord<Word>& b,
                                                                           const DoubleWord<Word>& c,
                                                                           const DoubleWord<Word>& d) {
-  const DoubleWord<Word> first = unnormalised_product(a, b), second = unnormalised_product(c, d);
-  const DoubleWord<Word> high = two_difference(first.high, second.high);
-  return two_sum(high.high, (first.low - second.low) + high.low);
+  const DoubleWord<Word> difference = unnormalised_difference(a, b, c, d);
+  return two_sum(difference.high, difference.low);
 }
 
 template <class Word>

@@ -105,6 +105,9 @@ inline constexpr double kLaneDistance = 61;
 /// products of words, four of them in an error-free product, loses at most 2^-1075, and sums lose nothing.
 inline constexpr double kDot = 8;
 inline constexpr double kCross = 4;
+/// The constants of `vertex`, `line` and `plane` times this hold over exact vectors without a step that normalises
+/// (numbers/lane_vector.h).
+inline constexpr double kUnnormalised = 2;
 /// The relative error of quotients, reciprocals and roots of double-doubles, in units of kDoubleDoubleUnit.
 inline constexpr double kQuotient = 2;
 

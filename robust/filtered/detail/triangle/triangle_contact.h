@@ -49,11 +49,12 @@ struct LaneView {
   [[nodiscard]] TOUCHSTONE_INLINE LaneVector to_center() const { return difference(view.center, view.vertex[i]); }
   [[nodiscard]] TOUCHSTONE_INLINE LaneVector edge() const { return edge(i); }
   [[nodiscard]] TOUCHSTONE_INLINE LaneVector normal() const { return signs::normal(edge(0), edge(1)); }
-  [[nodiscard]] TOUCHSTONE_INLINE Radius radius() const { return {view.radius()}; }
+  [[nodiscard]] TOUCHSTONE_INLINE Unnormalised radius() const { return {view.radius()}; }
 
  private:
   [[nodiscard]] TOUCHSTONE_INLINE LaneVector edge(int k) const {
-    return difference(view.vertex[k == 2 ? 0 : k + 1], view.vertex[k]);
+    constexpr int next[] = {1, 2, 0};  // a comparison would be a branch
+    return difference(view.vertex[next[k]], view.vertex[k]);
   }
 };
 
@@ -64,25 +65,34 @@ struct LaneView {
   return (bits & 0xffff'ffff) == 0;
 }
 
+/// Returns whether the sign is not positive, by the stages from `first` on, which may raise any flag. Inlined, they
+/// would take registers from the stages before.
+template <SignKind kind, Stage first, class Counts>
+__attribute__((noinline)) bool contact_by(const BallTriangleView& view, const Maxima& maxima, int i, Counts& counts) {
+  const FloatingPointState nearest;
+  return pinned(exact_sign<kind, first>(view, maxima, i, counts) <= 0);
+}
+
 template <SignKind kind, class Counts>
 TOUCHSTONE_INLINE bool contact_by(const BallTriangleView& view, const LoneSign& sign, int i, Counts& counts) {
   Maxima maxima{sign.to_center[i], std::max(std::max(sign.edge[0], sign.edge[1]), sign.edge[2]), 0};
   if constexpr (uses<Counts>(Stage::DoubleDouble)) {
-    if (has_few_bits(view.center)) return exact_sign<kind, Stage::DoubleDouble>(view, maxima, i, counts) <= 0;
+    if (has_few_bits(view.center)) return contact_by<kind, Stage::DoubleDouble>(view, maxima, i, counts);
     maxima.normal = 2 * maxima.edge * maxima.edge;
-    const Estimate<double> number = estimate<kind>(LaneView{view, i}, maxima);
+    const Estimate<double> number =
+        estimate(expression<kind>(LaneView{view, i}), bounds::kUnnormalised * bound<kind>(maxima));
     if (std::abs(number.value) > number.error) [[likely]] {
       counts.count(Stage::DoubleDouble);
       return number.value < 0;
     }
-    return exact_sign<kind, Stage::FixedInteger>(view, maxima, i, counts) <= 0;
+    return contact_by<kind, Stage::FixedInteger>(view, maxima, i, counts);
   } else {
-    return exact_sign<kind>(view, maxima, i, counts) <= 0;
+    return contact_by<kind, Stage::Permanent>(view, maxima, i, counts);
   }
 }
 
 /// Returns whether ball and triangle touch. Requires that `sign` alone decides it, round to nearest, and no
-/// flush-to-zero.
+/// flush-to-zero. Raises no flags except those that triangle_filter may raise.
 template <class Counts>
 TOUCHSTONE_INLINE bool contact_by_lone_sign(const BallTriangleView& view, const LoneSign& sign, Counts& counts) {
   const int place = std::countr_zero(sign.bit);
@@ -258,13 +268,20 @@ __attribute__((noinline)) bool contact_by_signs(const BallTriangleView& view, Co
   return triangle.contact();
 }
 
-/// Returns whether ball and triangle touch, for queries that the first stage could not decide.
+/// Returns whether ball and triangle touch, for queries that the first stage could not decide, in any state.
+template <class Counts>
+__attribute__((noinline)) bool contact_in_own_state(const BallTriangleView& view, const LoneSign& sign,
+                                                    Counts& counts) {
+  const FloatingPointState nearest;
+  return pinned(sign.bit != 0 ? contact_by_lone_sign(view, sign, counts) : contact_by_signs(view, counts));
+}
+
+/// The same, faster where nothing has to be set or restored.
 template <class Counts>
 __attribute__((noinline)) bool unsure_contact(const BallTriangleView& view, const LoneSign& sign, Counts& counts) {
-  const FloatingPointState nearest;
-  if (sign.bit != 0) [[likely]]
-    return pinned(contact_by_lone_sign(view, sign, counts));
-  return pinned(contact_by_signs(view, counts));
+  if (sign.bit != 0 && FloatingPointState::is_found()) [[likely]]
+    return contact_by_lone_sign(view, sign, counts);
+  return contact_in_own_state(view, sign, counts);
 }
 
 template <class Counts>

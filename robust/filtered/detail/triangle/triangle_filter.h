@@ -130,8 +130,8 @@ struct BallAtTriangle {
     // A line counts alone only if the foot on it is certainly between its ends.
     const unsigned unbounded = lines & ~lanes(after_start.positive & after_end.negative);
     const unsigned open = vertices << LoneSign::kVertices | lines << LoneSign::kLines | unbounded << LoneSign::kNone;
-    const unsigned of_edges = (open & (open - 1)) == 0 && outside != 0 ? open : 0;
-    return inside == all ? 1U << LoneSign::kPlane : of_edges;
+    const bool is_alone = ((open & (open - 1)) == 0) & (outside != 0);  // without a branch
+    return inside == all ? 1U << LoneSign::kPlane : is_alone ? open : 0;
   }
 };
 
