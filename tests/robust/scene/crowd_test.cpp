@@ -156,14 +156,14 @@ void expect_each_once(const Scene& scene, const std::vector<Ball>& balls) {
 
 TEST(Crowd, PassesEachNearestFaceOnOnce) {
   const Subject subject(draw_objects(Kind::Soup, 2027, 5), "soup");
-  for (const std::uint64_t count : {0, 5, 300})
+  for (const std::uint64_t count : {0U, 5U, 300U})
     expect_each_once(subject.built, draw_balls(subject.faces.polygons(), count, 5));
   expect_each_once(Scene(), std::vector<Ball>(100, Ball{{0, 0, 0}, 1}));
 }
 
 TEST(Crowd, EndsWithTheExceptionOfWhoTakesAnAnswer) {
   const Subject subject(draw_objects(Kind::Soup, 2027, 5), "soup");
-  for (const std::uint64_t count : {5, 300})
+  for (const std::uint64_t count : {5U, 300U})
     EXPECT_THROW(subject.built.nearest(draw_balls(subject.faces.polygons(), count, 5),
                                        [](std::size_t, const auto&) { throw std::length_error("full"); }),
                  std::length_error);
