@@ -61,6 +61,15 @@ def members(node, thing, name, classes):
     yield ""
 
 
+def elsewhere(module, declared):
+    """The functions of the module that its stubs import."""
+    names = {node.name for node in declared if isinstance(node, ast.FunctionDef)}
+    for name in module.__all__:
+        if inspect.isfunction(thing := getattr(module, name)) and name not in names:
+            declared_as = re.sub(r"(: |-> )'([^']*)'", r"\1\2", f"{name}{inspect.signature(thing)}")
+            yield from [f"## {name}", "", "```python", declared_as, "```", "", text_of(thing), ""]
+
+
 def page(module, stubs):
     yield from ["# Reference of the Python module", "", text_of(module), ""]
     declared = ast.parse(stubs).body
@@ -73,6 +82,7 @@ def page(module, stubs):
             thing = getattr(module, node.name, None)  # a TypedDict is of the stubs alone
             yield from [f"## {node.name}", "", text_of(thing) if thing else ast.get_docstring(node) or "", ""]
             yield from members(node, thing, node.name, classes)
+    yield from elsewhere(module, declared)
     for protocol, names in groupby(values, lambda node: ast.unparse(node.annotation)):  # filtered: _Path
         names = [node.target.id for node in names]
         yield from [f"## {', '.join(names)}", "", *(f"- `{name}`: {text_of(getattr(module, name))}" for name in names), ""]

@@ -69,7 +69,7 @@ class Install(unittest.TestCase):
         for name in ("CONTRACT.md", "py.typed", "__init__.pyi", "RECORD", "entry_points.txt", "cases/edge.jsonl", "cases/LICENSE.txt", "judging/__init__.py", *(f"licenses/{file}" for file in said.get_all("License-File"))):
             self.assertIn(name, names)
         self.assertEqual((said["Name"], said["Version"]), ("touchstone-contact", CITATION["version"]))
-        self.assertNotRegex(said.get_payload(), r"\]\((?!https://)")
+        self.assertNotRegex(said.get_payload(), r"\]\((?!https://|#)")
 
     def test_of_a_module_with_libraries_of_this_machine_is_for_this_machine_alone(self):
         module, = pathlib.Path(COMPILED).glob("*.so")

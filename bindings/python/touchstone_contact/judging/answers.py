@@ -105,7 +105,8 @@ def exact_answer(question: Question) -> dict[str, Any]:
         touched: list[int] = [number for _, number in scene.touched(row).tolist()]  # type: ignore[union-attr]
         nearest: Any = scene.nearest(row)
     else:
-        touched = [first.face for first in scene.touched_in_order(row)]  # type: ignore[union-attr]
+        in_order: Any = scene.touched_in_order(row)
+        touched = [first.face for first in in_order]
         nearest = scene.first_contact(row)
     face = numbers[nearest.face] if nearest else None
     about_face = exact_answer(question.about_face(face or 0))
