@@ -133,6 +133,12 @@ std::vector<PublicFunction> static_functions() {
             of_scene([](const Scene& scene, const Input& in) { return scene.touched(crowd_of(in)); })),
       gives("scene::Scene::nearest",
             of_scene([](const Scene& scene, const Input& in) { return scene.nearest(crowd_of(in)); })),
+      gives("scene::Scene::nearest", of_scene([](const Scene& scene, const Input& in) {
+              const std::vector<Ball> balls = crowd_of(in);
+              std::vector<std::optional<scene::NearestFace>> nearest(balls.size());
+              scene.nearest(balls, [&](std::size_t i, const auto& found) { nearest[i] = found; });
+              return nearest;
+            })),
       gives("scene::Scene::nearest_face", of_scene([](const Scene& scene, const Input& in) {
               std::vector<std::optional<scene::FaceId>> nearest;
               for (const Ball& ball : balls_of(in)) nearest.push_back(scene.nearest_face(ball.center));
