@@ -95,7 +95,7 @@ def bench_says(family, name, contestant, what, which, value):
 
 
 def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
-    sys.path.append(str(root / "papers"))
+    sys.path.insert(0, str(root / "papers"))
     from build import DataError, write_inputs
 
     def spoiled(name, spoil):

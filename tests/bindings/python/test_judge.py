@@ -107,6 +107,10 @@ class Judge(unittest.TestCase):
         self.assertTrue(whole)
         self.assertIn("neither a bool nor a dict of keys", str(touchstone.judge(lambda *_: 3, self.file).failures[0]))
 
+    def test_an_integer_that_no_double_holds_is_a_wrong_number(self):
+        judged = touchstone.judge(lambda *_: {"contact": True, "distance": 10**400}, keys="distance", triangles=True)
+        self.assertEqual((judged.all.wrong, judged.all.not_given), (judged.all.cases, 0))
+
     def test_excuses_what_a_margin_excuses(self):
         near = {"ball": {"center": [1, 1, 1], "radius": 1}, "polygon": TRIANGLE, "expected": {"contact": True}}
         self.write({"near": near})

@@ -42,7 +42,10 @@ def _index(value: Any) -> int:
 def _number(value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float, type(None))):
         raise ValueError
-    return float(value) if value is not None and math.isfinite(value) else math.inf  # JSON has null for all that are not finite
+    try:
+        return float(value) if value is not None and math.isfinite(value) else math.inf  # JSON has null for all that are not finite
+    except OverflowError:  # an integer that no double holds
+        raise ValueError from None
 
 
 def read(key: str, value: Any) -> Any:

@@ -114,6 +114,7 @@ def shrunk(question: Question, fails: Callable[[Question], bool], numbers: Any, 
         calls += 1
         return fails(candidate)
 
+    @np.errstate(over="ignore")  # a number that became infinite is refused below
     def accepted(candidate: Question, best: Question) -> Question | None:
         try:
             candidate = _mapped(candidate, lambda x, _: float(numbers(x)) + 0.0).with_radius(float(numbers(candidate.radius)))
