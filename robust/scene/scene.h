@@ -202,9 +202,9 @@ class Scene {
 
   /// Takes the answer about ball number i.
   using TakeNearest = std::function<void(std::size_t i, const std::optional<NearestFace>& face)>;
-  /// The same as `nearest` for many balls, but passes each answer on where that keeps it in a vector: for answers that
-  /// are to be kept in another form. Calls `take` once for each ball, in any order, from several threads at once, in
-  /// round to nearest without flush-to-zero. An exception of `take` ends the batch and is thrown to the caller.
+  /// The same as `nearest` for many balls, but passes each answer to `take` instead of returning all in a vector: for
+  /// callers that keep answers in another form. Calls `take` once for each ball, in any order, from several threads at
+  /// once, in round to nearest without flush-to-zero. Ends with the exception of `take`, which it throws on.
   void nearest(std::span<const Ball> balls, const TakeNearest& take, const Objects& objects = {}) const;
 
  private:

@@ -63,7 +63,7 @@ def svg(question: Question, *captions: str) -> str:
     circle = f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{{:.2f}}" stroke="#d9822b" {{}}/>'
     lines = [*captions, f"exactly {answer.relation}, foot {answer.foot}, depth {answer.depth:.6g}"]
     texts = "".join(f'<text x="6" y="{16 + 17 * i}" font-family="sans-serif" font-size="11">'
-                    f'{html.escape(line if len(line) < 60 else line[:57] + "...")}</text>' for i, line in enumerate(lines))
+                    f'{html.escape(line if len(line) < 56 else line[:53] + "...")}</text>' for i, line in enumerate(lines))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{_WIDTH}" height="{_HEIGHT}" viewBox="0 0 {_WIDTH} {_HEIGHT}">'
             f'<rect width="100%" height="100%" fill="white"/>'
             f'<path d="{path}" fill="#cfe0f3" stroke="#1f4e79" stroke-width="1.5" fill-rule="evenodd"/>'
