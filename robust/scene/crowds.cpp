@@ -48,23 +48,17 @@ void sort_faces(std::span<const TouchedFace> faces, std::vector<FaceId>& sorted)
   std::sort(sorted.begin(), sorted.end());
 }
 
-/// Returns whether that many balls are a crowd. Among many objects each walks alone, to those near it.
-bool is_crowd(std::size_t balls, std::size_t objects) {
-  constexpr std::size_t kMostObjects = 64;
-  return balls >= kFewestInCrowd && objects <= kMostObjects;
-}
-
 }  // namespace
 
 void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
   const FloatingPointState nearest;
   expect(objects);
   expect_equal_lengths("balls", balls.size(), "answers", answers.size());
-  if (!is_crowd(balls.size(), count_of(objects))) {
-    each_in_parallel(balls.size(), 1, [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
+  if (!is_crowd(balls.size(), kFewestTouching, count_of(objects))) {
+    each_in_parallel(balls.size(), kAloneAtOnce, [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
     return;
   }
-  each_crowd(balls, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
+  each_crowd(balls, kFewestTouching, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
     std::vector<std::uint8_t> touches(crowd.size(), 0);
     any_of(objects, [&](std::uint32_t, const Object& object) {
       if (object.has_triangles()) fastest_walks().crowd.touches_triangle(crowd, object.triangles, touches);
@@ -81,11 +75,11 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
   const FloatingPointState nearest;
   expect(objects);
   std::vector<std::vector<FaceId>> answers(balls.size());
-  if (!is_crowd(balls.size(), count_of(objects))) {
-    each_in_parallel(balls.size(), 1, [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
+  if (!is_crowd(balls.size(), kFewestTouching, count_of(objects))) {
+    each_in_parallel(balls.size(), kAloneAtOnce, [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
     return answers;
   }
-  each_crowd(balls, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
+  each_crowd(balls, kFewestTouching, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
     std::vector<TouchedFace> faces;
     std::vector<FaceId> of_polygons;
     any_of(objects, [&](std::uint32_t number, const Object& object) {
@@ -108,15 +102,15 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
 template <class OnlyOne, class Answer>
 void Scene::nearest_each(std::span<const Ball> balls, const Objects& objects, const OnlyOne& only_one,
                          const Answer& answer) const {
-  if (!is_crowd(balls.size(), count_of(objects))) {
-    each_in_parallel(balls.size(), 1, [&](std::size_t i) {
+  if (!is_crowd(balls.size(), kFewestSearching, count_of(objects))) {
+    each_in_parallel(balls.size(), kAloneAtOnce, [&](std::size_t i) {
       NearestSearch search(required(balls[i]));
       search_nearest(search, objects);
       answer(i, search);
     });
     return;
   }
-  each_crowd(balls, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
+  each_crowd(balls, kFewestSearching, [&](std::span<const std::uint32_t> numbers, std::span<const Ball> crowd) {
     std::vector<double> radii(crowd.size(), std::numeric_limits<double>::max());
     std::vector<PlaceOfBall> places;
     bool polygons = false;

@@ -178,12 +178,13 @@ class Scene {
 
   /// @{
   /// The same for many balls or motions, on all cores of the machine: answer i is that of number i. Throws
-  /// std::invalid_argument if the spans differ in length. Cost: 64 balls or more walk together through the triangles
-  /// of each object, in any order, if there are at most 64 objects. In one object of a thousand to a million triangles,
-  /// 100,000 balls take 0.4 to 0.9 of the time of single ones on one core, and a few hundred about as much: the less,
-  /// the nearer the balls are to each other. Motions are asked one by one. Among 65,536 faces and more those that start
-  /// near each other follow each other: 100,000 among a million triangles take 0.7 of the time of single ones on one
-  /// core.
+  /// std::invalid_argument if the spans differ in length. Cost: balls walk together through the triangles of each
+  /// object, in any order, if there are at most 64 objects, and 64 balls or more for each core in the search for the
+  /// nearest face, or 1,024 in the question of contact. In one object of a thousand to a million triangles, 100,000
+  /// balls take 0.4 to 0.9 of the time of single ones on one core in `touches` and `nearest`: the less, the nearer the
+  /// balls are to each other. In `touched`, which makes a vector for each ball, they take 0.6 to 1.4. Motions are asked
+  /// one by one. Among 65,536 faces and more those that start near each other follow each other: 100,000 among a
+  /// million triangles take 0.7 of the time of single ones on one core.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
                                                          const Objects& objects = {}) const;

@@ -18,7 +18,9 @@ using namespace soak;
 
 struct Options : run::StudyOptions {
   std::uint64_t from = 0;
-  bool print = false, moving = false;
+  bool print = false, moving = false, crowds = false;
+
+  [[nodiscard]] Asked asked() const { return moving ? Asked::Motion : crowds ? Asked::Crowd : Asked::Rest; }
 };
 
 /// Prints differences as they are found, so that an endless run reports them at once.
@@ -36,10 +38,10 @@ class Announcer {
 };
 
 // Raised when case i of a seed changes, or the form of the tally.
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
 int run_cases(run::StudyRun& run, const Options& options) {
-  const Settings settings{options.samples, options.seed, options.from, options.threads, options.moving};
+  const Settings settings{options.samples, options.seed, options.from, options.threads, options.asked()};
   std::uint64_t before = 0;
   const Tally tally = run.phase("cases", "checkpoint.json", settings.cases, Tally(), [&](auto control, Tally& sum) {
     before = sum.cases();
@@ -59,7 +61,11 @@ int run_cases(run::StudyRun& run, const Options& options) {
     fmt::print(stderr,
                "touchstone: see {}; `touchstone judge --methods filtered` takes it, and "
                "`touchstone soak{} --seed {} --from INDEX --samples 1 --output FOLDER` asks again\n",
-               (run.folder() / "differences.jsonl").string(), options.moving ? " --moving" : "", settings.seed);
+               (run.folder() / "differences.jsonl").string(),
+               options.moving   ? " --moving"
+               : options.crowds ? " --crowds"
+                                : "",
+               settings.seed);
   return run.finish(
       {.done = tally.cases(),
        .text = table(tally) + fmt::format("{} of these cases in {:.0f} s: {:.0f} a second.\n", tally.cases() - before,
@@ -89,6 +95,11 @@ run::Command soak_command() {
   command.whole("--from", options->from, "The index of the first case").changes_results();
   command.flag("--moving", options->moving, "Balls move: compare contact and first contact on their ways")
       .changes_results([options] { return std::string(run::yes_or_no(options->moving)); });
+  command
+      .flag("--crowds", options->crowds,
+            "Ask a scene of the polygons of 64 cases about 1088 balls together, in each case")
+      .changes_results([options] { return std::string(run::yes_or_no(options->crowds)); })
+      .excludes("--moving");
   run::declare_study(command, *options, "--samples", "The number of cases; case i depends on the seed and on i alone");
   command.flag("--print", options->print, "Only print the cases, as `judge` takes them")
       .excludes_all_but({"--from", "--moving", "--samples", "--seed"});

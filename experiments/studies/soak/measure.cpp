@@ -283,9 +283,10 @@ std::string_view to_string(Way way) {
     case Way::Touching: return "touching";
     case Way::MovingTriangle: return "moving-triangle";
     case Way::MovingPrepared: return "moving-prepared";
-    case Way::MovingTouching: break;
+    case Way::MovingTouching: return "moving-touching";
+    case Way::Crowd: break;
   }
-  return "moving-touching";
+  return "crowd";
 }
 
 void Tally::add_case(std::vector<Difference> differences) {
@@ -314,13 +315,13 @@ void Tally::keep_first() {
 
 std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
                            const run::RunControl<Tally>& control, Tally& tally) {
-  constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core, 40 ms if balls move
+  const auto ask = settings.asked == Asked::Rest     ? compare
+                   : settings.asked == Asked::Motion ? compare_moving
+                                                     : compare_crowd;
+  const std::uint64_t block = settings.asked == Asked::Crowd ? 2 : 256;  // 10 to 40 ms on one core
   return run::run_sweep(
       settings.cases, settings.threads, control, Tally(), tally,
-      [&](std::uint64_t i, Tally& part) {
-        (settings.moving ? compare_moving : compare)(tested, settings.seed, settings.from + i, part);
-      },
-      kBlock);
+      [&](std::uint64_t i, Tally& part) { ask(tested, settings.seed, settings.from + i, part); }, block);
 }
 
 }  // namespace touchstone::soak

@@ -16,19 +16,34 @@
 /// The order in which the balls and motions of a batch are asked, and the parts in which balls walk together.
 namespace touchstone::scene::detail {
 
-/// Fewer balls than this are asked one by one: a crowd costs more than it saves.
-inline constexpr std::size_t kFewestInCrowd = 64;
+/// @{
+/// The fewest balls for which walking together saves more than it costs: in the search for the nearest face, whose walk
+/// is long, and in the question of contact.
+inline constexpr std::size_t kFewestSearching = 64, kFewestTouching = 1024;
+/// @}
+
+/// Returns whether that many balls walk together: if each core gets a part that saves more than it costs, and there are
+/// few objects. Among many each ball walks alone, to those near it.
+[[nodiscard]] inline bool is_crowd(std::size_t balls, std::size_t fewest, std::size_t objects) {
+  constexpr std::size_t kMostObjects = 64;
+  return balls >= fewest * parts_at_once() && objects <= kMostObjects;
+}
+
+/// How many balls that walk alone a core takes each time: to give them out costs about as much as asking ten.
+inline constexpr std::size_t kAloneAtOnce = 32;
 
 /// Returns the numbers of balls along a curve through space, on which neighbours are near each other (Morton's: the
 /// bits of the coordinates alternate).
 [[nodiscard]] std::vector<std::uint32_t> along_curve(std::span<const Ball> balls);
 
 /// Calls f(numbers, balls) for parts of a batch, on all cores: the numbers in the batch, and these balls. Balls of a
-/// part are near each other. Runs f in round to nearest, without flush-to-zero; the caller must have set that, too.
+/// part are near each other, and all parts but the last have `fewest` or more. Runs f in round to nearest, without
+/// flush-to-zero; the caller must have set that, too.
 template <class F>
-void each_crowd(std::span<const Ball> batch, const F& f) {
+void each_crowd(std::span<const Ball> batch, std::size_t fewest, const F& f) {
   constexpr std::size_t kLargest = 4096, kPartsOfCore = 2;  // so that no core waits long for the last part
-  const std::size_t size = std::clamp(batch.size() / (kPartsOfCore * parts_at_once()), kFewestInCrowd, kLargest);
+  constexpr std::size_t kAhead = 16;                        // balls that are fetched: they lie anywhere in the batch
+  const std::size_t size = std::clamp(batch.size() / (kPartsOfCore * parts_at_once()), fewest, kLargest);
   const std::vector<std::uint32_t> order = along_curve(batch);
   parts_in_parallel((batch.size() + size - 1) / size, 1, [&](std::size_t begin, std::size_t end) {
     const FloatingPointState nearest;
@@ -36,7 +51,10 @@ void each_crowd(std::span<const Ball> batch, const F& f) {
     for (std::size_t first = begin * size; first < std::min(end * size, batch.size()); first += size) {
       const auto numbers = std::span(order).subspan(first, std::min(size, batch.size() - first));
       balls.clear();
-      for (const std::uint32_t number : numbers) balls.push_back(required(batch[number]));
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        __builtin_prefetch(&batch[numbers[std::min(i + kAhead, numbers.size() - 1)]]);
+        balls.push_back(required(batch[numbers[i]]));
+      }
       f(numbers, std::span<const Ball>(balls));
     }
   });

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
+#include <thread>
 
+#include "robust/scene/detail/crowd_parts.h"
 #include "robust/scene/solid.h"
 #include "tests/robust/every_state/public_function.h"
 
@@ -15,12 +18,12 @@ std::vector<Ball> balls_of(const Input& in) {
   return {in.ball, {in.ball.center, -0.0}, {in.point, 0}, {in.triangle.b, 0}, {in.polygon.vertex(2), -0.0}};
 }
 
-/// Enough balls to walk through a scene together.
-constexpr std::size_t kCrowd = 70;
-std::vector<Ball> crowd_of(const Input& in) {
+/// Enough balls to walk through a scene together, for a question for which `fewest` are enough on one core.
+std::vector<Ball> crowd_of(const Input& in, std::size_t fewest = scene::detail::kFewestSearching) {
+  static const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const std::vector<Ball> balls = balls_of(in);
   std::vector<Ball> crowd;
-  while (crowd.size() < kCrowd) crowd.push_back(balls[crowd.size() % balls.size()]);
+  while (crowd.size() < fewest * cores) crowd.push_back(balls[crowd.size() % balls.size()]);
   return crowd;
 }
 
@@ -124,13 +127,14 @@ std::vector<PublicFunction> static_functions() {
               return nearest;
             })),
       gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {
-              const std::vector<Ball> balls = crowd_of(in);
-              std::array<bool, kCrowd> touches{};
-              scene.touches(balls, touches);
-              return touches;
+              const std::vector<Ball> balls = crowd_of(in, scene::detail::kFewestTouching);
+              const std::unique_ptr<bool[]> touches(new bool[balls.size()]);
+              scene.touches(balls, {touches.get(), balls.size()});
+              return std::vector<bool>(touches.get(), touches.get() + balls.size());
             })),
-      gives("scene::Scene::touched",
-            of_scene([](const Scene& scene, const Input& in) { return scene.touched(crowd_of(in)); })),
+      gives("scene::Scene::touched", of_scene([](const Scene& scene, const Input& in) {
+              return scene.touched(crowd_of(in, scene::detail::kFewestTouching));
+            })),
       gives("scene::Scene::nearest",
             of_scene([](const Scene& scene, const Input& in) { return scene.nearest(crowd_of(in)); })),
       gives("scene::Scene::nearest", of_scene([](const Scene& scene, const Input& in) {

@@ -66,6 +66,16 @@ RC_GTEST_PROP(FilteredEngines, AreExactOnPolygons, ()) {
   }
 }
 
+// The last edge of the outline ends where its first one begins, and not where the hole does.
+TEST(FilteredEngines, FindTheEdgesThatABallTouchesAtTheEndOfALoop) {
+  const Polygon polygon({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}}, {{{3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}}});
+  const filtered::PreparedPolygon prepared(polygon);
+  for (const Kernels* kernels : all_kernels()) {
+    filtered::NoCounts none;
+    EXPECT_EQ(kernels->plain.edges_hit({{-3, -4, 0}, 5}, parts_of(prepared), none), (std::vector<std::size_t>{0, 3}));
+  }
+}
+
 #if defined(__x86_64__)
 // What runs is the faster one; a build that forgets the flags would pass every other test.
 TEST(FilteredEngines, AreTwoWhereTheMachineHasAvx2) {
