@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <set>
 #include <utility>
 
 #include "experiments/cases/verdict.h"
@@ -275,13 +276,29 @@ bool walk_stream(std::istream& stream, const std::string& name, std::uint64_t& b
   return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
 }
 
+std::filesystem::path folder_of(const Line& line) { return std::filesystem::path(line.file).parent_path(); }
+
 void read_case_of(Line& line) {
   try {
-    line.read = read_case(line.text, std::filesystem::path(line.file).parent_path());
+    line.read = read_case(line.text, folder_of(line));
   } catch (const run::NotJson& error) {
     line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
   } catch (const std::bad_alloc&) {
     line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
+  }
+}
+
+/// Returns the path of the mesh file that a line names; nothing if it names none.
+std::optional<std::string> mesh_file_of(const Line& line) {
+  if (line.text.find('\\') == std::string::npos && line.text.find("\"file\"") == std::string::npos)
+    return std::nullopt;  // most lines, which need not be parsed
+  try {
+    const json value = run::read_strict_json(line.text).value;
+    return (folder_of(line) / value.at("mesh").at("file").get_ref<const std::string&>()).string();
+  } catch (const run::NotJson&) {
+    return std::nullopt;
+  } catch (const json::exception&) {  // it has no such key
+    return std::nullopt;
   }
 }
 
@@ -401,11 +418,14 @@ void read_lines(const std::vector<std::string>& files, const Take& take, LineRan
 
 LineCount count_lines(const std::vector<std::string>& files) {
   LineCount count;
+  std::set<std::string> meshes;
   walk_lines(files, [&](Line&& line) {
     ++count.lines;
     boost::hash_combine(count.hash, std::hash<std::string>()(line.text));
+    if (auto mesh = mesh_file_of(line)) meshes.insert(*std::move(mesh));
     return true;
   });
+  count.meshes.assign(meshes.begin(), meshes.end());
   return count;
 }
 

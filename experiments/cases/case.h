@@ -106,8 +106,9 @@ void read_lines(const std::vector<std::string>& files, const std::function<bool(
 struct LineCount {
   std::uint64_t lines = 0;
   std::size_t hash = 0;
+  std::vector<std::string> meshes{};  ///< the paths of the mesh files that the lines name, sorted
 };
-/// Counts the lines without reading cases.
+/// Counts the lines without reading meshes or checking cases.
 [[nodiscard]] LineCount count_lines(const std::vector<std::string>& files);
 
 }  // namespace touchstone::cases

@@ -41,12 +41,28 @@ std::vector<std::string> compared_keys(const Order& order, const cases::StatedAn
 
 double radius_of(const cases::AnyShapes& shapes) { return cases::ball_of(question_of(shapes)).radius; }
 
+bool is_valid(const cases::Line& line) { return line.read && !std::holds_alternative<Rejection>(line.read->content); }
+
 bool is_triangle(const Polygon& polygon) { return polygon.vertex_count() == 3; }
 
 /// Returns whether the order leaves out cases of this kind.
 bool leaves_out(const Order& order, const cases::AnyShapes& shapes) {
   if (order.at_rest && std::holds_alternative<Motion>(question_of(shapes))) return true;
   return order.triangles && !std::ranges::all_of(faces_of(shapes), is_triangle);
+}
+
+/// Returns the last line before line `first` about which the order asks engines; nothing if there is none.
+std::optional<cases::Line> last_asked_before(const Order& order, std::uint64_t first) {
+  std::optional<cases::Line> found;
+  for (std::uint64_t back = 0; !found && back < first;) {
+    back = std::min(2 * back + 1, first);  // it is one of the last, unless many are left out
+    const auto take = [&](cases::Line&& line) {
+      if (is_valid(line) && !leaves_out(order, line.read->shapes())) found = std::move(line);
+      return true;
+    };
+    cases::read_lines(order.files, take, {first - back, back});
+  }
+  return found;
 }
 
 /// Returns the case without a comparison. `fault`: why there is no answer; else empty.
@@ -164,11 +180,19 @@ class JudgedEngine {
     const std::string& id = *line.read->id;
     const auto [given, reason, ended_before] = process_.ask(id, text_for_engines(line));
     if (!ended_before.empty())
-      take_(complaint(ExpectationNotMet,
-                      fmt::format("engine {}: {} before case {}", engine_.name, ended_before, io::legible(id))));
+      take_({.complaint = fmt::format("{} before case {}", about(ended_before), io::legible(id)),
+             .status = ExpectationNotMet,
+             .ending = about(ended_before)});
     const cases::StatedAnswer answer = given.value_or(cases::StatedAnswer());
     take_({.verdict = cases::verdict_line(id, engine_.name, answer),
            .judged = compared(order_, line, engine_.name, answer, reason)});
+  }
+
+  /// Asks again about a case that was asked, and takes nothing. An engine that ends after it, with an error, then does
+  /// so before the next case, as in a run that asked both.
+  void repeat(const cases::Line& line) {
+    (void)process_.ask(*line.read->id, text_for_engines(line));
+    (void)process_.has_surplus();
   }
 
   /// `last`: the last case that it got.
@@ -180,13 +204,14 @@ class JudgedEngine {
 
   void end() {
     const std::string ending = process_.end();
-    if (!ending.empty())
-      take_({.complaint = fmt::format("engine {}: {}", engine_.name, ending),
-             .status = ExpectationNotMet,
-             .is_ending = true});
+    if (!ending.empty()) take_({.status = ExpectationNotMet, .ending = about(ending)});
   }
 
  private:
+  [[nodiscard]] std::string about(const std::string& ending) const {
+    return fmt::format("engine {}: {}", engine_.name, ending);
+  }
+
   const Order& order_;
   const methods::Engine& engine_;
   methods::SupervisedEngine process_;
@@ -212,19 +237,22 @@ std::uint64_t ask(const Order& order, const Take& take, const std::function<bool
         continues = proceeds(lines);
         if (!continues) return false;
         ++lines;
-        const bool is_valid = line.read && !std::holds_alternative<Rejection>(line.read->content);
-        if (is_valid && leaves_out(order, line.read->shapes())) return true;
+        const bool valid = is_valid(line);
+        if (valid && leaves_out(order, line.read->shapes())) return true;
+        if (valid && !last && !engines.empty())
+          if (const auto before = last_asked_before(order, order.lines.first))
+            for (JudgedEngine& engine : engines) engine.repeat(*before);
         if (line.read && line.read->id) take({.place = line.place, .id = *line.read->id});
         if (!line.read)
           take(complaint(InputRejected, "touchstone: " + line.complaint));
-        else if (!is_valid)
+        else if (!valid)
           take_rejection(order, line, take);
         else
           ask_own_methods(order, line, take);
-        if (is_valid)
+        if (valid)
           for (JudgedEngine& engine : engines) engine.ask(line);
         if (order.progress) order.progress(line.end);
-        if (is_valid) last = std::move(line);
+        if (valid) last = std::move(line);
         return true;
       },
       order.lines);

@@ -15,6 +15,7 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/key.h"
 #include "experiments/cases/margin.h"
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/judge/judge.h"
 #include "experiments/judge/judgement.h"
 #include "experiments/judge/known_failures.h"
@@ -34,7 +35,7 @@
 namespace touchstone::commands {
 namespace {
 
-constexpr int kVersion = 1;  // raised whenever the form or the meaning of an entry changes
+constexpr int kVersion = 2;  // raised whenever the form or the meaning of an entry changes
 
 struct JudgeOptions : run::StudyOptions {
   methods::Selection methods{{}};
@@ -284,8 +285,10 @@ run::Command judge_command() {
                  "Keep the judgement in this folder as it grows, so that --resume continues it; it is told at the end");
   command.resume(options->resume).needs("--output");
   command.texts("FILE", options->files, "Files of cases; none, or -: standard input").changes_results([options] {
-    return fmt::format("{} ({}, hash {:016x})", run::joined(options->files),
-                       run::counted(options->counted.lines, "line"), options->counted.hash);
+    const cases::LineCount& counted = options->counted;
+    const std::string meshes = counted.meshes.empty() ? "" : ", meshes " + workloads::with_hashes(counted.meshes);
+    return fmt::format("{} ({}, hash {:016x}{})", run::joined(options->files), run::counted(counted.lines, "line"),
+                       counted.hash, meshes);
   });
   run::declare_part(command, *options).needs("--output");
   command.keep_line(options->line);

@@ -47,11 +47,12 @@ struct Entry {
   std::string place{}, id{};  ///< of a case with an id, which must be unique if failures are known
   std::string complaint{};    ///< a sentence
   Status status = AllMet;     ///< what the complaint makes of the exit status
-  bool is_ending = false;     ///< the complaint is about the end of an engine: told last, and once if repeated
-  std::string verdict{};      ///< a line of JSON
+  /// How an engine ended. Told last, and once if repeated; but not if there is a complaint about it, also a later one.
+  std::string ending{};
+  std::string verdict{};  ///< a line of JSON
   std::optional<Judged> judged{};
 
-  auto members() { return std::tie(place, id, complaint, status, is_ending, verdict, judged); }
+  auto members() { return std::tie(place, id, complaint, status, ending, verdict, judged); }
 };
 
 /// A file of entries, to which more are added.

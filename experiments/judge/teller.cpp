@@ -22,10 +22,11 @@ std::string about(const Judged& judged, const std::string& what) {
 }  // namespace
 
 void Teller::tell(Entry&& entry) {
-  if (entry.is_ending) {
-    if (std::ranges::find(endings_, entry.complaint) == endings_.end()) endings_.push_back(entry.complaint);
-    worsen(entry.status);
-    return;
+  if (!entry.ending.empty()) {
+    const auto known = std::ranges::find(endings_, entry.ending);
+    if (entry.complaint.empty() && known == endings_.end()) endings_.push_back(entry.ending);
+    // A part cannot know that the engine would have ended so before the next case, too.
+    if (!entry.complaint.empty() && known != endings_.end()) endings_.erase(known);
   }
   if (!entry.place.empty()) tell_repeated_id(entry);
   if (!entry.complaint.empty()) complain(entry.complaint);

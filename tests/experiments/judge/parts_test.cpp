@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -124,11 +125,26 @@ TEST_F(JudgeParts, AddUpForAnEngine) {
   expect_sum({"--engine", std::string(engine) + " 2>/dev/null; exit 3 =mine", "--beyond", "1e-9"});
 }
 
+// It ends with an error after some verdicts: before the next case, whether or not that is in another part.
+TEST_F(JudgeParts, AddUpForAnEngineThatEndsBetweenCases) {
+  for (const std::string ends : {"True", "id=='d'", "id=='b'"}) {
+    char engine[500];
+    const std::string verdict = "print(json.dumps({'id':id,'relation':'touching'}))";
+    std::snprintf(engine, sizeof engine, kMoody, fmt::format("{} and ({},sys.exit(3))", ends, verdict).c_str());
+    expect_sum({"--engine", std::string(engine) + " =mine", "--methods", "fast", "--at-rest"});
+  }
+}
+
 TEST_F(JudgeParts, ContinueWhereTheyWereStopped) {
+  std::signal(SIGINT, SIG_DFL);  // a shell ignores it for what it starts in the background
   const std::string many = write_file("many.jsonl", numbered(9));
-  char engine[500];  // stops the judge in the middle of its part; asked again about that case, it would again
-  std::snprintf(engine, sizeof engine, kMoody,
-                fmt::format("os.kill({}, signal.SIGINT) if id=='t5' else None", ::getpid()).c_str());
+  const std::string mark = (scratch.path / "asked").string();
+  char engine[900];  // stops the judge in the middle of its part, once
+  std::snprintf(
+      engine, sizeof engine, kMoody,
+      fmt::format("(open('{0}','w'),os.kill({1}, signal.SIGINT)) if id=='t5' and not os.path.exists('{0}') else None",
+                  mark, ::getpid())
+          .c_str());
   const Words words{many, "--engine", std::string(engine) + " =mine"};
   EXPECT_EQ(part(words, "2/2", "two").status, touchstone::run::kInterrupted);
   std::ofstream(scratch.path / "two" / "judgement", std::ios::app) << "99 what a killed run did not complete";
@@ -145,6 +161,38 @@ TEST_F(JudgeParts, ContinueWhereTheyWereStopped) {
   EXPECT_EQ(refused(words, "1/2"), "is of --part 2/2 of 9 items, not of --part 1/2 of 9 items");
   std::ofstream(many, std::ios::app) << numbered(1);
   EXPECT_TRUE(refused(words, "2/2").starts_with("is of FILE " + many + " (9 lines, hash "));
+}
+
+TEST_F(JudgeParts, AreRefusedIfAMeshFileHasChanged) {
+  const auto write_mesh = [](const std::string& name, const std::string& height) {
+    return write_file(name, "v 0 0 " + height + "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  };
+  const auto line = [](const std::string& id, const std::string& mesh) {
+    return R"({"id":")" + id + R"(","ball":{"center":[0,0,1],"radius":1},"mesh":)" + mesh + "}\n";
+  };
+  const std::string one = write_mesh("one.obj", "0"), two = write_mesh("two.obj", "0");
+  // JSON may escape any character of a key.
+  const Words words{write_file("meshes.jsonl", line("1", R"({"file":"one.obj"})") +
+                                                   line("2", R"({"fi\u006ce":"two.obj"})") +
+                                                   line("3", R"({"file":"missing.obj"})"))};
+  const auto refused = [&] { return part(words, "1/2", "one", true).complaints; };
+  EXPECT_EQ(part(words, "1/2", "one").status, 0);
+  EXPECT_EQ(part(words, "2/2", "two").status, 0);
+  EXPECT_EQ(refused(), "");
+  for (const std::string& changed : {one, two}) {
+    write_mesh(fs::path(changed).filename().string(), "1");
+    const std::string said = refused();
+    EXPECT_NE(said.find(changed + " (hash "), std::string::npos) << said;
+    EXPECT_NE(said.find(", not of FILE "), std::string::npos) << said;
+    Words all = words;
+    all.insert(all.end(), {"--output", (scratch.path / "all").string(), "--force"});
+    const auto merged = [&] {
+      return commands::judge_command().merge({scratch.path / "one", scratch.path / "two"}, all);
+    };
+    EXPECT_NE(told(merged).complaints.find(changed + " (hash "), std::string::npos);
+    write_mesh(fs::path(changed).filename().string(), "0");
+    EXPECT_EQ(refused(), "");
+  }
 }
 
 TEST(Judgement, IsReadAsItWasWritten) {

@@ -48,8 +48,10 @@ TEST(MeshCases, AnswersAreThoseOfEveryFaceByItself) {
       // Rounding keeps the order.
       EXPECT_LE(moves ? *answer.time : *answer.distance, moves ? *alone.time : *alone.distance) << drawn.id;
       if (face != answer.face) continue;
-      for (const cases::Key& key : cases::kKeys)
-        if (has(answer, key) && has(alone, key)) EXPECT_TRUE(same_value(key, answer, alone)) << drawn.id << key.name;
+      for (const cases::Key& key : cases::kKeys) {
+        const bool both = has(answer, key) && has(alone, key);
+        EXPECT_TRUE(!both || same_value(key, answer, alone)) << drawn.id << key.name;
+      }
     }
     EXPECT_EQ(answer.touched, touched) << drawn.id;
     EXPECT_EQ(answer.contact, !touched.empty()) << drawn.id;
