@@ -7,6 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -21,10 +22,12 @@
 #include "../../geometry/shapes/ball.h"
 #include "../../geometry/shapes/mesh.h"
 #include "../../geometry/shapes/polygon.h"
+#include "../../geometry/shapes/pose.h"
 #include "../../geometry/shapes/rejection.h"
 #include "../../geometry/shapes/triangle.h"
 #include "../../robust/filtered/filtered.h"
 #include "../../robust/mesh/scene_faces.h"
+#include "../../robust/scene/posing.h"
 #include "../../robust/scene/scene.h"
 
 /// Touchstone for the types of CGAL: kernels whose coordinates are doubles, such as Epick, and any FaceGraph.
@@ -37,13 +40,19 @@
 ///  (1) `squared_distance` is d^2 exactly;
 ///  (2) `relation` is Separate, Touching or Overlapping if and only if d^2 > s, d^2 = s or d^2 < s;
 ///  (3) `contact` is true if and only if d^2 <= s; for triangles, if and only if CGAL's exact kernel says so;
-///  (4) if s is the square of a double r, both equal the functions of `filtered` for the ball of radius r.
+///  (4) if s is the square of a double r, both equal the functions of `filtered` for the ball of radius r;
+///  (5) `touched` returns a face of a graph if and only if `contact` of the sphere and that face under the pose of its
+///      object is true, and `touches` is true if and only if there is such a face.
 /// Only parts of CGAL under the LGPL are included. Source: [cgal2022].
 namespace touchstone::cgal {
 
 /// A kernel whose coordinates are doubles.
 template <class K>
 concept DoubleKernel = std::same_as<typename K::FT, double>;
+
+/// A face of a graph.
+template <class Graph>
+using FaceOf = typename boost::graph_traits<Graph>::face_descriptor;
 
 /// The kernel of exact results.
 using ExactKernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
@@ -153,6 +162,29 @@ inline bool contact(const Ball& ball, const PreparedPolygon& polygon) {
   return filtered::contact(ball, polygon.prepared);
 }
 /// @}
+
+/// Two balls about the same centre: the smaller lies within the ball of a sphere, and the larger contains it.
+struct Enclosing {
+  Ball smaller;  ///< Its radius is the double below the root, or 0.
+  Ball larger;   ///< Its radius is the double above the root.
+};
+/// Returns them with the doubles beside the rounded root. Whichever way it was rounded, they enclose the root, and
+/// differ from it unless it is 0.
+template <DoubleKernel K>
+Enclosing enclosing(const CGAL::Sphere_3<K>& sphere) {
+  const Eigen::Vector3d center = point(sphere.center());
+  const double r = std::sqrt(sphere.squared_radius());
+  return {{center, std::nextafter(r, 0)}, {center, std::nextafter(r, std::numeric_limits<double>::infinity())}};
+}
+
+/// Returns the polygon that is a face of a graph, as it was added.
+template <class Graph, class Points>
+Polygon face_polygon(const Graph& graph, const Points& points, FaceOf<Graph> face) {
+  Loop loop;
+  for (const auto vertex : CGAL::vertices_around_face(halfedge(face, graph), graph))
+    loop.push_back(point(get(points, vertex)));
+  return Polygon(loop);
+}
 }  // namespace touchstone::cgal::detail
 
 namespace touchstone::cgal {
@@ -166,11 +198,10 @@ concept Shape = std::same_as<S, CGAL::Triangle_3<K>> || std::same_as<S, Prepared
 template <DoubleKernel K, Shape<K> S>
 [[nodiscard]] Relation relation(const CGAL::Sphere_3<K>& sphere, const S& shape) {
   (void)ball(sphere);  // throws if it is not one
-  const double s = sphere.squared_radius(), r = std::sqrt(s);
-  // Whichever way r was rounded, the doubles beside it enclose the root, and differ from it unless it is 0.
-  const auto touches = [&](double radius) { return detail::contact(Ball{point(sphere.center()), radius}, shape); };
-  if (s > 0 && touches(std::nextafter(r, 0))) return Relation::Overlapping;
-  if (!touches(std::nextafter(r, std::numeric_limits<double>::infinity()))) return Relation::Separate;
+  const double s = sphere.squared_radius();
+  const detail::Enclosing balls = detail::enclosing(sphere);
+  if (s > 0 && detail::contact(balls.smaller, shape)) return Relation::Overlapping;
+  if (!detail::contact(balls.larger, shape)) return Relation::Separate;
   const auto order = CGAL::compare(squared_distance(sphere.center(), shape), CGAL::Exact_rational(s));
   if (order == CGAL::EQUAL) return Relation::Touching;
   return order == CGAL::LARGER ? Relation::Separate : Relation::Overlapping;
@@ -187,8 +218,8 @@ template <DoubleKernel K, Shape<K> S>
 /// A graph's faces as an object of a scene.
 template <class Graph>
 struct AddedGraph {
-  std::uint32_t object;                                                     ///< its number in the scene
-  std::vector<typename boost::graph_traits<Graph>::face_descriptor> faces;  ///< for each face number, that face
+  std::uint32_t object;              ///< its number in the scene
+  std::vector<FaceOf<Graph>> faces;  ///< for each face number, that face
 };
 
 /// Adds the faces of a graph to a scene: triangles and polygons, which need not be exactly planar. `points` is a
@@ -205,7 +236,7 @@ AddedGraph<Graph> add(scene::Scene& scene, std::string name, const Graph& graph,
     numbers.emplace(vertex, static_cast<std::uint32_t>(numbered.vertices.size()));
     numbered.vertices.push_back(point(get(points, vertex)));
   }
-  std::vector<typename boost::graph_traits<Graph>::face_descriptor> in_order;
+  std::vector<FaceOf<Graph>> in_order;
   for (const auto face : CGAL::make_range(faces(graph))) {
     in_order.push_back(face);
     auto& corners = numbered.faces.emplace_back();
@@ -218,5 +249,43 @@ AddedGraph<Graph> add(scene::Scene& scene, std::string name, const Graph& graph,
   added.object = scene.add(std::move(name), std::move(valid.faces), pose);
   return added;
 }
+
+/// @{
+/// Returns the faces of a graph in a scene that the closed ball touches, in the order of their numbers, or whether it
+/// touches any.
+///
+/// Requires that graph and points are as they were when they were added. Throws what `ball` throws, and
+/// std::out_of_range if the object was removed. Cost: that of one question to the scene if s is the square of a double;
+/// else that of two, and that of preparing a polygon and of `relation` for each face whose distance is within two
+/// doubles of the root of s.
+template <DoubleKernel K, class Graph, class Points>
+[[nodiscard]] std::vector<FaceOf<Graph>> touched(const CGAL::Sphere_3<K>& sphere, const scene::Scene& scene,
+                                                 const AddedGraph<Graph>& added, const Graph& graph,
+                                                 const Points& points) {
+  const auto exactly = ball(sphere);
+  const scene::Scene::Objects object({added.object});
+  std::vector<scene::FaceId> ids = scene.touched(exactly ? *exactly : detail::enclosing(sphere).larger, object);
+  if (!exactly) {
+    const std::vector<scene::FaceId> surely = scene.touched(detail::enclosing(sphere).smaller, object);
+    std::erase_if(ids, [&](const scene::FaceId& id) {
+      if (std::ranges::binary_search(surely, id)) return false;
+      const Polygon face = detail::face_polygon(graph, points, added.faces[id.face]);
+      return !contact(sphere, PreparedPolygon(scene::posed(scene.pose(id.object), face)));
+    });
+  }
+  std::vector<FaceOf<Graph>> result;
+  for (const scene::FaceId& id : ids) result.push_back(added.faces[id.face]);
+  return result;
+}
+template <DoubleKernel K, class Graph, class Points>
+[[nodiscard]] bool touches(const CGAL::Sphere_3<K>& sphere, const scene::Scene& scene, const AddedGraph<Graph>& added,
+                           const Graph& graph, const Points& points) {
+  const scene::Scene::Objects object({added.object});
+  if (const auto exactly = ball(sphere)) return scene.touches(*exactly, object);
+  const detail::Enclosing balls = detail::enclosing(sphere);
+  return scene.touches(balls.smaller, object) ||
+         (scene.touches(balls.larger, object) && !touched(sphere, scene, added, graph, points).empty());
+}
+/// @}
 
 }  // namespace touchstone::cgal

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polygons with holes in a plane, and the faces of graphs as objects of scenes.
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bindings/cgal/cgal.h"
+#include "robust/scene/posing.h"
 
 namespace touchstone::cgal {
 namespace {
@@ -130,6 +136,89 @@ TEST(CgalShapes, RefusesAFaceThatItNamesAndLeavesTheSceneAlone) {
     EXPECT_NE(std::string(rejected.what()).find("face "), std::string::npos) << rejected.what();
   }
   EXPECT_EQ(scene.object_count(), 0U);
+}
+
+/// Heights over a lattice of 7 by 7 points: level squares, and pairs of triangles where corners are at other heights.
+SurfaceMesh landscape() {
+  SurfaceMesh mesh;
+  for (int i = 0; i < 49; ++i) mesh.add_vertex({i / 7, i % 7, (i / 7) < 3 ? 0 : (i * i) % 5});
+  for (unsigned i = 0; i < 42; ++i) {
+    if (i % 7 == 6) continue;
+    const SurfaceMesh::Vertex_index a(i), b(i + 7), c(i + 8), d(i + 1);
+    if (i < 14) {
+      mesh.add_face(a, b, c, d);
+    } else {
+      mesh.add_face(a, b, c);
+      mesh.add_face(a, c, d);
+    }
+  }
+  return mesh;
+}
+
+/// Returns the square of the distance from the point to the convex planar face under the pose, by CGAL's exact kernel.
+CGAL::Epeck::FT exact_squared_distance(const K::Point_3& from, const SurfaceMesh& mesh, SurfaceMesh::Face_index face,
+                                       const Pose& pose) {
+  const auto exactly = [](const Eigen::Vector3d& p) { return CGAL::Epeck::Point_3(p.x(), p.y(), p.z()); };
+  std::vector<CGAL::Epeck::Point_3> corners;
+  for (const auto v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+    corners.push_back(exactly(scene::posed(pose, point(mesh.point(v)))));
+  std::optional<CGAL::Epeck::FT> least;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const CGAL::Epeck::Triangle_3 part(corners[0], corners[i - 1], corners[i]);
+    const CGAL::Epeck::FT squared = CGAL::squared_distance(exactly(point(from)), part);
+    if (!least || squared < *least) least = squared;
+  }
+  return *least;
+}
+
+TEST(CgalShapes, FacesTouchedByASquaredRadiusAreThoseOfCgalsExactKernel) {
+  const SurfaceMesh mesh = landscape();
+  Pose turned;  // two thirds, rounded: the vertices are rounded, so that no face has a level plane
+  turned.rotation << 2 / 3.0, -1 / 3.0, 2 / 3.0, 2 / 3.0, 2 / 3.0, -1 / 3.0, -1 / 3.0, 2 / 3.0, 2 / 3.0;
+  turned.translation = {0.1, 0.2, 0.3};
+  int between = 0;
+  for (const bool posed : {false, true}) {
+    scene::Scene scene;
+    scene.add("other", {{Triangle{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}}}, {}});
+    SurfaceMesh used = mesh;
+    if (posed)  // rounding bends squares
+      for (const auto face : mesh.faces())
+        if (mesh.degree(face) == 4)
+          CGAL::Euler::split_face(used.halfedge(face), used.next(used.next(used.halfedge(face))), used);
+    const Pose pose = posed ? turned : Pose();
+    const auto added = add(scene, "landscape", used, used.points(), pose);
+    for (const K::Point_3& center :
+         {K::Point_3(1, 1, 1), K::Point_3(2.5, 1.5, 1), K::Point_3(4, 4, 7), K::Point_3(3, 2, 5)}) {
+      std::vector<CGAL::Epeck::FT> squared;
+      for (const auto face : added.faces) squared.push_back(exact_squared_distance(center, used, face, pose));
+      for (const CGAL::Epeck::FT& of_face : squared) {
+        const double s = CGAL::to_double(of_face);
+        for (const double near :
+             {std::nextafter(s, 0), s, std::nextafter(s, std::numeric_limits<double>::infinity())}) {
+          std::vector<SurfaceMesh::Face_index> expected;
+          for (std::size_t i = 0; i < squared.size(); ++i)
+            if (squared[i] <= near) expected.push_back(added.faces[i]);
+          const K::Sphere_3 sphere(center, near);
+          EXPECT_EQ(touched(sphere, scene, added, used, used.points()), expected) << center << ", " << near;
+          EXPECT_EQ(touches(sphere, scene, added, used, used.points()), !expected.empty()) << center << ", " << near;
+          if (!ball(sphere)) ++between;
+        }
+      }
+    }
+  }
+  EXPECT_GT(between, 500);
+}
+
+TEST(CgalShapes, GraphThatWasRemovedFromItsSceneIsRefused) {
+  const Roof roof;
+  scene::Scene scene;
+  const auto added = add(scene, "roof", roof.mesh, roof.mesh.points());
+  scene.remove(added.object);
+  for (const double s : {1.0, 2.0})
+    EXPECT_THROW((void)touched(K::Sphere_3(CGAL::ORIGIN, s), scene, added, roof.mesh, roof.mesh.points()),
+                 std::out_of_range);
+  EXPECT_THROW((void)touches(K::Sphere_3(CGAL::ORIGIN, std::nan("")), scene, added, roof.mesh, roof.mesh.points()),
+               Rejected);
 }
 
 }  // namespace
