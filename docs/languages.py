@@ -17,11 +17,13 @@ DECLARED = {
     "C": (("bindings/c/touchstone.h",), r"\b{}\("),
     "CGAL": (("bindings/cgal/cgal.h",), r"\b{}\("),
 }
-# Each row: the question, and its names in these languages; an empty one if the language does not have it.
+# Each row: the question, and its names in these languages; "in NAME" if another question has its answer, and an empty one
+# if the language does not have it.
 ROWS = [
     ("does a ball touch a polygon", "filtered::contact", "filtered.contact", "touchstone_polygon_contact", "contact"),
-    ("distance against radius", "filtered::relation", "filtered.relation", "", "relation"),
+    ("distance against radius", "filtered::relation", "filtered.relation", "in touchstone_polygon_answer", "relation"),
     ("the whole answer", "filtered::answer", "filtered.answer", "touchstone_polygon_answer", ""),
+    ("closest point of a polygon", "in filtered::answer", "filtered.closest", "in touchstone_polygon_answer", ""),
     ("squared distance, exact", "", "", "", "squared_distance"),
     ("edges that a ball touches", "filtered::edges_hit", "filtered.edges_hit", "touchstone_polygon_edges_hit", ""),
     ("first contact of a moving ball with a polygon", "filtered::first_contact", "filtered.first_contact",
@@ -30,8 +32,8 @@ ROWS = [
     ("closest points of triangles", "filtered::closest", "", "touchstone_triangles_closest", ""),
     ("first contact with triangles", "filtered::first_contact", "", "touchstone_triangles_first_contact", ""),
     ("objects under poses", "Scene::add", "Scene.add", "touchstone_scene_add", "add"),
-    ("does a ball touch a scene", "Scene::touches", "Scene.touches", "touchstone_scene_touches", ""),
-    ("faces that a ball touches", "Scene::touched", "Scene.touched", "touchstone_scene_touched", ""),
+    ("does a ball touch a scene", "Scene::touches", "Scene.touches", "touchstone_scene_touches", "touches"),
+    ("faces that a ball touches", "Scene::touched", "Scene.touched", "touchstone_scene_touched", "touched"),
     ("the nearest face", "Scene::nearest", "Scene.nearest", "touchstone_scene_nearest", ""),
     ("the face that a moving ball touches first", "Scene::first_contact", "Scene.first_contact",
      "touchstone_scene_first_contact", ""),
@@ -53,14 +55,14 @@ def main(root, write):
     faults = []
     for question, *names in ROWS:
         for (language, (_, form)), name in zip(DECLARED.items(), names):
-            last = re.split(r"::|\.", name)[-1]
+            last = re.split(r"::|\.| ", name)[-1]
             imported = re.search(rf"import {last} as {last}$", texts[language], re.MULTILINE)
             if name and not imported and not re.search(form.format(re.escape(last)), texts[language]):
                 faults.append(f"{question}: {language} declares no {name}")
     in_c = {name for name in re.findall(r"\b(touchstone_\w+)\(", texts["C"]) if not re.search(SERVES, name)}
     faults += [f"{name} is not in the table" for name in sorted(in_c - {row[3] for row in ROWS})]
     cells = [["question", *DECLARED], ["---"] * (1 + len(DECLARED))]
-    cells += [[question, *(f"`{name}`" if name else "" for name in names)] for question, *names in ROWS]
+    cells += [[question, *(re.sub(r"\S+$", r"`\g<0>`", name) for name in names)] for question, *names in ROWS]
     table = "\n".join(f"| {' | '.join(row)} |".replace("|  |", "| |").replace("|  |", "| |") for row in cells)
     page = root / PAGE
     text = re.sub(r"^\| question .*?(?=^$)", lambda _: table + "\n", page.read_text(), flags=re.MULTILINE | re.DOTALL)

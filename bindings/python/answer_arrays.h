@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -92,6 +93,14 @@ class AnswerArrays {
   const char* kind_;
   std::vector<pybind11::object> results_;
 };
+
+/// Returns the numbers as an array.
+template <class Unsigned>
+pybind11::array_t<Number> array_of(const std::vector<Unsigned>& numbers) {
+  pybind11::array_t<Number> array(static_cast<pybind11::ssize_t>(numbers.size()));
+  std::copy(numbers.begin(), numbers.end(), array.mutable_data());
+  return array;
+}
 
 /// Lists of varying length as one array each for what they hold, and `indptr`: list i is what stands from indptr[i] up
 /// to indptr[i + 1].

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "bindings/python/answer_arrays.h"
 #include "bindings/python/bindings.h"
 #include "bindings/python/doubles.h"
 #include "bindings/python/initialised.h"
@@ -29,7 +30,7 @@ py::object merge_faces(const py::object& object, double tolerance, const std::st
   double* displacement = off_plane.mutable_data();
   for (mesh::MergedFace& face : merged.faces) {
     polygons.append(py::cast(std::make_unique<ValidPolygon>(std::move(face.polygon))));
-    faces.append(py::array_t<std::uint32_t>(static_cast<py::ssize_t>(face.faces.size()), face.faces.data()));
+    faces.append(array_of(face.faces));
     *displacement++ = face.off_plane;
   }
   return py::module_::import("touchstone_contact")

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "bindings/python/answer_arrays.h"
 #include "bindings/python/bindings.h"
 #include "bindings/python/doubles.h"
 #include "bindings/python/initialised.h"
@@ -80,8 +81,8 @@ Face face_of(const std::int64_t* numbers, py::ssize_t count, const std::vector<E
 py::object numbers_of_faces(const HeldMesh& mesh) {
   const auto is_triangle = [](const Face& face) { return face.size() == 3; };
   if (!std::ranges::all_of(mesh.faces, is_triangle)) return py::cast(mesh.faces);
-  py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(mesh.faces.size()), py::ssize_t{3}});
-  std::uint32_t* row = rows.mutable_data();
+  py::array_t<Number> rows({static_cast<py::ssize_t>(mesh.faces.size()), py::ssize_t{3}});
+  Number* row = rows.mutable_data();
   for (const Face& face : mesh.faces) row = std::ranges::copy(face, row).out;
   return rows;
 }

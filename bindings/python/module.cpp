@@ -39,6 +39,43 @@ void refuse_bare_objects() {
   };
 }
 
+/// Returns the C function by which Python calls each function of pybind11.
+PyCFunction entry() {
+  static const PyCFunction found = PyCFunction_GetFunction(py::cpp_function([] {}).ptr());
+  return found;
+}
+
+/// Calls a function by that entry. Where pybind11 shows all overloads and values, the package says in one sentence what
+/// the function takes and what it was given instead.
+PyObject* call(PyObject* function, PyObject* given, PyObject* keywords) {
+  PyObject* const result =
+      reinterpret_cast<PyCFunctionWithKeywords>(reinterpret_cast<void (*)()>(entry()))(function, given, keywords);
+  if (result != nullptr || PyErr_ExceptionMatches(PyExc_TypeError) == 0) return result;
+  py::error_already_set error;
+  try {
+    const auto told = py::module_::import("touchstone_contact._arguments").attr("told");
+    const auto named = keywords == nullptr ? py::dict() : py::reinterpret_borrow<py::dict>(keywords);
+    const py::object sentence = told(py::str(error.value()), py::handle(given), named);
+    sentence.is_none() ? error.restore() : PyErr_SetObject(PyExc_TypeError, sentence.ptr());
+  } catch (py::error_already_set& other) {
+    other.restore();
+  }
+  return nullptr;
+}
+
+/// Has Python call the functions and methods of a module or a class by `call`, where pybind11 takes such arguments.
+void tell_wrong_arguments(py::handle scope) {
+  for (const auto& [name, member] : py::dict(scope.attr("__dict__"))) {
+    py::object found = py::reinterpret_borrow<py::object>(member);
+    if (py::isinstance<py::staticmethod>(found) || PyInstanceMethod_Check(found.ptr())) found = found.attr("__func__");
+    if (PyModule_Check(found.ptr()) || PyType_Check(found.ptr())) tell_wrong_arguments(found);
+    if (!PyCFunction_Check(found.ptr()) || PyCFunction_GetFunction(found.ptr()) != entry()) continue;
+    PyMethodDef& method = *reinterpret_cast<PyCFunctionObject*>(found.ptr())->m_ml;
+    if (method.ml_flags == (METH_VARARGS | METH_KEYWORDS))
+      method.ml_meth = reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(call));
+  }
+}
+
 PYBIND11_MODULE(_touchstone, module) {
   refuse_bare_objects();
   add_rejected(module);
@@ -55,6 +92,7 @@ PYBIND11_MODULE(_touchstone, module) {
   QueryFunctions<exact::PreparedPolygon>::add_to(module, "exact", "Exact answers, by an exact kernel.");
   QueryFunctions<fast::PreparedPolygon<>>::add_to(
       module, "fast", "Plain doubles: may be wrong near a boundary, without any indication.");
+  tell_wrong_arguments(module);
   module.attr("__version__") = TOUCHSTONE_VERSION;
 }
 

@@ -181,10 +181,6 @@ class QueryFunctions {
          [&](std::size_t i, const Ball& ball, const Prepared& asked) { codes[i] = code_of(ask(ball, asked)); });
     return arrays.result();
   }
-
-  static pybind11::object array_of(const std::vector<std::size_t>& numbers) {
-    return pybind11::array_t<std::size_t>(static_cast<pybind11::ssize_t>(numbers.size()), numbers.data());
-  }
 };
 
 }  // namespace touchstone::python

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/python/answer_arrays.h"
 #include "bindings/python/bindings.h"
 #include "bindings/python/initialised.h"
 #include "bindings/python/mesh.h"
@@ -42,9 +43,8 @@ HeldScene::Source source_of(const SharedScene& scene, const ObjectKey& object) {
   });
 }
 
-py::array_t<std::uint32_t> face_numbers(const SharedScene& scene, const ObjectKey& object) {
-  const std::vector<std::uint32_t> numbers = source_of(scene, object).numbers;
-  return py::array_t<std::uint32_t>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+py::array_t<Number> face_numbers(const SharedScene& scene, const ObjectKey& object) {
+  return array_of(source_of(scene, object).numbers);
 }
 
 py::list segments(const SharedScene& scene, const ObjectKey& object) {

@@ -51,9 +51,9 @@ py::object touches(const SharedScene& scene, const py::object& rows, const Objec
 }
 
 /// Returns objects and faces in rows.
-py::object array_of(const std::vector<FaceId>& faces) {
-  py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(faces.size()), py::ssize_t{2}});
-  std::uint32_t* row = rows.mutable_data();
+py::object rows_of(const std::vector<FaceId>& faces) {
+  py::array_t<Number> rows({static_cast<py::ssize_t>(faces.size()), py::ssize_t{2}});
+  Number* row = rows.mutable_data();
   for (const FaceId& id : faces) *row++ = id.object, *row++ = id.face;
   return rows;
 }
@@ -95,7 +95,7 @@ py::object touched(const SharedScene& scene, const py::object& rows, const Objec
   return with_balls_or_motions(rows, [&](const auto& asking) -> py::object {
     const auto all =
         scene.ask([&](const scene::Scene& held) { return held.touched(asking.all(), objects_of(held, objects)); });
-    return asking.single() ? array_of(all[0]) : arrays_of_lists<FaceArrays>(all, "TouchedFaces");
+    return asking.single() ? rows_of(all[0]) : arrays_of_lists<FaceArrays>(all, "TouchedFaces");
   });
 }
 

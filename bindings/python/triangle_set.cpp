@@ -54,7 +54,7 @@ py::object ask_triangles_hit(const TriangleSet& set, const py::object& rows) {
     for (const Ball& ball : balls.all()) hit.push_back(triangles_hit(ball, set));
   }
   if (!balls.single()) return hits_of(hit);
-  return py::array_t<std::size_t>(static_cast<py::ssize_t>(hit[0].size()), hit[0].data());
+  return array_of(hit[0]);
 }
 
 Degenerate degenerate_policy(const std::string& name) {

@@ -29,6 +29,28 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption("--touchstone-triangles", action="store_true", help="leave out other polygons")
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Refuses wrong values of options, before any test."""
+    if config.getoption("touchstone_engine") is None:
+        return
+    from .judging import keys_of
+    from .judging.known import read_known
+    from .judging.margin import margin_of
+    from .judging.question import read_cases
+
+    folder = config.invocation_params.dir
+    readers: dict[str, Callable[[str], object]] = {
+        "keys": keys_of, "beyond": margin_of, "known": lambda file: read_known(folder / file),
+        "cases": lambda files: [list(read_cases(folder / file)) for file in files.split(",")]}
+    for name, read in readers.items():
+        value = config.getoption(f"touchstone_{name}")
+        try:
+            if value is not None:
+                read(value)
+        except (OSError, ValueError) as error:
+            raise pytest.UsageError(f"--touchstone-{name} {value}: {error}") from error
+
+
 def _engine(name: str, folder: pathlib.Path) -> Callable[..., Any]:
     module, _, function = name.partition(":")
     if not module or not function:

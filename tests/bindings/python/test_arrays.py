@@ -161,6 +161,12 @@ class Answers(unittest.TestCase):
             self.assertEqual((word(places, touchstone.PointLocation, i), touches[i]), (SOLID.locate(ball[:3]), SOLID.touches(ball)))
             self.same(SOLID.signed_distance(ball[:3]), distances[i])
 
+    def test_with_numbers_are_of_int64_everywhere(self):
+        mesh = touchstone.Mesh(VERTICES, FACES)
+        singles = [SCENE.touched(BALLS[0]), SCENE.face_numbers(0), SET.triangles_hit(BALLS[0]), mesh.faces,
+                   touchstone.filtered.edges_hit(BALLS[0], SQUARE), *touchstone.merge_faces(mesh).faces]
+        self.assertEqual({array.dtype for array in singles}, {np.dtype(np.int64), SCENE.touched(BALLS).face.dtype})
+
     def test_of_no_balls_are_empty_arrays_of_the_same_types(self):
         for name, ask, rows, _ in questions():
             none, some = arrays_of(ask(rows[:0])), arrays_of(ask(rows))

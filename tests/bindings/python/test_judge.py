@@ -196,9 +196,14 @@ class Failures(unittest.TestCase):
         families = set()
         for failure in self.careless.failures[::5]:
             picture = xml.etree.ElementTree.fromstring(failure._repr_svg_())
-            texts = [text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")]
+            texts = list(picture.iter("{http://www.w3.org/2000/svg}text"))
             self.assertEqual(len(texts), 3)
-            self.assertTrue(texts[0].removesuffix("...") in failure.case.id)
+            titles = [title.text for title, in texts]
+            self.assertEqual(titles[0], failure.case.id)
+            self.assertIn(titles[1], str(failure))
+            for (title,), whole in zip(texts, titles):
+                self.assertLess(len(title.tail), 57)  # what fits
+                self.assertTrue(whole.startswith(title.tail.removesuffix("...")))
             self.assertNotIn("nan", failure._repr_svg_())
             families.add(failure.case.family)
         self.assertEqual(len(families), len(case_files()))

@@ -98,6 +98,16 @@ class Plugin(unittest.TestCase):
         for name in ("engine", "engine:nothing", "nothing:touches"):
             self.assertIn(f"ERROR: --touchstone {name}: ", self.pytest("--touchstone", name, status=4))
 
+    def test_refuses_wrong_values_of_options_once_before_all_tests(self):
+        for name in ("known", "cases"):
+            (self.folder / f"{name}.jsonl").write_text("{}\n")
+        for option, value, reason in (("keys", "contact,weight", "no answer has a key 'weight'"), ("beyond", "2^x", "'2^x' is not a margin"),
+                                      ("known", "none.jsonl", "[Errno 2]"), ("known", "known.jsonl", str(self.folder / "known.jsonl: line 1")),
+                                      ("cases", "none.jsonl", "[Errno 2]"), ("cases", "cases.jsonl", str(self.folder / "cases.jsonl: line 1"))):
+            said = self.pytest(f"--touchstone-{option}", value, status=4)
+            self.assertIn(f"ERROR: --touchstone-{option} {value}: {reason}", said)
+            self.assertEqual(said.count("ERROR"), 1, said)
+
     def test_does_nothing_unless_asked(self):
         self.pytest("-p", "touchstone_contact.pytest_plugin", status=5, judged=False)
 

@@ -285,6 +285,42 @@ class Refusals(unittest.TestCase):
         with self.assertRaises(TypeError):
             touchstone.filtered.contact(ball, SQUARE)
 
+    def test_name_the_function_its_arguments_and_what_it_was_given(self):
+        ball, square, scene = [0, 0, 0, 1], touchstone.Polygon(SQUARE), touchstone.Scene()
+        contact, polygon = "(balls: object, polygon: Polygon, out: object = None)", "(outer: object, holes: List[object] = [], closed: bool = False)"
+        added = "(name: str, faces: object, pose: object = None, bad_faces: str = 'refuse')"
+        solid = "(mesh: object) or (vertices: object, faces: object)"
+        for said, ask in (
+                (f"contact() has no argument 'polygn'. It takes {contact}, and was given (list, polygn: Polygon)",
+                 lambda: touchstone.exact.contact(ball, polygn=square)),
+                (f"contact() has no argument 'ball', 'shape'. It takes {contact}, and was given (ball: list, shape: Polygon)",
+                 lambda: touchstone.fast.contact(ball=ball, shape=square)),
+                (f"contact() takes {contact}, and was given (ndarray, list)", lambda: touchstone.filtered.contact(random_balls(9), SQUARE)),
+                (f"contact() takes {contact}, and was given ()", touchstone.filtered.contact),
+                (f"Polygon() has no argument 'close'. It takes {polygon}, and was given (list, close: bool)",
+                 lambda: touchstone.Polygon(SQUARE, close=True)),
+                (f"add() has no argument 'bad_face'. It takes {added}, and was given (str, Polygon, bad_face: str)",
+                 lambda: scene.add("square", square, bad_face="leave out")),
+                (f"add() takes {added}, and was given (int, Polygon)", lambda: scene.add(3, square)),
+                (f"Solid() takes {solid}, and was given ()", touchstone.Solid),
+                (f"Solid() has no argument 'points'. It takes {solid}, and was given (points: list)", lambda: touchstone.Solid(points=SQUARE)),
+                ("read() has no argument 'fmt'. It takes (path: object, format: Optional[str] = None, bad_faces: str = 'refuse'), "
+                 "and was given (str, fmt: str)", lambda: touchstone.Mesh.read("part.stl", fmt="stl"))):
+            with self.assertRaises(TypeError) as caught:
+                ask()
+            self.assertEqual(str(caught.exception), said)
+
+    def test_of_others_pass_through_unchanged(self):
+        class Odd(TypeError):
+            pass
+
+        class Broken:
+            def __array__(self, *_):
+                raise Odd("it has none")
+
+        for ask in (touchstone.filtered.contact, touchstone.exact.closest):
+            with self.assertRaisesRegex(Odd, "^it has none$"):
+                ask(Broken(), touchstone.Polygon(SQUARE))
 
     def test_are_value_errors_where_lists_are_nested_without_end(self):
         square, itself, deep, mutual = touchstone.Polygon(SQUARE), [], [], [[]]

@@ -29,7 +29,7 @@ class Types(unittest.TestCase):
         self.assertEqual({int(line) for line in re.findall(r"sample\.py:(\d+): error", found.stdout)}, wrong, found.stdout)
 
     def test_hold_in_the_modules_of_python(self):
-        found = mypy("--strict", "-p", "touchstone_contact.judging", "-p", "touchstone_contact.strategies")
+        found = mypy("--strict", "-p", "touchstone_contact.judging", "-p", "touchstone_contact.strategies", "-p", "touchstone_contact._arguments")
         self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
 
     def test_name_every_class_and_function(self):

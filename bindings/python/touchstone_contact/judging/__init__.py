@@ -32,14 +32,13 @@ def case_files(cases: Cases = "float") -> list[pathlib.Path]:
     return [pathlib.Path(one) for one in ([cases] if isinstance(cases, (str, os.PathLike)) else cases)]
 
 
-def _compared(keys: str | Sequence[str], expected: dict[str, Any]) -> list[str]:
-    if keys == "all":
-        return sorted(expected)
-    names = keys.split(",") if isinstance(keys, str) else list(keys)
+def keys_of(keys: str | Sequence[str]) -> set[str]:
+    """Returns the keys that are compared. Raises ValueError if no answer has one of them."""
+    names = KEYS if keys == "all" else keys.split(",") if isinstance(keys, str) else list(keys)
     for name in names:
         if name not in KEYS:
             raise ValueError(f"no answer has a key {name!r}")
-    return sorted(expected.keys() & set(names))
+    return set(names)
 
 
 def _outcome(engine: Engine, case: Case, keys: list[str], margin: tuple[float, bool] | None) -> tuple[list[Difference], str, bool]:
@@ -84,11 +83,11 @@ def judge(engine: Callable[..., Any], cases: Cases = "float", *, keys: str | Seq
     """
     asked = Engine(engine, np.float32 if (cases == "float" if floats is None else floats) else np.float64)
     method = name or str(getattr(engine, "__name__", type(engine).__name__))
-    margin = None if beyond is None else margin_of(beyond)
+    names, margin = keys_of(keys), None if beyond is None else margin_of(beyond)
     judgement = Judgement(method, asked, margin, None if known is None else read_known(pathlib.Path(known)))
     for file in case_files(cases):
         for case in read_cases(file):
-            compared = _compared(keys, case.expected)
+            compared = sorted(case.expected.keys() & names)
             if not asked.can(case.question) or (triangles and not case.question.is_of_triangles):
                 judgement.left_out += 1
             elif compared:

@@ -19,7 +19,7 @@ _MOST = 1e5  # pixels: what is farther out is not seen
 def svg(question: Question, *captions: str) -> str:
     """Returns a picture: the polygon, the ball from above (dashed) and where it cuts the plane, the foot of its centre (a
     cross), and the nearest point (a dot). A small ball is shown with its surroundings alone. A moving ball is drawn at its
-    first contact, or at its end if it has none; of a mesh, the nearest face.
+    first contact, or at its end if it has none; of a mesh, the nearest face. The title of a line that is cut has all of it.
     """
     if question.faces is not None:
         nearest_face: Any = question.scene.nearest(question.row()[:4])
@@ -62,7 +62,7 @@ def svg(question: Question, *captions: str) -> str:
     (x, y), (u, v) = at(foot), at(nearest)
     circle = f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{{:.2f}}" stroke="#d9822b" {{}}/>'
     lines = [*captions, f"exactly {answer.relation}, foot {answer.foot}, depth {answer.depth:.6g}"]
-    texts = "".join(f'<text x="6" y="{16 + 17 * i}" font-family="sans-serif" font-size="11">'
+    texts = "".join(f'<text x="6" y="{16 + 17 * i}" font-family="sans-serif" font-size="11"><title>{html.escape(line)}</title>'
                     f'{html.escape(line if len(line) < 56 else line[:53] + "...")}</text>' for i, line in enumerate(lines))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{_WIDTH}" height="{_HEIGHT}" viewBox="0 0 {_WIDTH} {_HEIGHT}">'
             f'<rect width="100%" height="100%" fill="white"/>'
