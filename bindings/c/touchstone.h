@@ -177,9 +177,10 @@ typedef struct touchstone_first_face {
 /// A valid polygon, prepared for questions.
 typedef struct touchstone_polygon touchstone_polygon;
 
-/// Makes a polygon of an outer loop and holes, which may run either way and need not be convex. Vertices are numbered
-/// from 0 through all loops. Those off the supporting plane are lifted onto it, as the contract says; `off_plane` of an
-/// answer tells by how much. Fails with a code of rejection.
+/// Makes a polygon of loop_count loops, of which loop i has loop_sizes[i] vertices: first the outer loop, then the
+/// holes. They may run either way, need not be convex, and do not repeat their first vertex at the end. Vertices are
+/// numbered from 0 through all loops. Those off the supporting plane are lifted onto it, as the contract says;
+/// `off_plane` of an answer tells by how much. Fails with a code of rejection.
 touchstone_status touchstone_polygon_create(const double *vertices, const size_t *loop_sizes, size_t loop_count,
                                             touchstone_polygon **polygon, touchstone_error *error);
 void touchstone_polygon_free(touchstone_polygon *polygon);  ///< frees it
@@ -265,7 +266,7 @@ touchstone_status touchstone_scene_first_contact(const touchstone_scene *scene, 
                                                  size_t count, const touchstone_scene_options *options,
                                                  touchstone_first_face *faces, touchstone_error *error);
 
-/// A list of faces for each ball or motion of a batch, with all lists in one array.
+/// A list of faces for each ball of a batch, with all lists in one array.
 typedef struct touchstone_face_lists touchstone_face_lists;
 
 /// Makes the lists of the faces that each ball touches, ascending by object and face.
