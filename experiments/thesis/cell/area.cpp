@@ -119,7 +119,7 @@ int run(const AreaOptions& options) {
   const auto parts = build_model(cell);
   const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(parts));
   const Reach reach = reach_of(cell);
-  const double step = options.length_step, furthest = reach.radius + reach.outer + step,
+  const double step = options.length_step, furthest = reach.furthest() + step,
                lowest = cell.storage.stand ? step - cell.storage.stand->top : 0;
   constexpr double kMostPlaces = 1e7;
   if (const double places = furthest / step * (360 / options.angle_step + (reach.height + reach.outer - lowest) / step);

@@ -78,7 +78,7 @@ std::string gripper_cases(const std::string& cell_file) {
   const auto standing = polygons_of(workcell.obstacles().faces);
   for (std::size_t i = 0; i < standing.size(); ++i) add(workcell.obstacles().owners[i], i, standing[i]);
   for (const cell::StationSlot slot : {cell::StationSlot::Storage, cell::StationSlot::Machine}) {
-    const auto material = polygons_of(workcell.at(slot).faces);
+    const auto material = polygons_of(workcell.at(slot).material->faces);
     for (std::size_t i = 0; i < material.size(); ++i)
       add(fmt::format("material-in-{}", to_string(slot)), i, material[i]);
   }

@@ -24,7 +24,7 @@ namespace touchstone::cell {
 namespace {
 
 struct RunCommandOptions : RunOptions, run::FolderOptions {
-  bool every_face = false;
+  bool every_face = false, explain = false;
 };
 
 /// Seconds since it was made, or last asked.
@@ -45,7 +45,8 @@ class Stopwatch {
 class PieceRun {
  public:
   PieceRun(const Cell& cell, const RunCommandOptions& options, const std::vector<const cases::Method*>& methods)
-      : workcell_(cell, build_model(cell)),
+      : explain_(options.explain),
+        workcell_(cell, build_model(cell)),
         before_(watch_.lap()),
         process_(simulate(workcell_, rule_of(options))),
         cycle_(watch_.lap()),
@@ -61,17 +62,25 @@ class PieceRun {
     return fmt::format(
         "{}\n"
         "\n"
-        "{}\n"
+        "{}{}\n"
         "{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the distances, {:.3f} s "
         "for the methods\n",
-        workcell_.cell().name, summary(workcell_, process_, separation_, comparison_), before_, cycle_, measured_,
-        held_);
+        workcell_.cell().name, summary(workcell_, process_, separation_, comparison_), explained(), before_, cycle_,
+        measured_, held_);
   }
   void write(const std::filesystem::path& folder) const {
     write_run(folder, workcell_, process_, separation_, comparison_);
   }
 
  private:
+  /// Why every approach was refused, if that is asked for.
+  [[nodiscard]] std::string explained() const {
+    std::string text;
+    for (const std::string& why : process_.refused) text += "  " + why + "\n";
+    return explain_ ? text : "";
+  }
+
+  bool explain_;
   Stopwatch watch_;
   Workcell workcell_;
   double before_;
@@ -149,6 +158,7 @@ run::Command run_command() {
   add_run_options(command, *options);
   command.flag("--every-face", options->every_face,
                "Also ask about faces whose boxes the sphere misses (except with slow methods)");
+  command.flag("--explain", options->explain, "If it does not complete, say why every approach was refused");
   run::declare_output(command, *options,
                       "A folder for moves, trajectory, distances, methods and disagreements; of each piece a folder if "
                       "there are several");

@@ -21,6 +21,8 @@ void add_cell_options(run::Command& command, RunOptions& options) {
       .takes("NAME");
   command.flag("--sphere-alone", options.sphere_alone,
                "The thesis's rule: test the virtual sphere alone, not the arm, the gripper and what it holds");
+  command.flag("--thesis-order", options.thesis_order,
+               "Keep to the thesis's order of moves, of one joint each: find no other way");
   command.text("--drive", options.drive, "The method whose answer stops the robot, instead of the exact one")
       .takes("METHOD");
   command.text("--meshes", options.meshes, "The folder of mesh files, instead of the cell file's").takes("FOLDER");
@@ -52,7 +54,7 @@ Cell cell_of(const RunOptions& options) {
 }
 
 Rule rule_of(const RunOptions& options) {
-  Rule rule{.sphere_alone = options.sphere_alone};
+  Rule rule{.sphere_alone = options.sphere_alone, .finds_ways = !options.thesis_order};
   if (!options.drive.empty() && options.drive != "exact") rule.drive = methods::find_methods({options.drive}).front();
   return rule;
 }

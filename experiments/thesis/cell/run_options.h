@@ -15,7 +15,7 @@ namespace touchstone::cell {
 struct RunOptions {
   std::string file, meshes, preset, drive, piece;
   std::vector<std::string> changes;
-  bool sphere_alone = false;
+  bool sphere_alone = false, thesis_order = false;
   methods::Selection methods{{"filtered", "fast", "fast-float", "thesis", "thesis-float", "thesis-0.9999", "thesis-1",
                               "thesis-signed", "thesis-newell", "thesis-closed"}};
 };

@@ -107,8 +107,9 @@ std::string summary(const Cell& cell, const std::vector<ModelPart>& parts) {
   std::string text = fmt::format("{} ({}, degrees)\n\n{}\n", cell.name, cell.unit.name, parts_table(parts));
   text += fmt::format(
       "{}: base at height {:g}; second joint on a circle of radius {:g} at height {:g}, sphere {:g} to "
-      "{:g} from there\n{}",
+      "{:g} from there{}\n{}",
       cell.robot.name, cell.robot.base.translation.z(), reach.radius, reach.height, reach.inner, reach.outer,
+      reach.beside == 0 ? "" : fmt::format(", in the arm's plane, {:g} beside the base's axis", reach.beside),
       joints_table(cell.robot));
   const Eigen::Vector3d& at = cell.gripper.sphere.center;
   text += fmt::format("gripper: sphere of radius {:g} at ({:g}, {:g}, {:g}) of {}\n", cell.gripper.sphere.radius,

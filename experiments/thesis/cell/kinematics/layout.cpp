@@ -104,12 +104,10 @@ std::vector<double> leans_of_one_height(const Linkage& linkage, double elevation
   return leans;
 }
 
-namespace {
-
-/// The layout of one height, rounded to tenths.
-Layout rounded(const Linkage& linkage, double elevation) {
-  const double lean = to_a_tenth(leans_of_one_height(linkage, elevation).front());
-  Layout layout = solve_layout(linkage, {lean, elevation}).value();
+Layout chosen_layout() {
+  const Linkage linkage{Coupling::KeepsElevation, Hand::Level};
+  const double lean = to_a_tenth(leans_of_one_height(linkage, kChosenElevation).front());
+  Layout layout = solve_layout(linkage, {lean, kChosenElevation}).value();
   const double height = to_a_tenth((layout.storage_height[0] + layout.storage_height[1]) / 2);
   layout.storage_height = {height, height};
   for (double* length : {&layout.gap, &layout.storage_radius[0], &layout.storage_radius[1], &layout.machine_radius,
@@ -117,11 +115,5 @@ Layout rounded(const Linkage& linkage, double elevation) {
     *length = to_a_tenth(*length);
   return layout;
 }
-
-}  // namespace
-
-Layout chosen_layout() { return rounded({Coupling::KeepsElevation, Hand::Level}, kChosenElevation); }
-
-Layout locked_layout() { return rounded({Coupling::KeepsElevation, Hand::Locked}, 0); }
 
 }  // namespace touchstone::kinematics

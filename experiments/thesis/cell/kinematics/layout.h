@@ -114,8 +114,4 @@ inline constexpr double kChosenElevation = -25;
 /// the storage's angle and radius then differ between the cases.
 [[nodiscard]] Layout chosen_layout();
 
-/// Returns the same with the wrist locked and the forearm level at home, as in the table of its lengths. What the hand
-/// carries is then tilted and goes through the vice; the sphere alone does not know.
-[[nodiscard]] Layout locked_layout();
-
 }  // namespace touchstone::kinematics

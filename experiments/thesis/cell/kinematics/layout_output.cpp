@@ -209,9 +209,6 @@ std::string layout_table(const LayoutStudy& study) {
                   : fmt::format("{} at {:.6f}, {:.3f} from the next degree\n", to_string(m.until), m.exact, m.margin);
     }
   }
-  text += fmt::format(
-      "storage at -60 to 60 degrees: base {:g} + angle and 67 - angle, net elbow +35, net shoulder +28 in {} of {}\n",
-      kStorageHome, study.predictions.all, study.predictions.places);
   for (const Hand hand : kHands)
     for (const Coupling coupling : kCouplings) {
       const auto is_so = [&](const Member& m) { return m.linkage.hand == hand && m.linkage.coupling == coupling; };
@@ -256,10 +253,9 @@ run::Command layout_command() {
   run::Command command("layout", "Find the home pose and places that reproduce the thesis's captioned angles");
   command.footer(
       "Solves for the home pose, storage and machine that reproduce both case studies' angles to the degree. Shows "
-      "the family of solutions, the chosen one, and what it predicts for other angles.");
-  command.flag(
-      "--quick", options->quick,
-      "Coarser steps between the home poses of the family; the chosen layout and its predictions are the same");
+      "the family of solutions, the chosen one, and how far each of its values may be moved alone.");
+  command.flag("--quick", options->quick,
+               "Coarser steps between the home poses of the family; the chosen layout is the same");
   run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
   run::declare_printing(command, *options);
   command.writes(kinematics::layout_tables());

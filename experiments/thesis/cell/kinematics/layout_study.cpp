@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -34,13 +33,7 @@ const cell::Cell& aristo_cell() {
   return cell;
 }
 
-}  // namespace
-
-std::string_view name_of(std::size_t joint) {
-  constexpr std::array<std::string_view, 3> names{"base", "shoulder", "elbow"};
-  return names.at(joint);
-}
-
+/// The cell as in a layout; the bodies of gripper and stations stay as they are.
 cell::Cell laid_out(cell::Cell cell, const Layout& layout, const Station& storage) {
   cell.robot.couplings = couplings_of(layout);
   const Angles home = home_pose(layout);
@@ -63,13 +56,21 @@ cell::Cell laid_out(cell::Cell cell, const Layout& layout, const Station& storag
   return cell;
 }
 
-cell::Process rehearse(const Layout& layout, const Station& storage) {
+}  // namespace
+
+std::string_view name_of(std::size_t joint) {
+  constexpr std::array<std::string_view, 3> names{"base", "shoulder", "elbow"};
+  return names.at(joint);
+}
+
+cell::Process rehearse(const Layout& layout, const Station& storage, const cases::Method* drive) {
   const cell::Cell cell = laid_out(aristo_cell(), layout, storage);
   std::vector<cell::ModelPart> parts;  // the sphere finds nothing but the material
   parts.push_back({cell::Carrier::Material, 0, "material", cell::faces_of(cell.material.solid, "material")});
   try {
     const cell::Workcell workcell(cell, parts, std::make_shared<const std::vector<cell::Covered>>());
-    return cell::simulate(workcell, {.last = cell::Phase::ToMachine, .sphere_alone = true});
+    return cell::simulate(workcell,
+                          {.last = cell::Phase::ToMachine, .sphere_alone = true, .drive = drive, .finds_ways = false});
   } catch (const cell::BadCell& error) {
     cell::Process none;
     none.failure = error.what();
@@ -112,9 +113,6 @@ std::string difference(const cell::Process& process, const Captions& captions) {
 
 namespace {
 
-constexpr int kLargestAngle = 60;  // of the storage
-constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1;
-
 /// Empty if both cases have the captions' values.
 std::string failure_of(const Layout& layout) {
   for (std::size_t i = 0; i < kCases.size(); ++i)
@@ -123,57 +121,39 @@ std::string failure_of(const Layout& layout) {
   return "";
 }
 
-/// The furthest change, of up to 100, in one direction that keeps the captions, to 0.001.
-double furthest(const Layout& layout, const std::function<void(Layout&, double)>& change, double direction) {
-  const auto holds = [&](double by) {
-    Layout changed = layout;
-    change(changed, direction * by);
-    return failure_of(changed).empty();
-  };
-  double low = 0, high = 0.125;
-  while (high <= 100 && holds(high)) low = high, high *= 2;
-  while (high - low > 0.001) {
-    const double middle = (low + high) / 2;
-    (holds(middle) ? low : high) = middle;
-  }
-  return direction * low;
-}
-
-struct Parameter {
-  const char *name, *unit;
-  std::function<double&(Layout&)> of;
-};
-
-const std::array<Parameter, 12> kParameters{{
-    {"home lean of the upper arm", "deg", [](Layout& l) -> double& { return l.home.lean; }},
-    {"home elevation of the forearm", "deg", [](Layout& l) -> double& { return l.home.elevation; }},
-    {"sphere radius", "mm", [](Layout& l) -> double& { return l.sphere_radius; }},
-    {"sphere distance from the flange", "mm", [](Layout& l) -> double& { return l.sphere_distance; }},
-    {"material side", "mm", [](Layout& l) -> double& { return l.side; }},
-    {"gap between station axis and material", "mm", [](Layout& l) -> double& { return l.gap; }},
-    {"drop onto the place at the machine", "mm", [](Layout& l) -> double& { return l.drop; }},
-    {"storage radius in case 1", "mm", [](Layout& l) -> double& { return l.storage_radius[0]; }},
-    {"storage radius in case 2", "mm", [](Layout& l) -> double& { return l.storage_radius[1]; }},
-    {"machine radius", "mm", [](Layout& l) -> double& { return l.machine_radius; }},
-    {"machine height", "mm", [](Layout& l) -> double& { return l.machine_height; }},
-    {"clearance of the lift", "mm", [](Layout& l) -> double& { return l.clearance; }},
+const std::array<Parameter, 13> kParameters{{
+    {"storage height", "mm",
+     [](Layout& l) {
+       return std::vector{&l.storage_height[0], &l.storage_height[1]};
+     }},
+    {"home lean of the upper arm", "deg", [](Layout& l) { return std::vector{&l.home.lean}; }},
+    {"home elevation of the forearm", "deg", [](Layout& l) { return std::vector{&l.home.elevation}; }},
+    {"sphere radius", "mm", [](Layout& l) { return std::vector{&l.sphere_radius}; }},
+    {"sphere distance from the flange", "mm", [](Layout& l) { return std::vector{&l.sphere_distance}; }},
+    {"material side", "mm", [](Layout& l) { return std::vector{&l.side}; }},
+    {"gap between station axis and material", "mm", [](Layout& l) { return std::vector{&l.gap}; }},
+    {"drop onto the place at the machine", "mm", [](Layout& l) { return std::vector{&l.drop}; }},
+    {"storage radius in case 1", "mm", [](Layout& l) { return std::vector{&l.storage_radius[0]}; }},
+    {"storage radius in case 2", "mm", [](Layout& l) { return std::vector{&l.storage_radius[1]}; }},
+    {"machine radius", "mm", [](Layout& l) { return std::vector{&l.machine_radius}; }},
+    {"machine height", "mm", [](Layout& l) { return std::vector{&l.machine_height}; }},
+    {"clearance of the lift", "mm", [](Layout& l) { return std::vector{&l.clearance}; }},
 }};
-
-Choice choice_of(const Layout& layout, const char* name, const char* unit, double value,
-                 const std::function<void(Layout&, double)>& change) {
-  return {name, unit, value, value + furthest(layout, change, -1), value + furthest(layout, change, 1)};
-}
 
 }  // namespace
 
-void Predictions::take(double angle, const cell::Process& path) {
-  ++places;
-  if (path.cause) return;
-  const double azimuth = kStorageHome + angle;
-  const bool there = path.turned(cell::kBase, cell::Phase::ToStorage) == azimuth,
-             back = path.turned(cell::kBase, cell::Phase::ToMachine) == kMachineAzimuth - azimuth,
-             level = path.net(cell::kElbow) == 35 && path.net(cell::kShoulder) == 28;
-  to_storage += there, to_machine += back, net += level, all += there && back && level;
+const std::array<Parameter, 13>& parameters() { return kParameters; }
+
+double furthest(const Layout& layout, const Parameter& parameter, double direction, double precision,
+                const std::function<bool(const Layout&)>& holds) {
+  const auto holds_at = [&](double by) { return holds(parameter.moved(layout, direction * by)); };
+  double low = 0, high = 0.125;
+  while (high <= 100 && holds_at(high)) low = high, high *= 2;
+  while (high - low > precision) {
+    const double middle = (low + high) / 2;
+    (holds_at(middle) ? low : high) = middle;
+  }
+  return direction * low;
 }
 
 Member study_home(const Linkage& linkage, const LinkAngles& home) {
@@ -182,13 +162,10 @@ Member study_home(const Linkage& linkage, const LinkAngles& home) {
   return member;
 }
 
-std::size_t free_parameters() { return kParameters.size() + 1; }  // and the storage's height
-
 std::uint64_t layout_work(HomeSteps steps) {
   const auto angles = [](int step) { return 2 * std::size_t{kHomeReach} / static_cast<std::size_t>(step) + 1; };
   const std::size_t grid = angles(steps.grid);
-  return kCouplings.size() * kHands.size() * (grid * grid + angles(steps.line)) + free_parameters() +
-         kCases.size() * kAngles;
+  return kCouplings.size() * kHands.size() * (grid * grid + angles(steps.line)) + kParameters.size();
 }
 
 std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>& stop,
@@ -218,22 +195,15 @@ std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>
   study.chosen = chosen_layout();
   const Layout& layout = study.chosen;
   for (std::size_t i = 0; i < kCases.size(); ++i) study.cases.push_back(rehearse_case(layout, i));
-  study.choices.push_back(choice_of(layout, "storage height", "mm", layout.storage_height[0], [](Layout& l, double by) {
-    for (double& height : l.storage_height) height += by;
-  }));
-  if (stopped()) return std::nullopt;
   for (const Parameter& parameter : kParameters) {
-    Layout copy = layout;
-    study.choices.push_back(choice_of(layout, parameter.name, parameter.unit, parameter.of(copy),
-                                      [&](Layout& l, double by) { parameter.of(l) += by; }));
+    const double value = parameter.value(layout);
+    const auto end = [&](double direction) {
+      return value + furthest(layout, parameter, direction, 0.001,
+                              [](const Layout& changed) { return failure_of(changed).empty(); });
+    };
+    study.choices.push_back({parameter.name, parameter.unit, value, end(-1), end(1)});
     if (stopped()) return std::nullopt;
   }
-
-  for (std::size_t place = 0; place < kCases.size(); ++place)
-    for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
-      study.predictions.take(angle, rehearse(layout, layout.storage(place, angle)));
-      if (stopped()) return std::nullopt;
-    }
   return study;
 }
 

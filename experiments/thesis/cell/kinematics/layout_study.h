@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -11,21 +12,19 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/cases/method.h"
 #include "experiments/thesis/cell/kinematics/layout.h"
 #include "experiments/thesis/cell/model/cell.h"
 #include "experiments/thesis/cell/simulation/process.h"
 
 /// Layouts as cells, whose process is simulated by the thesis's rule: the sphere alone, from home by the storage to the
-/// machine.
+/// machine. With them `touchstone cell layout` computes the layouts that reproduce the captioned angles.
 namespace touchstone::kinematics {
 
-/// Returns the cell with the joints' couplings and home, the sphere, the material, its slots and the places of the
-/// stations as in a layout. Requires a cell of the Aristo's joints. Bodies of gripper and stations stay as they are.
-[[nodiscard]] cell::Cell laid_out(cell::Cell cell, const Layout& layout, const Station& storage);
-
-/// Simulates a layout in the Aristo's cell with the storage at a place. If the arm cannot be simulated, the process has
-/// no moves and says why.
-[[nodiscard]] cell::Process rehearse(const Layout& layout, const Station& storage);
+/// Simulates a layout in the Aristo's cell with the storage at a place; `drive` is that of cell::Rule. If the arm
+/// cannot be simulated, the process has no moves and says why.
+[[nodiscard]] cell::Process rehearse(const Layout& layout, const Station& storage,
+                                     const cases::Method* drive = nullptr);
 /// The same with the storage as in case 0 or 1.
 [[nodiscard]] cell::Process rehearse_case(const Layout& layout, std::size_t number);
 
@@ -36,12 +35,6 @@ namespace touchstone::kinematics {
 [[nodiscard]] std::vector<std::pair<AristoJoint, int>> moves_of(const Captions& captions);
 /// Returns how the captions of a case differ from a process up to the machine; empty if they agree to the degree.
 [[nodiscard]] std::string difference(const cell::Process& process, const Captions& captions);
-
-}  // namespace touchstone::kinematics
-
-/// The computations of `touchstone cell layout`: the layouts that reproduce the captioned angles, the chosen layout,
-/// and its predictions.
-namespace touchstone::kinematics {
 
 /// A home pose of the family and its layout.
 struct Member {
@@ -61,26 +54,29 @@ struct HomeSteps {
 
 /// The leans and elevations of home poses go as far from 0, in degrees.
 inline constexpr int kHomeReach = 60;
-/// Returns how many values of a layout are chosen freely: those that LayoutStudy::choices lists.
-[[nodiscard]] std::size_t free_parameters();
+
+/// A value of a layout that is chosen freely.
+struct Parameter {
+  const char *name, *unit;
+  std::function<std::vector<double*>(Layout&)> of;  ///< one place, or two that hold the same
+
+  [[nodiscard]] double value(Layout layout) const { return *of(layout).front(); }
+  [[nodiscard]] Layout moved(Layout layout, double by) const {
+    for (double* each : of(layout)) *each += by;
+    return layout;
+  }
+};
+[[nodiscard]] const std::array<Parameter, 13>& parameters();
+
+/// Returns by how much a value may be moved alone, up (direction 1) or down (-1), while `holds` is true: found by
+/// doubling the change up to 128, then by bisection to `precision`. Requires a layout that holds.
+[[nodiscard]] double furthest(const Layout& layout, const Parameter& parameter, double direction, double precision,
+                              const std::function<bool(const Layout&)>& holds);
 
 /// A chosen value, and the range in which it may vary alone while the captions of both cases are reproduced.
 struct Choice {
   std::string name, unit;
   double value, lowest, highest;
-};
-
-/// Counts of processes up to the machine, by the sphere alone, that keep what the captions imply for every angle of the
-/// storage.
-struct Predictions {
-  std::uint64_t places = 0;
-  std::uint64_t to_storage = 0;  ///< the base turned by 150 degrees less the storage's angle, clockwise
-  std::uint64_t to_machine = 0;  ///< and then by 67 less the angle, counter-clockwise
-  std::uint64_t net = 0;         ///< elbow and shoulder were at +35 and +28 at the machine
-  std::uint64_t all = 0;         ///< all three
-
-  /// Takes the process of a storage at an angle.
-  void take(double angle, const cell::Process& path);
 };
 
 struct LayoutStudy {
@@ -89,8 +85,7 @@ struct LayoutStudy {
       one_height;  ///< elevations by HomeSteps::line: those with one height of the storage in both cases
   Layout chosen;
   std::vector<cell::Process> cases;  ///< in the chosen layout
-  std::vector<Choice> choices;
-  Predictions predictions;  ///< for every whole angle from -60 to 60, in both cases' places
+  std::vector<Choice> choices;       ///< of all parameters
 };
 
 /// Receives how much of `layout_work` is done.

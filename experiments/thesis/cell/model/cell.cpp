@@ -2,6 +2,7 @@
 #include "experiments/thesis/cell/model/cell.h"
 
 #include <stdexcept>
+#include <vector>
 
 #include "experiments/cases/workloads/degrees.h"
 #include "experiments/thesis/cell/model/poses.h"
@@ -14,6 +15,12 @@ Label label_of(const std::map<std::string, Label>& labels, const std::string& pa
     if (const auto found = labels.find(path.substr(0, length)); found != labels.end()) return found->second;
   }
   throw std::out_of_range("nothing is said of where " + path + " comes from");
+}
+
+std::vector<Part> parts_of(const Gripper& gripper) {
+  std::vector<Part> parts = gripper.parts;
+  if (gripper.fingers) parts.insert(parts.end(), gripper.fingers->parts.begin(), gripper.fingers->parts.end());
+  return parts;
 }
 
 Pose pose_of(const Station& station) {

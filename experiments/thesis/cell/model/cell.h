@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -54,11 +55,13 @@ struct Joint {
 
   std::string name;
   Kind kind;
-  Pose origin;           ///< of its frame in the frame of the previous link, at angle 0
-  Eigen::Vector3d axis;  ///< in its own frame, of length 1 up to rounding; turns are right-handed
-  double lower, upper;   ///< of the angle about the axis, in degrees, or of a way along it; 0 for a fixed joint
-  double home;           ///< the commanded angle at home, in degrees; 0 for a fixed joint
-  double speed = 0;      ///< the greatest, in degrees per second; 0 if unknown
+  Pose origin;              ///< of its frame in the frame of the previous link, at angle 0
+  Eigen::Vector3d axis;     ///< in its own frame, of length 1 up to rounding; turns are right-handed
+  double lower, upper;      ///< of the angle about the axis, in degrees, or of a way along it; 0 for a fixed joint
+  double home;              ///< the commanded angle at home, in degrees; 0 for a fixed joint
+  double speed = 0;         ///< the greatest, in degrees per second; 0 if unknown
+  double acceleration = 0;  ///< the greatest, in degrees per second squared; 0 if it has its speed at once
+  bool mimics = false;      ///< whether the URDF couples it to another: it has no command of its own but `home`
 };
 
 /// A coupling of two joints: the angle of `joint` about its axis is its command plus `factor` times the command of
@@ -86,6 +89,7 @@ struct Robot {
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<Coupling> couplings;
+  std::vector<std::string> warnings = {};  ///< what of the URDF is left out, or taken otherwise than it is written
 
   [[nodiscard]] const Link& flange() const { return links.back(); }
 };
@@ -100,14 +104,23 @@ struct Gripper {
   std::vector<Part> parts;
   Ball sphere;  ///< the virtual sphere that is tested for contact
 
-  /// When the gripper holds: if what is between its fingers could be shifted along a direction, either way, by no more
-  /// than `play` before it meets a finger.
-  struct Hold {
-    Eigen::Vector3d along;  ///< of length 1
-    double play;            ///< > 0
+  /// Two prismatic joints, each with a part: the first closes along a direction, the second against it.
+  struct Fingers {
+    std::array<Part, 2> parts;  ///< as they are when the gripper is open
+    Eigen::Vector3d along;      ///< of length 1
+    double stroke;              ///< of each; > 0
+
+    /// Returns by how much a finger is shifted once it has closed by a way.
+    [[nodiscard]] Eigen::Vector3d shift(std::size_t finger, double way) const {
+      return finger == 0 ? Eigen::Vector3d(way * along) : Eigen::Vector3d(-way * along);
+    }
   };
-  std::optional<Hold> hold;  ///< if none, the gripper holds whatever the sphere touches
+  std::optional<Fingers> fingers;                ///< if none, whatever the sphere touches sticks to the gripper
+  double grip_seconds = 0, release_seconds = 0;  ///< that it takes
 };
+
+/// Returns the parts of an open gripper, its fingers last.
+[[nodiscard]] std::vector<Part> parts_of(const Gripper& gripper);
 
 /// A place for a piece of material.
 struct Slot {
@@ -160,6 +173,7 @@ struct Material {
     double distance, degrees;
   };
   std::optional<Tolerance> tolerance;  ///< if none, it may be anywhere
+  double milling_seconds = 0;          ///< that the machine takes for it
 };
 
 /// One robot, the piece of material that it handles, and everything that stands about it, in the robot's frame. A cell

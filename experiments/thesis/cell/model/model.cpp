@@ -22,6 +22,8 @@ std::vector<Named> solids_of(const Cell& cell) {
   const Robot& robot = cell.robot;
   for (std::size_t i = 0; i < robot.links.size(); ++i) add(Carrier::Link, i, robot.links[i].name, robot.links[i].parts);
   add(Carrier::Gripper, robot.links.size() - 1, "gripper", cell.gripper.parts);
+  if (const auto& fingers = cell.gripper.fingers)
+    add(Carrier::Finger, robot.links.size() - 1, "gripper", {fingers->parts.begin(), fingers->parts.end()});
   const auto add_station = [&](Carrier carrier, const Station& station) {
     add(carrier, 0, station.name, station.parts);
     if (station.stand) result.push_back({carrier, 0, station.name + "/stand", stand_of(station)});
@@ -36,7 +38,8 @@ std::vector<Named> solids_of(const Cell& cell) {
 }  // namespace
 
 std::string_view to_string(Carrier carrier) {
-  constexpr std::array<std::string_view, 6> words{"link", "gripper", "storage", "machine", "obstacle", "material"};
+  constexpr std::array<std::string_view, 7> words{"link",    "gripper",  "finger",  "storage",
+                                                  "machine", "obstacle", "material"};
   return words[static_cast<std::size_t>(carrier)];
 }
 

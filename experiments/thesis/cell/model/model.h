@@ -14,7 +14,7 @@ namespace touchstone::cell {
 
 /// The carrier of a part: the part moves with it, and its faces are in the carrier's frame; that of an obstacle is the
 /// cell.
-enum class Carrier { Link, Gripper, Storage, Machine, Obstacle, Material };
+enum class Carrier { Link, Gripper, Finger, Storage, Machine, Obstacle, Material };
 
 /// `link`, `gripper`, ...
 [[nodiscard]] std::string_view to_string(Carrier carrier);
@@ -22,13 +22,14 @@ enum class Carrier { Link, Gripper, Storage, Machine, Obstacle, Material };
 struct ModelPart {
   Carrier carrier;
   std::size_t
-      link;  ///< index in Robot::links; the flange's for the gripper, 0 for parts that do not belong to the robot
+      link;  ///< index in Robot::links; the flange's for gripper and fingers, 0 for parts that do not belong to the robot
   std::string name;  ///< `Axis1/body`, `gripper/jaws`, `storage/deck`, `storage/stand`, `machine/bed`, `fence`,
                      ///< `material`
   SolidFaces faces;
 };
 
-/// Evaluates every part of a cell: links in order from the base, gripper, storage, machine, obstacles, material.
+/// Evaluates every part of a cell: links in order from the base, gripper, fingers, storage, machine, obstacles,
+/// material.
 ///
 /// Calls `done`, if given, after each part with the number of finished parts and of all. Throws what faces_of throws;
 /// messages begin with the name of the part. Cost: that of faces_of.

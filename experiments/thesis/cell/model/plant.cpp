@@ -76,7 +76,7 @@ Cell cell_of(const Plant& plant, std::size_t number) {
     const std::vector<Pose> links = home_poses(robot);
     for (std::size_t k = 0; k < links.size(); ++k)
       add(cell.obstacles, name + "/" + robot.links[k].name, robot.links[k].parts, within(here(frame), links[k]));
-    add(cell.obstacles, name + "/gripper", gripper.parts, within(here(frame), links.back()));
+    add(cell.obstacles, name + "/gripper", parts_of(gripper), within(here(frame), links.back()));
   }
   const auto add_stations = [&](const std::vector<Plant::PlacedStation>& stations, std::size_t served) {
     for (std::size_t i = 0; i < stations.size(); ++i) {

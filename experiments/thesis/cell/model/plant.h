@@ -40,12 +40,12 @@ struct Plant {
   std::string name;
   workloads::Unit unit;
   double step, clearance;
-  std::vector<PlacedRobot> robots;                ///< at least one
-  std::vector<PlacedStation> storages, machines;  ///< at least one each
-  std::vector<Piece> pieces;                      ///< at least one
-  std::vector<Part> obstacles;
-  std::vector<Zone> zones;
-  std::map<std::string, Label> labels;
+  std::vector<PlacedRobot> robots = {};                     ///< at least one
+  std::vector<PlacedStation> storages = {}, machines = {};  ///< at least one each
+  std::vector<Piece> pieces = {};                           ///< at least one
+  std::vector<Part> obstacles = {};
+  std::vector<Zone> zones = {};
+  std::map<std::string, Label> labels = {};
 };
 
 /// Returns what one robot does with one piece, in the frame of that robot: everything else stands about it. Labels of

@@ -17,6 +17,7 @@ namespace touchstone::cell {
 namespace {
 
 constexpr int kMoved = 3;  // the process moves the first three joints that turn
+constexpr double kNear = 1e-9;
 
 struct Span {
   double least, most;
@@ -27,7 +28,8 @@ std::optional<Span> plan_distances(const Reach& reach, double up) {
   if (std::abs(up) > reach.outer) return std::nullopt;
   const double far = std::sqrt(reach.outer * reach.outer - up * up),
                near = std::sqrt(std::max(0.0, reach.inner * reach.inner - up * up));
-  return Span{near <= reach.radius ? 0 : reach.radius + near, reach.radius + far};
+  const auto from_axis = [&](double ahead) { return std::hypot(std::max(0.0, ahead), reach.beside); };
+  return Span{from_axis(near <= reach.radius ? 0 : reach.radius + near), from_axis(reach.radius + far)};
 }
 
 /// The radii of a station at which the sphere can be brought down upon material in its slot.
@@ -73,7 +75,8 @@ std::optional<std::string> fault(const Cell& cell, const Station& station, const
     const Eigen::Vector3d middle = slot.place + material.center();
     const Eigen::Vector2d at = in_plan(station, middle.head<2>());  // the azimuth does not change the distance
     const double distance = reach.distance({at.x(), at.y(), station.height + middle.z()});
-    if (distance > reach.outer + around || distance < reach.inner - around)
+    // If the plane is beside the axis, a point may be nearer to the circle than to the joint, so none is too near.
+    if (distance > reach.outer + around || (reach.beside == 0 && distance < reach.inner - around))
       return fmt::format(
           "{}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "
           "its sphere {:.6g} to {:.6g} away; {}",
@@ -86,8 +89,10 @@ std::optional<std::string> fault(const Cell& cell, const Station& station, const
 }  // namespace
 
 double Reach::distance(const Eigen::Vector3d& point) const {
-  return std::hypot(std::hypot(point.x(), point.y()) - radius, point.z() - height);
+  return std::hypot(std::hypot(point.x(), point.y()) - std::hypot(radius, beside), point.z() - height);
 }
+
+double Reach::furthest() const { return std::hypot(radius + outer, beside); }
 
 Reach reach_of(const Cell& cell) {
   const Robot& robot = cell.robot;
@@ -97,6 +102,7 @@ Reach reach_of(const Cell& cell) {
   Pose frame = robot.base;
   int turning = 0;
   std::size_t third = robot.joints.size();
+  Eigen::Vector3d across = Eigen::Vector3d::Zero();  // along the second joint
   std::optional<Eigen::Vector3d> hand;  // where a joint undoes the turning of the third: the hand behind it stays level
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const Joint& joint = robot.joints[i];
@@ -105,6 +111,7 @@ Reach reach_of(const Cell& cell) {
     if (joint.kind == Joint::Kind::Fixed) continue;
     double angle = joint.home;
     if (++turning == kMoved) third = i;
+    if (turning == 2) across = frame.rotation * joint.axis.normalized();
     for (const Coupling& coupling : robot.couplings)
       if (coupling.joint == i) {
         angle += coupling.factor * robot.joints[coupling.leader].home;
@@ -117,6 +124,12 @@ Reach reach_of(const Cell& cell) {
   const Eigen::Vector3d center = frame.translation + frame.rotation * cell.gripper.sphere.center;
   points.push_back(hand ? *hand : center);
   const Eigen::Vector3d level = center - points.back();  // the same in every pose
+  Eigen::Vector3d ahead = across.cross(Eigen::Vector3d::UnitZ());
+  if (ahead.dot(center) < 0) ahead = -ahead;
+  double beside = std::abs(across.dot(center));
+  if (beside < kNear * center.norm()) beside = 0;
+  if (beside > 0)
+    for (Eigen::Vector3d& point : points) point -= across.dot(point) * across;
   double sum = 0, longest = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double length = (points[i] - points[i - 1]).norm();
@@ -124,8 +137,7 @@ Reach reach_of(const Cell& cell) {
     longest = std::max(longest, length);
   }
   const Eigen::Vector3d& second = points.front();
-  return {std::hypot(second.x(), second.y()) + level.x(), second.z() + level.z(), std::max(0.0, 2 * longest - sum),
-          sum};
+  return {beside, (second + level).dot(ahead), second.z() + level.z(), std::max(0.0, 2 * longest - sum), sum};
 }
 
 std::optional<std::string> reach_fault(const Cell& cell) {

@@ -9,18 +9,23 @@
 
 namespace touchstone::cell {
 
-/// The region in which the arm can hold the centre of its sphere during the process: at a distance from `inner` to
-/// `outer` from some point of the circle about the cell's z axis on which the second joint's origin lies; if the hand
-/// stays level, of that circle shifted by what the sphere hangs from the hand's joint. Only the first three joints that
-/// turn and the joints that follow others move; all other joints stay as they are at home.
+/// The region in which the arm can hold the centre of its sphere during the process. The first joint turns a vertical
+/// plane about the cell's z axis, in which the centre moves. Projected into it, the centre is `inner` to `outer` away
+/// from the second joint or, if the hand stays level, from that joint shifted by what the sphere hangs from the hand's
+/// joint. Only the first three joints that turn and the joints that follow others move; all other joints stay as they
+/// are at home.
 ///
 /// Ignores joint limits and the directions of axes, so it is a necessary condition only: points outside the region are
 /// out of reach, points inside may be out of reach, too.
 struct Reach {
-  double radius, height;  ///< of the circle
+  double beside;          ///< the distance of the plane from the axis
+  double radius, height;  ///< of the second joint, so projected and shifted: how far ahead of the axis, and how high
   double inner, outer;
 
-  /// Returns the distance of a point of the cell from the nearest point of the circle.
+  /// Returns the greatest distance of the centre from the cell's z axis.
+  [[nodiscard]] double furthest() const;
+
+  /// Returns the distance of a point of the cell from the circle on which the first joint turns that place.
   [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
 };
 

@@ -112,14 +112,7 @@ Plant read_plant(const std::filesystem::path& file, const std::optional<std::fil
               .name = whole.at("name").text(),
               .unit = context.unit,
               .step = whole.at("step").positive(),
-              .clearance = whole.at("clearance").positive(),
-              .robots = {},
-              .storages = {},
-              .machines = {},
-              .pieces = {},
-              .obstacles = {},
-              .zones = {},
-              .labels = {}};
+              .clearance = whole.at("clearance").positive()};
   if (plant.step > 90) whole.at("step").bad(fmt::format("must be at most 90, is {}", plant.step));
   read_things(plant, whole, folder, context);
   read_labels(plant.labels, whole);

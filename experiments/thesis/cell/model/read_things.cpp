@@ -166,8 +166,8 @@ std::size_t meant(const CellEntry& entry, const std::string& key, const std::vec
 Plant::PlacedRobot read_placed(const Given& thing, const CellEntry& whole, const std::filesystem::path& folder,
                                const SolidContext& context) {
   const CellEntry& entry = thing.entry;
-  thing.has_only({"name", "place", "turn", "gripper"},
-                 {"urdf", "height", "home", "speeds", "sides", "coupling", "links", "packages"});
+  thing.has_only({"name", "place", "turn", "gripper"}, {"urdf", "height", "home", "speeds", "accelerations", "sides",
+                                                        "coupling", "links", "packages", "root", "tip", "still"});
   Plant::PlacedRobot placed{thing.name, {}, 0, read_robot(entry, folder, context), {}};
   placed.gripper = read_gripper(thing.listed ? entry.at("gripper") : whole.at("gripper"), context);
   if (const auto place = entry.find("place")) placed.frame.translation.head<2>() = place->point2();
@@ -188,7 +188,8 @@ struct Handlers {
 
 Plant::Piece read_piece(const Given& thing, const Plant& plant, const Handlers& by, const SolidContext& context) {
   const CellEntry& entry = thing.entry;
-  thing.has_only({"name"}, {"robot", "storage", "machine", "solid", "slot", "machine_slot", "drop", "tolerance"});
+  thing.has_only({"name"}, {"robot", "storage", "machine", "solid", "slot", "machine_slot", "drop", "tolerance",
+                            "milling_seconds"});
   Plant::Piece piece{thing.name,
                      entry.path(),
                      {},
@@ -200,6 +201,7 @@ Plant::Piece read_piece(const Given& thing, const Plant& plant, const Handlers& 
                     .slot = slot_named(storage, entry.at("slot")),
                     .machine_slot = slot_named(machine, entry.at("machine_slot")),
                     .tolerance = {}};
+  if (const auto seconds = entry.find("milling_seconds")) piece.material.milling_seconds = seconds->positive();
   if (const auto drop = entry.find("drop")) piece.material.drop = drop->not_negative();
   if (const auto tolerance = entry.find("tolerance")) {
     tolerance->has_only({"distance", "degrees"});
@@ -275,9 +277,12 @@ void read_things(Plant& plant, const CellEntry& whole, const std::filesystem::pa
   for (const char* list : {"obstacles", "zones"})
     if (const auto entries = whole.find(list))
       for (const CellEntry& entry : entries->items()) names.take(entry.at("name"));
-  for (const Given& robot : robots)
-    for (const CellEntry& part : (robot.listed ? robot.entry.at("gripper") : whole.at("gripper")).at("parts").items())
-      names.refuse(part.at("name"));
+  for (const Given& robot : robots) {
+    const CellEntry gripper = robot.listed ? robot.entry.at("gripper") : whole.at("gripper");
+    for (const CellEntry& part : gripper.at("parts").items()) names.refuse(part.at("name"));
+    if (const auto fingers = gripper.find("fingers"))
+      for (const CellEntry& part : fingers->at("parts").items()) names.refuse(part.at("name"));
+  }
   for (const Plant::Piece& piece : plant.pieces)
     for (const Part& part : plant.storages[piece.storage].station.parts)
       if (part.name == piece.name)

@@ -2,102 +2,30 @@
 #include "experiments/thesis/cell/model/read_urdf.h"
 
 #include <console_bridge/console.h>
-#include <expat.h>
 #include <fmt/core.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
-#include <new>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "experiments/thesis/cell/first_contact/arc.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
+#include "experiments/thesis/cell/model/poses.h"
+#include "experiments/thesis/cell/model/urdf_text.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 namespace {
-
-/// Thrown for text that is not XML, or XML that exceeds our limits; the message begins with the line.
-class BadXml : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The lines of the root element and of its direct children, if they have a `name`, by kind and name; the first of
-/// several with the same name.
-using XmlLines = std::map<std::pair<std::string, std::string>, std::size_t, std::less<>>;
-
-/// Limits of XML that is read: the parser of urdfdom recurses from level to level, in time quadratic in their number,
-/// looks for an attribute among all of its element's, and frees a chain of links by recursion.
-constexpr std::size_t kMostXmlLevels = 64, kMostXmlAttributes = 64, kMostXmlElements = 100'000,
-                      kMostNamedInRoot = 2'000;
-
-/// Checks that a text is well-formed XML in UTF-8 within these limits, without a document type, by expat, which does
-/// not recurse. Exceptions cannot pass through expat, so the first fault stops the parser.
-class XmlCheck {
- public:
-  XmlCheck() : parser_(XML_ParserCreate("UTF-8"), XML_ParserFree) {
-    if (!parser_) throw std::bad_alloc();
-    XML_SetUserData(parser_.get(), this);
-    XML_SetElementHandler(
-        parser_.get(), [](void* self, const char* name, const char** attributes) { of(self).begin(name, attributes); },
-        [](void* self, const char*) { --of(self).levels_; });
-    XML_SetStartDoctypeDeclHandler(parser_.get(), [](void* self, const char*, const char*, const char*, int) {
-      of(self).refuse("a document type is not read");
-    });
-    // urdfdom's parser ends an instruction at the first '>', and would take what follows for elements.
-    XML_SetProcessingInstructionHandler(parser_.get(), [](void* self, const char*, const char* data) {
-      if (std::string_view(data).find('>') != std::string_view::npos) of(self).refuse("an instruction holds a '>'");
-    });
-  }
-
-  /// Throws BadXml. Cost: linear in the length of the text.
-  XmlLines lines(std::string_view text) {
-    const XML_Status status = XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
-    if (!fault_.empty()) throw BadXml(fault_);
-    if (status != XML_STATUS_OK)
-      throw BadXml(
-          fmt::format("line {}: is not XML in UTF-8: {}", line(), XML_ErrorString(XML_GetErrorCode(parser_.get()))));
-    return std::move(lines_);
-  }
-
- private:
-  static XmlCheck& of(void* self) { return *static_cast<XmlCheck*>(self); }
-  [[nodiscard]] std::size_t line() const { return XML_GetCurrentLineNumber(parser_.get()); }
-
-  void refuse(const std::string& reason) {
-    if (fault_.empty()) fault_ = fmt::format("line {}: {}", line(), reason);
-    XML_StopParser(parser_.get(), XML_FALSE);
-  }
-
-  void begin(const char* element, const char** attributes) {
-    if (++levels_ > kMostXmlLevels) refuse(fmt::format("elements are nested in more than {} levels", kMostXmlLevels));
-    if (++elements_ > kMostXmlElements) refuse(fmt::format("there are more than {} elements", kMostXmlElements));
-    std::size_t count = 0;
-    for (const char** attribute = attributes; *attribute != nullptr; attribute += 2) {
-      ++count;
-      if (levels_ <= 2 && std::string_view(*attribute) == "name") lines_.try_emplace({element, attribute[1]}, line());
-    }
-    if (count > kMostXmlAttributes) refuse(fmt::format("an element has more than {} attributes", kMostXmlAttributes));
-    if (lines_.size() > kMostNamedInRoot)
-      refuse(fmt::format("there are more than {} links, joints and other named elements", kMostNamedInRoot));
-  }
-
-  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
-  std::size_t levels_ = 0, elements_ = 0;
-  XmlLines lines_;
-  std::string fault_;
-};
 
 /// Collects the messages of urdfdom during its lifetime.
 class Sentences : public console_bridge::OutputHandler {
@@ -132,20 +60,36 @@ class UrdfReader {
   UrdfReader(std::string file, const XmlLines& lines, int sides, const SolidContext& context)
       : file_(std::move(file)), lines_(lines), sides_(sides), context_(context) {}
 
-  [[nodiscard]] Robot robot(const urdf::ModelInterface& model) const {
+  [[nodiscard]] Robot robot(const urdf::ModelInterface& model, const UrdfEnds& ends) {
     Robot robot;
     robot.name = model.getName();
     require_legible(location("robot", robot.name), robot.name);
     robot.urdf = file_;
-    for (urdf::LinkConstSharedPtr at = model.getRoot(); at;) {
-      robot.links.push_back(link(*at));
-      if (at->child_joints.empty()) break;
-      if (at->child_joints.size() > 1)
-        location("link", at->name).bad("has more than one child; a serial arm is expected");
-      robot.joints.push_back(joint(*at->child_joints.front()));
-      at = at->child_links.front();
+    const auto chain = chain_of(model, ends, file_);
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      robot.links.push_back(link(*chain[i]));
+      if (i > 0) robot.joints.push_back(joint(*chain[i]->parent_joint));
     }
     if (robot.joints.empty()) throw BadCell(file_ + ": the robot has no joints");
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      if (chain[i]->parent_joint->mimic) couple(robot, i - 1, *chain[i]->parent_joint);
+    const std::set<urdf::LinkConstSharedPtr> links(chain.begin(), chain.end());
+    std::string bare;
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      for (const urdf::JointSharedPtr& side : chain[i]->child_joints)
+        if (const auto child = model.getLink(side->child_link_name); !links.contains(child))
+          carry(robot.links[i], model, *child, rest(model, *side), bare);
+    if (!bare.empty()) warn(fmt::format("{}: links without shapes beside the arm are left out: {}", file_, bare));
+    std::string before;
+    for (urdf::LinkConstSharedPtr above = chain[0]->getParent(); above; above = above->getParent())
+      before.append(before.empty() ? "" : ", ").append(above->name);
+    if (!before.empty())
+      warn(fmt::format("{}: links before {} are left out, with what else they carry: {}", file_, chain[0]->name,
+                       before));
+    if (turned_ > 0)
+      warn(fmt::format("{}: turns within {:g} of quarter turns are taken as these; the furthest is {:.3g} off", file_,
+                       kNear, turned_));
+    robot.warnings = std::move(warnings_);
     return robot;
   }
 
@@ -161,6 +105,8 @@ class UrdfReader {
     if (io::all_legible(name) != name) location.bad("the name has a control character, or is not UTF-8");
   }
 
+  void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
+
   [[nodiscard]] double length(const XmlLocation& location, double metres) const {
     return workloads::converted(location.finite(metres), workloads::find_unit("m"), context_.unit);
   }
@@ -169,22 +115,38 @@ class UrdfReader {
     return {length(location, metres.x), length(location, metres.y), length(location, metres.z)};
   }
 
-  [[nodiscard]] Pose pose(const XmlLocation& location, const urdf::Pose& given) const {
-    constexpr double kNear = 1e-9;
-    const urdf::Rotation& q = given.rotation;
-    Eigen::Matrix3d rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
-    const Eigen::Matrix3d whole = rotation.array().round();
-    if (!rotation.allFinite()) location.bad("a number is not finite");
-    if ((rotation - whole).cwiseAbs().maxCoeff() < kNear) rotation = whole;
-    return {rotation, vector(location, given.position)};
+  /// Descriptions write 90 degrees as 1.5708, and an axis as 1 and -5.5e-17.
+  static constexpr double kNear = 1e-5;
+
+  template <class Matrix>
+  [[nodiscard]] Matrix rounded(const Matrix& given) {
+    const Matrix whole = given.array().round();
+    const double off = (given - whole).cwiseAbs().maxCoeff();
+    if (!(off < kNear)) return given;
+    if (off > 1e-9) turned_ = std::max(turned_, off);
+    return whole;
   }
 
-  /// Returns the file of the name: in a package, absolute, or relative to the mesh folder.
+  [[nodiscard]] Pose pose(const XmlLocation& location, const urdf::Pose& given) {
+    const urdf::Rotation& q = given.rotation;
+    const Eigen::Matrix3d rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+    if (!rotation.allFinite()) location.bad("a number is not finite");
+    return {rounded(rotation), vector(location, given.position)};
+  }
+
+  /// Returns the file of the name: in a package, absolute, or relative to the mesh folder or to that of the URDF.
   [[nodiscard]] std::filesystem::path mesh_path(const XmlLocation& location, const std::string& name) const {
-    constexpr std::string_view kPackage = "package://", kFile = "file://";
+    constexpr std::string_view kPackage = "package://", kModel = "model://", kFile = "file://";
+    if (name.find("$(") != std::string::npos || name.find("${") != std::string::npos)
+      location.bad(fmt::format("mesh: {}: is of a xacro file; xacro must make a URDF of it first", name));
     if (name.starts_with(kFile)) return name.substr(kFile.size());
-    if (!name.starts_with(kPackage)) return context_.mesh_folder / name;
-    const std::filesystem::path in_package = name.substr(kPackage.size());
+    if (!name.starts_with(kPackage) && !name.starts_with(kModel)) {
+      const std::filesystem::path beside = std::filesystem::path(file_).parent_path() / name;
+      return std::filesystem::is_regular_file(context_.mesh_folder / name) || !std::filesystem::is_regular_file(beside)
+                 ? context_.mesh_folder / name
+                 : beside;
+    }
+    const std::filesystem::path in_package = name.substr(name.find("://") + 3);
     std::string searched;
     for (const std::filesystem::path& folder : context_.packages) {
       // The folder may hold the package, or be it.
@@ -203,14 +165,14 @@ class UrdfReader {
     constexpr std::array<std::string_view, 5> kUnits{"m", "cm", "mm", "inch", "foot"};
     const std::filesystem::path path = mesh_path(location, given.filename);
     if (!std::filesystem::is_regular_file(path)) location.bad("mesh: there is no file " + path.string());
+    const Eigen::Vector3d scale(given.scale.x, given.scale.y, given.scale.z);
     for (const std::string_view name : kUnits) {
       const workloads::Unit unit = workloads::find_unit(name);
-      const double metres = static_cast<double>(unit.micrometres) / 1e6;
-      if (given.scale.x == metres && given.scale.y == metres && given.scale.z == metres)
-        return {path, unit, context_.unit};
+      if ((scale.array() == static_cast<double>(unit.micrometres) / 1e6).all()) return {path, unit, context_.unit};
     }
-    location.bad(fmt::format("mesh: the scale {} {} {} is not that of a unit of length in metres", given.scale.x,
-                             given.scale.y, given.scale.z));
+    if (!scale.allFinite() || (scale.array() == 0).any())
+      location.bad(fmt::format("mesh: the scale {} {} {} leaves no solid", scale.x(), scale.y(), scale.z()));
+    return {path, workloads::find_unit("m"), context_.unit, scale};
   }
 
   [[nodiscard]] decltype(Solid::shape) shape(const XmlLocation& location, const urdf::Geometry& geometry) const {
@@ -235,15 +197,29 @@ class UrdfReader {
     return Sphere{{0, 0, 0}, positive(static_cast<const urdf::Sphere&>(geometry).radius), sides_};
   }
 
-  [[nodiscard]] Link link(const urdf::Link& given) const {
-    Link link{given.name, {}};
-    if (!is_name(given.name)) location("link", given.name).bad("a name must be of letters, digits, '-' and '_'");
+  /// Names become those of files, and of parts behind a slash.
+  [[nodiscard]] std::string plain(const XmlLocation& location, const std::string& given) {
+    std::string name = given.empty() ? "_" : given;
+    for (char& letter : name)
+      if (!is_name({&letter, 1})) letter = '_';
+    if (name != given) warn(fmt::format("{}: is called {} here", location.where, name));
+    return name;
+  }
+
+  [[nodiscard]] Link link(const urdf::Link& given) {
+    const XmlLocation whole = location("link", given.name);
+    require_legible(whole, given.name);
+    Link link{plain(whole, given.name), {}};
+    if (!links_.insert(link.name).second) whole.bad(fmt::format("another link is called {}, too", link.name));
+    std::set<std::string> names;
     const auto add = [&](const auto& elements, const char* kind) {
       for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto& element = *elements[i];
-        std::string name = element.name.empty() ? fmt::format("{}{}", kind, i) : element.name;
-        const XmlLocation part{location("link", given.name).where + ": " + name};
-        if (!is_name(name)) part.bad("a name must be of letters, digits, '-' and '_'");
+        const std::string unnamed = fmt::format("{}{}", kind, i);
+        const XmlLocation part{whole.where + ": " + (element.name.empty() ? unnamed : element.name)};
+        require_legible(part, element.name);
+        std::string name = element.name.empty() ? unnamed : plain(part, element.name);
+        if (!names.insert(name).second) names.insert(name += "-" + unnamed);
         if (!element.geometry) part.bad("has no geometry");
         link.parts.push_back({std::move(name), {shape(part, *element.geometry), pose(part, element.origin)}});
       }
@@ -253,6 +229,73 @@ class UrdfReader {
     else
       add(given.collision_array, "collision");
     return link;
+  }
+
+  /// Returns where a joint beside the arm stands: at 0 or the limit nearest to it, or where the joint that it mimics
+  /// puts it.
+  [[nodiscard]] double place(const urdf::ModelInterface& model, const urdf::Joint& given, int followed = 0) const {
+    constexpr int kMostFollowed = 64;
+    const XmlLocation location = this->location("joint", given.name);
+    if (given.mimic) {
+      const auto leader = model.getJoint(given.mimic->joint_name);
+      if (!leader || followed == kMostFollowed)
+        location.bad(fmt::format("mimics joint {}, {}", given.mimic->joint_name,
+                                 leader ? "which mimics others without end" : "which the robot does not have"));
+      return location.finite(given.mimic->multiplier * place(model, *leader, followed + 1) + given.mimic->offset);
+    }
+    if (!given.limits || given.type == urdf::Joint::CONTINUOUS) return 0;
+    const double lower = location.finite(given.limits->lower), upper = location.finite(given.limits->upper);
+    if (lower > upper) location.bad(fmt::format("limits are crossed: lower {} and upper {}", lower, upper));
+    return std::clamp(0.0, lower, upper);
+  }
+
+  /// Returns the pose of a link beside the arm in the frame of the link that it is mounted on.
+  [[nodiscard]] Pose rest(const urdf::ModelInterface& model, const urdf::Joint& given) {
+    const Joint joint = this->joint(given);
+    if (joint.kind == Joint::Kind::Fixed) return joint.origin;
+    const XmlLocation location = this->location("joint", given.name);
+    const double at = place(model, given);
+    const bool slides = joint.kind == Joint::Kind::Prismatic;
+    warn(fmt::format("{}: is beside the arm, and stands still at {:.6g} {}", location.where, at,
+                     slides ? "metres" : "radians"));
+    if (slides) return within(joint.origin, {Eigen::Matrix3d::Identity(), length(location, at) * joint.axis});
+    return within(joint.origin, {rotation_about(joint.axis, degrees(at)), Eigen::Vector3d::Zero()});
+  }
+
+  /// Adds the parts of a link and of all that it carries to a link of the arm, in whose frame it is at `pose`. Appends
+  /// the names of links without parts to `bare`.
+  void carry(Link& arm, const urdf::ModelInterface& model, const urdf::Link& first, const Pose& pose,
+             std::string& bare) {
+    std::vector<std::pair<const urdf::Link*, Pose>> rest_of{{&first, pose}};
+    while (!rest_of.empty()) {
+      const auto [given, frame] = rest_of.back();
+      rest_of.pop_back();
+      Link side = link(*given);
+      if (side.parts.empty())
+        bare.append(bare.empty() ? "" : ", ").append(given->name);
+      else
+        warn(fmt::format("{}: is beside the arm, and moves with link {}", location("link", given->name).where,
+                         arm.name));
+      for (Part& part : side.parts)
+        arm.parts.push_back(
+            {side.name + "-" + part.name, {std::move(part.solid.shape), within(frame, part.solid.pose)}});
+      for (const urdf::JointSharedPtr& joint : given->child_joints)
+        rest_of.emplace_back(model.getLink(joint->child_link_name).get(), within(frame, rest(model, *joint)));
+    }
+  }
+
+  /// Makes a joint of the arm follow the one that it mimics.
+  void couple(Robot& robot, std::size_t place, const urdf::Joint& given) const {
+    const XmlLocation location = this->location("joint", given.name);
+    const auto leader = std::ranges::find(robot.joints, given.mimic->joint_name, &Joint::name);
+    if (leader == robot.joints.end() || leader->kind != Joint::Kind::Revolute ||
+        robot.joints[place].kind != Joint::Kind::Revolute)
+      location.bad(fmt::format("mimics joint {}: within the arm a joint that turns can only mimic another of these",
+                               given.mimic->joint_name));
+    robot.couplings.push_back(
+        {place, static_cast<std::size_t>(leader - robot.joints.begin()), location.finite(given.mimic->multiplier)});
+    robot.joints[place].home = degrees(location.finite(given.mimic->offset));
+    robot.joints[place].mimics = true;
   }
 
   /// To the nearest 1e-9, so that what was written for a whole degree is one.
@@ -267,21 +310,20 @@ class UrdfReader {
     if (joint.speed < 0) location.bad("the velocity is negative");
   }
 
-  [[nodiscard]] Joint joint(const urdf::Joint& given) const {
+  [[nodiscard]] Joint joint(const urdf::Joint& given) {
     const XmlLocation location = this->location("joint", given.name);
     require_legible(location, given.name);
     Joint joint{given.name, Joint::Kind::Fixed, pose(location, given.parent_to_joint_origin_transform), {0, 0, 1}, 0, 0,
                 0};
-    if (given.mimic) location.bad("mimics another joint; couplings are given in the cell file");
     if (given.type == urdf::Joint::FIXED) return joint;
     const bool slides = given.type == urdf::Joint::PRISMATIC;
     if (!slides && given.type != urdf::Joint::REVOLUTE && given.type != urdf::Joint::CONTINUOUS)
-      location.bad("is neither revolute, continuous, prismatic nor fixed");
+      location.bad("is neither revolute, continuous, prismatic nor fixed; robot.root can name a link behind it");
     joint.kind = slides ? Joint::Kind::Prismatic : Joint::Kind::Revolute;
     joint.axis =
         Eigen::Vector3d(location.finite(given.axis.x), location.finite(given.axis.y), location.finite(given.axis.z));
     if (joint.axis.isZero(0)) location.bad("has no axis");
-    joint.axis = kinematics::direction_of(joint.axis);
+    joint.axis = rounded(Eigen::Vector3d(kinematics::direction_of(joint.axis)));
     take_speed(joint, given, location);
     if (given.type == urdf::Joint::CONTINUOUS) {
       joint.lower = -360;
@@ -300,27 +342,28 @@ class UrdfReader {
   const XmlLines& lines_;
   int sides_;
   const SolidContext& context_;
+  double turned_ = 0;  // the furthest that a turn was from what is taken
+  std::set<std::string> links_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace
 
-Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext& context) {
-  const std::string text = read_at_most<BadCell>(file, kMostCellMib);
-  XmlLines lines;
-  try {
-    lines = XmlCheck().lines(text);
-  } catch (const BadXml& bad) {
-    throw BadCell(file.string() + ": " + bad.what());
-  }
+Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext& context, const UrdfEnds& ends) {
+  const UrdfText checked = checked_urdf(read_at_most<BadCell>(file, kMostCellMib), file.string());
   urdf::ModelInterfaceSharedPtr model;
   std::string said;
   {
     const Sentences sentences;
-    model = urdf::parseURDF(text);
+    model = urdf::parseURDF(checked.text);
     said = sentences.text();
   }
+  if (said.find("${") != std::string::npos || said.find("$(") != std::string::npos)
+    said += "; it is a xacro file: xacro must make a URDF of it first";
   if (!model || !said.empty()) throw BadCell(file.string() + ": " + (said.empty() ? "is not a URDF file" : said));
-  return UrdfReader(file.string(), lines, sides, context).robot(*model);
+  Robot robot = UrdfReader(file.string(), checked.lines, sides, context).robot(*model, ends);
+  robot.warnings.insert(robot.warnings.begin(), checked.warnings.begin(), checked.warnings.end());
+  return robot;
 }
 
 }  // namespace touchstone::cell

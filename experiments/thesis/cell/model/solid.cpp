@@ -38,7 +38,8 @@ struct Bounds {
     workloads::convert(mesh, file.unit, file.cell_unit);
     Eigen::AlignedBox3d bounds;
     for (const auto& face : mesh.faces)
-      for (const std::uint32_t vertex : face) bounds.extend(mesh.vertices[vertex]);
+      for (const std::uint32_t vertex : face)
+        bounds.extend(Eigen::Vector3d(file.scale.cwiseProduct(mesh.vertices[vertex])));
     return bounds;
   }
 
@@ -99,14 +100,17 @@ SolidFaces faces_of_boolean(const Solid& solid, const std::string& name) {
 SolidFaces faces_of_mesh(const MeshFile& file, const Pose& pose, const std::string& name) {
   Mesh mesh = workloads::read_with_warnings(file.file, OnFault::Refuse).mesh;
   workloads::convert(mesh, file.unit, file.cell_unit);
+  if (file.scale.prod() < 0)
+    for (auto& face : mesh.faces) std::ranges::reverse(face);
   // Merged where it stands in its file: a pose rounds, and what it rounds is coplanar no more.
   mesh::MergedMesh merged = mesh::merge_faces(mesh);
   if (!merged.rejected.empty())
     refuse(name + ": " + file.file.string(), merged.rejected[0].face, merged.rejected[0].rejection);
+  const Pose scaled{pose.rotation * file.scale.asDiagonal(), pose.translation};
   SolidFaces result;
   for (std::size_t i = 0; i < merged.faces.size(); ++i) {
     try {
-      result.faces.push_back(measured(scene::posed(pose, merged.faces[i].polygon)));
+      result.faces.push_back(measured(scene::posed(scaled, merged.faces[i].polygon)));
     } catch (const Rejected& rejected) {
       refuse(name + ": " + file.file.string() + ": merged and posed", i, rejected.rejection());
     }

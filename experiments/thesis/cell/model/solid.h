@@ -43,6 +43,9 @@ struct MeshFile {
   std::filesystem::path file;
   workloads::Unit unit;       ///< of the file's numbers
   workloads::Unit cell_unit;  ///< of the result
+  /// Factors of the coordinates, not 0. If their product is negative, the solid is mirrored, and its faces are turned
+  /// round, so that they still face outside.
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
 };
 
 /// A polyhedron whose vertices lie on a sphere: circles of latitude with `sides` vertices each (at least 3), and the

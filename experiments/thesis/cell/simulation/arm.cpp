@@ -73,7 +73,7 @@ Arm arm_of(const Cell& cell) {
   std::vector<kinematics::Joint> joints;
   std::vector<std::size_t> places;
   kinematics::Angles home;
-  std::vector<double> speeds;
+  std::vector<double> speeds, accelerations;
   std::vector<Arm::Carried> links{{std::nullopt, robot.base}};
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const Joint& joint = robot.joints[i];
@@ -88,12 +88,17 @@ Arm arm_of(const Cell& cell) {
     places.push_back(i);
     home.push_back(joint.home);
     speeds.push_back(joint.speed);
+    accelerations.push_back(joint.acceleration);
   }
   if (joints.size() <= kElbow) bad(cell, "urdf", "fewer than three joints turn");
   const Pose flange = links.back().pose;
   const auto compensations = compensations_of(cell, {joints, flange}, home, places);
-  return {
-      {std::move(joints), flange, compensations, home}, home, cell.gripper.sphere, std::move(links), std::move(speeds)};
+  return {{std::move(joints), flange, compensations, home},
+          home,
+          cell.gripper.sphere,
+          std::move(links),
+          std::move(speeds),
+          std::move(accelerations)};
 }
 
 PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
@@ -112,10 +117,10 @@ PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
   };
   require(along(kBase, 2), "the first joint does not turn about z");
   require(along(kShoulder, 1) && along(kElbow, 1), "the second and third joint do not turn about y at home");
-  require(std::abs(center.y()) <= near && center.x() > 0,
-          fmt::format("at home the sphere's centre is at ({:g}, {:g}, {:g}), not over the positive x axis", center.x(),
-                      center.y(), center.z()));
+  require(center.x() > 0, fmt::format("at home the sphere's centre is at ({:g}, {:g}, {:g}), not in front of the base",
+                                      center.x(), center.y(), center.z()));
 
+  beside_ = std::abs(center.y()) <= near ? 0 : center.y();
   home_base_ = arm.home[kBase];
   base_sense_ = axis(kBase).z() > 0 ? 1 : -1;
   home_ = {arm.home[kShoulder], arm.home[kElbow]};
@@ -123,27 +128,40 @@ PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
   elbow_sense_ = axis(kElbow).y() > 0 ? -1 : 1;
   const auto by_shoulder = arm.chain.compensating(kShoulder), by_elbow = arm.chain.compensating(kElbow);
   makes_up_ = by_shoulder == std::size_t{kElbow};
+  keeps_level_ = by_elbow.has_value();
   const Eigen::Vector3d wrist = by_elbow ? frames[*by_elbow].translation : center;
   if (by_elbow ? !by_shoulder : by_shoulder && !makes_up_)
     bad(cell, "coupling", "the turning of only one of shoulder and elbow is undone behind the elbow");
   shoulder_ = {at.x(), at.z()};
   hand_ = {center.x() - wrist.x(), center.z() - wrist.z()};
-  const Eigen::Vector3d first = elbow - at, second = wrist - elbow;
+  const auto in_plane = [](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    return Eigen::Vector3d(to.x() - from.x(), 0, to.z() - from.z());
+  };
+  const Eigen::Vector3d first = in_plane(at, elbow), second = in_plane(elbow, wrist);
   links_ = {first.norm(), second.norm()};
   home_angles_ = {workloads::arc_tangent(first.x(), first.z()), workloads::arc_tangent(second.z(), second.x())};
 }
 
 double PlanarArm::furthest() const {
-  return std::abs(shoulder_.out) + links_.first + links_.second + std::abs(hand_.out);
+  const double ahead = std::abs(shoulder_.out) + links_.first + links_.second + std::abs(hand_.out);
+  return std::sqrt(ahead * ahead + beside_ * beside_);
+}
+
+/// How far ahead of the base's axis the centre is at a distance from it.
+double PlanarArm::along(double out) const { return std::sqrt(std::max(0.0, out * out - beside_ * beside_)); }
+
+double PlanarArm::facing(double azimuth, double out) const {
+  return azimuth - workloads::arc_tangent(beside_, along(out));
 }
 
 std::optional<PlanarArm::Commands> PlanarArm::inverse(const kinematics::Reach& center) const {
+  if (center.out < std::abs(beside_)) return std::nullopt;
   std::optional<Commands> nearest;
   const auto away = [&](const Commands& c) {
     return std::abs(c.shoulder - home_.shoulder) + std::abs(c.elbow - home_.elbow);
   };
   for (const kinematics::LinkAngles& angles :
-       links_.inverse({center.out - shoulder_.out - hand_.out, center.up - shoulder_.up - hand_.up})) {
+       links_.inverse({along(center.out) - shoulder_.out - hand_.out, center.up - shoulder_.up - hand_.up})) {
     const double lean = std::remainder(angles.lean - home_angles_.lean, 360);
     const double carried = makes_up_ ? 0 : lean;  // else the shoulder turns the second link
     const double raised = std::remainder(angles.elevation - home_angles_.elevation + carried, 360);

@@ -27,8 +27,9 @@ struct Arm {
     std::optional<std::size_t> frame;
     Pose pose;
   };
-  std::vector<Carried> links;  ///< as in Robot::links; the last one carries the gripper
-  std::vector<double> speeds;  ///< of the chain's joints, in degrees per second; 0 where unknown
+  std::vector<Carried> links;         ///< as in Robot::links; the last one carries the gripper
+  std::vector<double> speeds;         ///< of the chain's joints, in degrees per second; 0 where unknown
+  std::vector<double> accelerations;  ///< in degrees per second squared; 0 where the speed is there at once
 
   [[nodiscard]] Ball sphere_at(const kinematics::Angles& commanded) const;
   /// Returns the pose of every link in the cell.
@@ -40,12 +41,13 @@ struct Arm {
 /// others must be parallel to them, too. With other couplings points would not move on arcs.
 [[nodiscard]] Arm arm_of(const Cell& cell);
 
-/// The motion of the sphere's centre in the vertical plane that the base turns.
+/// The motion of the sphere's centre in the vertical plane that the base turns. The plane may stand beside the base's
+/// axis, as the shoulder of a UR5 does.
 class PlanarArm {
  public:
-  /// Throws BadCell naming `robot.urdf` unless the base turns about z, shoulder and elbow turn about y, and the
-  /// sphere's centre at home is in the plane y = 0 with x > 0 (within 1e-9 of the arm's length). Throws BadCell naming
-  /// `robot.coupling` if a joint behind the elbow undoes the turning of the elbow but none that of the shoulder.
+  /// Throws BadCell naming `robot.urdf` unless the base turns about z, and shoulder and elbow turn about y with the
+  /// sphere's centre at x > 0 at home. Throws BadCell naming `robot.coupling` if a joint behind the elbow undoes the
+  /// turning of the elbow but none that of the shoulder.
   PlanarArm(const Cell& cell, const Arm& arm);
 
   struct Commands {
@@ -54,13 +56,24 @@ class PlanarArm {
   /// Returns the commands, nearest to home, that bring the centre to the given distance from the base's axis and height
   /// above the floor; none if that is out of reach. Ignores joint limits.
   [[nodiscard]] std::optional<Commands> inverse(const kinematics::Reach& center) const;
-  /// Returns the greatest distance of the centre from the base's axis.
+  /// Returns at least the greatest distance of the centre from the base's axis.
   [[nodiscard]] double furthest() const;
-  /// Returns the base's command that faces a direction of the plan, in degrees counter-clockwise.
-  [[nodiscard]] double base(double azimuth) const { return home_base_ + base_sense_ * azimuth; }
+  /// Whether the hand keeps its direction while shoulder and elbow turn.
+  [[nodiscard]] bool keeps_level() const { return keeps_level_; }
+  /// Returns how far the plane is to the left of the base's axis; 0 if it holds the axis, within 1e-9 of the arm's
+  /// length.
+  [[nodiscard]] double beside() const { return beside_; }
+  /// Returns the direction of the plane, in degrees counter-clockwise, that brings the centre to a direction and a
+  /// distance from the base's axis. The directions are equal if the plane holds the axis. A distance below that of the
+  /// plane counts as the plane's.
+  [[nodiscard]] double facing(double azimuth, double out) const;
+  /// Returns the base's command that turns the plane to a direction of the plan, in degrees counter-clockwise.
+  [[nodiscard]] double base(double direction) const { return home_base_ + base_sense_ * direction; }
 
  private:
-  double home_base_, base_sense_;
+  [[nodiscard]] double along(double out) const;
+
+  double home_base_, base_sense_, beside_;
   Commands home_;
   kinematics::Reach shoulder_;  // where its axis is
   kinematics::TwoLinks links_;  // to the elbow, and on to the centre or, if the hand stays level, to its joint
@@ -68,6 +81,7 @@ class PlanarArm {
   kinematics::LinkAngles home_angles_;
   double shoulder_sense_, elbow_sense_;  // +1 where positive commands lean forward, raise
   bool makes_up_;                        // the elbow, for the shoulder
+  bool keeps_level_;
 };
 
 }  // namespace touchstone::cell

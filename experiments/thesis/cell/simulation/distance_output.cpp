@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/thesis/cell/simulation/process.h"
+#include "experiments/thesis/cell/simulation/timing.h"
 
 namespace touchstone::cell {
 namespace {
@@ -32,14 +33,13 @@ run::Table<LeastRow> separation_csv() {
            {"stop", "it is attained after this stop,", path(&LeastRow::least, &LeastDistance::stop)},
            {"degrees", "the degrees from there on the way to the next one",
             path(&LeastRow::least, &LeastDistance::degrees), "{:.6f}"},
-           {"seconds", "when that is, with every joint at its greatest speed", &LeastRow::seconds, "{:.4f}"}}};
+           {"seconds", "when that is, each move as fast as its joints allow", &LeastRow::seconds, "{:.4f}"}}};
 }
 
 std::vector<LeastRow> least_rows(const Workcell& workcell, const Process& process, const Separation& separation) {
-  const std::vector<double> times = times_of(workcell.arm(), process);
+  const Timing timing(workcell, process);
   std::vector<LeastRow> rows;
-  for (const LeastDistance& least : separation.least)
-    rows.push_back({&least, when(times, workcell.arm(), process, least.stop, least.degrees)});
+  for (const LeastDistance& least : separation.least) rows.push_back({&least, timing.after(least.stop, least.degrees)});
   return rows;
 }
 
@@ -62,7 +62,7 @@ run::Table<TriggerRow> triggers_csv() {
        {"degrees", "the degrees from there on the way to the next one", path(&TriggerRow::trigger, &Trigger::degrees),
         "{:.6f}"},
        {"until_stop", "from this stop on it is outside, or the run ends", path(&TriggerRow::trigger, &Trigger::until)},
-       {"seconds", "when it comes in, with every joint at its greatest speed", &TriggerRow::seconds, "{:.4f}"},
+       {"seconds", "when it comes in, each move as fast as its joints allow", &TriggerRow::seconds, "{:.4f}"},
        {"x", "the first coordinate of the sphere's centre then", place(0), "{:.6f}"},
        {"y", "the second one", place(1), "{:.6f}"},
        {"z", "the third one", place(2), "{:.6f}"},
@@ -70,11 +70,10 @@ run::Table<TriggerRow> triggers_csv() {
 }
 
 std::vector<TriggerRow> trigger_rows(const Workcell& workcell, const Process& process) {
-  const std::vector<double> times = times_of(workcell.arm(), process);
+  const Timing timing(workcell, process);
   std::vector<TriggerRow> rows;
   for (const Trigger& trigger : process.triggers)
-    rows.push_back({&trigger, &workcell.cell().zones[trigger.zone],
-                    when(times, workcell.arm(), process, trigger.after, trigger.degrees)});
+    rows.push_back({&trigger, &workcell.cell().zones[trigger.zone], timing.after(trigger.after, trigger.degrees)});
   return rows;
 }
 
@@ -89,13 +88,7 @@ std::string separation_text(const Workcell& workcell, const Process& process, co
       "Least distances in {}: at least least_low on the whole run, between the stops, too; least_high is attained. "
       "They differ by at most {:.2g}.\n",
       workcell.cell().unit.name, gap);
-  const std::vector<double> times = times_of(workcell.arm(), process);
-  text += times.empty() ? std::string("no cycle time: the greatest speed of a joint is unknown\n")
-                        : fmt::format(
-                              "cycle time {:.2f} s: one joint after the other at its greatest speed, without "
-                              "gripping and milling\n",
-                              times.back());
-  return text;
+  return text + Timing(workcell, process).text() + "\n";
 }
 
 void write_separation(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,

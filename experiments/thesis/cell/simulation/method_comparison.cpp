@@ -2,6 +2,7 @@
 #include "experiments/thesis/cell/simulation/method_comparison.h"
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -103,11 +104,12 @@ MethodComparison compare_methods(const Workcell& workcell, const Process& proces
                                  const std::vector<const cases::Method*>& methods, bool every_face, bool nearness) {
   const Obstacles& obstacles = workcell.obstacles();
   std::vector<PreparedFace> standing = prepared(obstacles.faces, obstacles.owners);
-  std::vector<std::vector<PreparedFace>> material, copies;
-  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine}) {
-    material.push_back(prepared(workcell.at(slot).faces, {"material"}));
-    copies.push_back(prepared(workcell.at(slot).virtual_faces, {"material"}));
-  }
+  std::map<Lying, std::vector<PreparedFace>> material;
+  const auto faces = [&](const Lying& lies) -> std::vector<PreparedFace>& {
+    auto& its = material[lies];
+    if (its.empty()) its = prepared(lies->faces, {"material"});
+    return its;
+  };
 
   Comparer comparer(methods, every_face, nearness);
   auto transfer = process.transfers.begin();
@@ -117,7 +119,7 @@ MethodComparison compare_methods(const Workcell& workcell, const Process& proces
     comparer.compare(i, stop.sphere, standing);
     for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
       if (transfer->slot == slot || stop.target == slot)
-        comparer.compare(i, stop.sphere, (transfer->slot == slot ? material : copies)[static_cast<std::size_t>(slot)]);
+        comparer.compare(i, stop.sphere, faces(transfer->slot == slot ? transfer->lies : workcell.at(slot).copy));
   }
   return std::move(comparer.result);
 }

@@ -42,7 +42,10 @@ std::string_view to_string(Mover mover) {
 }
 
 Pose MovingPart::pose(const std::vector<Pose>& links, const MaterialTransfer& state) const {
-  return mover == Mover::Held ? within(links[link], *state.in_flange) : links[link];
+  if (mover == Mover::Held) return within(links[link], *state.in_flange);
+  Pose pose = links[link];
+  if (finger && state.grip) pose.translation += pose.rotation * (state.grip->fingers[*finger].way * closes);
+  return pose;
 }
 
 Ball MovingPart::around(const Pose& pose) const {
@@ -83,6 +86,11 @@ std::vector<MovingPart> moving_parts(const Workcell& workcell, bool foot) {
     }
   };
   add(Mover::Arm, workcell.gripper());
+  for (std::size_t i = 0; i < workcell.fingers().size(); ++i) {
+    add(Mover::Arm, workcell.fingers()[i]);
+    parts.back().finger = i;
+    parts.back().closes = workcell.cell().gripper.fingers->shift(i, 1);
+  }
   add(Mover::Held, workcell.material());
   const Ball& sphere = arm.sphere;
   parts.push_back({Mover::Sphere, "sphere", flange, TriangleTree({{{sphere.center, sphere.center, sphere.center}, 0}}),
@@ -99,17 +107,25 @@ std::vector<Stretch> stretches_of(const Process& process) {
   return stretches;
 }
 
+double moved(const Arm& arm, const kinematics::Angles& from, const Step& step, std::size_t link, const Ball& around) {
+  double sum = 0;
+  for (const Moved joint : {kElbow, kShoulder, kBase}) {
+    if (step.by[joint] == 0) continue;
+    const JointTurn turn(arm, from, joint);
+    sum += turn.moved(turn.motion(link), around.center, around.radius + sum, std::abs(step.by[joint]));
+  }
+  return sum;
+}
+
 WayBetween way_between(const Arm& arm, const std::vector<MovingPart>& parts, const Stop& from, const Stop& to,
                        const std::vector<Pose>& links, const MaterialTransfer& state) {
   WayBetween way{step_between(from, to), {}};
-  const JointTurn turn(arm, from.commanded, way.step.joint);
   for (const MovingPart& part : parts) {
     if (!part.is_there(state)) {
       way.moved.push_back(0);
       continue;
     }
-    const Ball whole = part.around(part.pose(links, state));
-    way.moved.push_back(turn.moved(turn.motion(part.link), whole.center, whole.radius, std::abs(way.step.degrees)));
+    way.moved.push_back(moved(arm, from.commanded, way.step, part.link, part.around(part.pose(links, state))));
   }
   return way;
 }

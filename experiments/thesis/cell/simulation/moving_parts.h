@@ -27,6 +27,8 @@ class JointTurn {
   /// Returns a length that no point of a ball, which moves so, leaves behind while the joint turns by `degrees`.
   [[nodiscard]] double moved(Motion motion, const Eigen::Vector3d& center, double radius, double degrees) const;
 
+  /// Requires that there is one.
+  [[nodiscard]] Moved joint() const { return *joint_; }
   [[nodiscard]] const Eigen::Vector3d& axis() const { return axis_; }
   [[nodiscard]] const Eigen::Vector3d& on_axis() const { return on_axis_; }
   /// A point along whose arc is shifted what is shifted; none if nothing is.
@@ -89,11 +91,13 @@ struct MovingPart {
   std::string name;
   std::size_t link;
   TriangleTree triangles;
-  double radius;  ///< of the sphere; 0 for other parts
+  double radius;                                     ///< of the sphere; 0 for other parts
+  std::optional<std::size_t> finger = {};            ///< its number, if it is one,
+  Eigen::Vector3d closes = Eigen::Vector3d::Zero();  ///< and the direction in which it closes
 
   /// Whether it is there while the material is where a transfer has put it.
   [[nodiscard]] bool is_there(const MaterialTransfer& state) const { return mover != Mover::Held || !state.slot; }
-  /// Returns its pose with the arm at these links. Requires that it is there.
+  /// Returns its pose with the arm at these links; a finger is closed as it is there. Requires that it is there.
   [[nodiscard]] Pose pose(const std::vector<Pose>& links, const MaterialTransfer& state) const;
   /// Returns a ball around it at a pose.
   [[nodiscard]] Ball around(const Pose& pose) const;
@@ -115,9 +119,14 @@ struct Stretch {
 /// Returns the stretches of a run, which must outlive them; none without a stop.
 [[nodiscard]] std::vector<Stretch> stretches_of(const Process& process);
 
+/// Returns a length that no point of a ball around what moves with a link leaves behind on a step. The joints turn at
+/// the same time: about each, a point is as far from its axis as it was, or further by what the joints behind move it.
+[[nodiscard]] double moved(const Arm& arm, const kinematics::Angles& from, const Step& step, std::size_t link,
+                           const Ball& around);
+
 /// The way between two stops.
 struct WayBetween {
-  StepOfJoint step;
+  Step step;
   std::vector<double> moved;  ///< that no point of a part moves further, by part; 0 for what is not there
 };
 [[nodiscard]] WayBetween way_between(const Arm& arm, const std::vector<MovingPart>& parts, const Stop& from,

@@ -16,7 +16,8 @@
 namespace touchstone::cell {
 
 std::string_view to_string(Until until) {
-  constexpr std::array<std::string_view, 4> words{"planned", "facing", "contact", "cleared"};
+  constexpr std::array<std::string_view, 7> words{"planned", "facing", "contact", "cleared",
+                                                  "landed",  "raised", "through"};
   return words[static_cast<std::size_t>(until)];
 }
 
@@ -37,9 +38,8 @@ struct Attempt {
 /// Leaves it at the first attempt that succeeds, or at the one that went furthest. No other is made after a wrong
 /// stop: the robot does not know of it.
 void first_of(const std::vector<Attempt>& attempts, Handling& robot) {
-  std::string failures;
-  FailureCause cause = FailureCause::OutOfReach;
-  Handling furthest = robot;
+  std::optional<std::pair<Handling, SimulationFailure>> furthest;
+  std::vector<std::string> refused;
   for (const Attempt& attempt : attempts) {
     Handling tried = robot;
     try {
@@ -47,14 +47,30 @@ void first_of(const std::vector<Attempt>& attempts, Handling& robot) {
       robot = std::move(tried);
       return;
     } catch (const SimulationFailure& failed) {
-      cause = std::max(cause, failed.cause);
-      failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", attempt.name, failed.what());
-      if (!furthest.process.stuck || tried.went_further_than(furthest)) furthest = std::move(tried);
-      if (furthest.was_misled()) break;
+      auto& its = tried.process.refused;
+      if (its.empty()) its.emplace_back(failed.what());
+      for (const std::string& why : its) refused.push_back(fmt::format("{}: {}", attempt.name, why));
+      if (furthest && furthest->first.went_further_than(tried)) continue;
+      furthest.emplace(std::move(tried), failed);
+      if (furthest->first.was_misled()) break;
     }
   }
-  robot = std::move(furthest);
-  throw SimulationFailure(cause, failures);
+  robot = std::move(furthest->first);
+  robot.process.refused = std::move(refused);
+  throw SimulationFailure(furthest->second);
+}
+
+/// The attempts in the thesis's order of moves, if the robot has kept to it, and that by a way that is found.
+void first_of(std::vector<Attempt> in_order, const std::function<void(Handling&)>& by_way, const Rule& rule,
+              Handling& robot) {
+  if (!robot.in_order()) in_order.clear();
+  if (rule.finds_ways && rule.drive == nullptr) in_order.push_back({"by a way that is found", by_way});
+  first_of(in_order, robot);
+}
+
+void straight_up(Handling& robot) {
+  const auto by = [](double share) { return [share](Handling& p) { p.go_straight_up(share); }; };
+  first_of({{"straight up", by(1)}, {"straight up by half", by(0.5)}, {"straight up by a quarter", by(0.25)}}, robot);
 }
 
 void lift(Handling& robot) {
@@ -63,82 +79,108 @@ void lift(Handling& robot) {
            robot);
 }
 
-/// With the material that has just been touched in storage, to the machine.
-void load(Handling& robot) {
-  robot.grip();
-  robot.begin(Phase::ToMachine);
-  if (robot.is_above()) lift(robot);
-  const auto onto = [](Order order) {
-    return [order](Handling& p) {
-      p.come_upon(StationSlot::Machine, Approach::Above, order);
-      p.release(StationSlot::Machine);
-    };
-  };
-  first_of({{"from above", onto(Order::ElbowFirst)}, {"from above, base first", onto(Order::BaseFirst)}}, robot);
+/// By a way that is found, onto the material in a slot or its virtual copy.
+void find_onto(StationSlot slot, Handling& robot) {
+  robot.find_to_above(slot);
+  robot.come_straight_down(slot);
 }
 
-void go_home(Handling& robot) {
+/// With the material that has just been touched in storage, to the machine.
+void load(const Rule& rule, Handling& robot) {
+  robot.grip();
+  robot.begin(Phase::ToMachine);
+  first_of(
+      {{"from above",
+        [](Handling& p) {
+          if (p.is_above()) lift(p);
+          p.come_upon(StationSlot::Machine, Approach::Above);
+          p.release(StationSlot::Machine);
+        }}},
+      [](Handling& p) {
+        straight_up(p);
+        find_onto(StationSlot::Machine, p);
+        p.release(StationSlot::Machine);
+      },
+      rule, robot);
+}
+
+void go_home(const Rule& rule, Handling& robot) {
   robot.begin(Phase::ToHome);
-  lift(robot);
-  const auto by = [](std::array<Moved, 3> order, bool raised) {
-    return [order, raised](Handling& p) {
-      if (raised) p.raise();
+  const auto by = [](std::array<Moved, 3> order) {
+    return [order](Handling& p) {
+      lift(p);
       p.go_home(order);
     };
   };
-  first_of({{"base first", by({kBase, kElbow, kShoulder}, false)},
-            {"shoulder first", by({kShoulder, kElbow, kBase}, false)},
-            {"elbow first", by({kElbow, kShoulder, kBase}, false)},
-            {"raised, base first", by({kBase, kShoulder, kElbow}, true)}},
-           robot);
+  first_of(
+      {{"base first", by({kBase, kElbow, kShoulder})},
+       {"shoulder first", by({kShoulder, kElbow, kBase})},
+       {"elbow first", by({kElbow, kShoulder, kBase})}},
+      [](Handling& p) {
+        straight_up(p);
+        p.find_home();
+      },
+      rule, robot);
 }
 
-void run(Handling& robot, Phase last) {
-  robot.start();
+void run(Handling& robot, const Rule& rule) {
   robot.begin(Phase::ToStorage);
-  const auto fetch = [last](Approach approach, Order order) {
-    return [=](Handling& p) {
-      p.come_upon(StationSlot::Storage, approach, order);
-      if (last > Phase::ToStorage) load(p);
+  const Phase last = rule.last;
+  const auto fetch = [&](Approach approach) {
+    return [&rule, last, approach](Handling& p) {
+      p.come_upon(StationSlot::Storage, approach);
+      if (last > Phase::ToStorage) load(rule, p);
     };
   };
-  first_of({{"from the side", fetch(Approach::SideWithoutShoulder, Order::ElbowFirst)},
-            {"from above", fetch(Approach::Above, Order::ElbowFirst)},
-            {"from the side, shoulder moved", fetch(Approach::Side, Order::ElbowFirst)},
-            {"from above, base first", fetch(Approach::Above, Order::BaseFirst)},
-            {"from the side, base first", fetch(Approach::Side, Order::BaseFirst)}},
-           robot);
+  first_of(
+      {{"from the side", fetch(Approach::Side)},
+       {"from above", fetch(Approach::Above)},
+       {"from the side, shoulder moved", fetch(Approach::SideByShoulder)},
+       {"from above, base first", fetch(Approach::AboveBaseFirst)}},
+      [&](Handling& p) {
+        find_onto(StationSlot::Storage, p);
+        if (last > Phase::ToStorage) load(rule, p);
+      },
+      rule, robot);
   if (last <= Phase::ToMachine) return;
 
   robot.begin(Phase::Withdraw);
-  lift(robot);
-  if (last == Phase::Withdraw) return;
-
-  robot.begin(Phase::ToPiece);
-  robot.come_down_again();
-  robot.grip();
-  if (last == Phase::ToPiece) return;
-
-  robot.begin(Phase::BackToStorage);
-  const auto bring = [last](bool raised, bool by_shoulder) {
+  const auto again = [&](const auto& up, const auto& down) {
     return [=](Handling& p) {
-      if (raised)
-        p.raise();
-      else
-        lift(p);
-      if (by_shoulder)
-        p.come_upon(StationSlot::Storage, Approach::Above, Order::BaseFirst);
-      else
-        p.come_down_by_elbow(StationSlot::Storage);
-      p.release(StationSlot::Storage);
-      if (last == Phase::ToHome) go_home(p);
+      up(p);
+      if (last == Phase::Withdraw) return;
+      p.begin(Phase::ToPiece);
+      down(p);
+      p.grip();
     };
   };
-  first_of({{"raised, from above by the shoulder", bring(true, true)},
-            {"raised, from above by the elbow", bring(true, false)},
-            {"lifted, from above by the shoulder", bring(false, true)},
-            {"lifted, from above by the elbow", bring(false, false)}},
-           robot);
+  first_of({{"by the shoulder", again(lift, [](Handling& p) { p.come_down_again(); })}},
+           again(straight_up, [](Handling& p) { p.come_straight_down(StationSlot::Machine); }), rule, robot);
+  if (last <= Phase::ToPiece) return;
+
+  robot.begin(Phase::BackToStorage);
+  const auto let_go = [&](Handling& p) {
+    p.release(StationSlot::Storage);
+    if (last == Phase::ToHome) go_home(rule, p);
+  };
+  const auto bring = [&](bool by_shoulder) {
+    return [=](Handling& p) {
+      p.raise();
+      if (by_shoulder)
+        p.come_upon(StationSlot::Storage, Approach::AboveBaseFirst);
+      else
+        p.come_down_by_elbow(StationSlot::Storage);
+      let_go(p);
+    };
+  };
+  first_of(
+      {{"raised, from above by the shoulder", bring(true)}, {"raised, from above by the elbow", bring(false)}},
+      [&](Handling& p) {
+        straight_up(p);
+        find_onto(StationSlot::Storage, p);
+        let_go(p);
+      },
+      rule, robot);
 }
 
 }  // namespace
@@ -164,15 +206,22 @@ double Process::turned(Moved joint, Phase phase) const {
 }
 
 Process simulate(const Workcell& workcell, const Rule& rule) {
-  std::optional<Sweep> sweep;
-  if (!rule.sphere_alone) sweep.emplace(workcell);
+  const Sweep sweep(workcell, rule.sphere_alone);
   std::optional<Driver> driver;
-  if (rule.drive != nullptr) driver.emplace(workcell, *rule.drive);
-  Handling robot(workcell, sweep ? &*sweep : nullptr, driver ? &*driver : nullptr);
+  if (rule.drive != nullptr) driver.emplace(*rule.drive);
+  Handling robot(workcell, sweep, driver ? &*driver : nullptr);
   try {
-    run(robot, rule.last);
+    robot.start();
+    first_of(
+        {{"in the thesis's order as far as it goes", [&](Handling& p) { run(p, rule); }}},
+        [&](Handling& p) {
+          p.leave_order();
+          run(p, rule);
+        },
+        rule, robot);
   } catch (const SimulationFailure& failed) {
     robot.process.failure = failed.what();
+    if (robot.process.refused.empty()) robot.process.refused = {robot.process.failure};
     robot.process.cause = failed.cause;
   }
   robot.process.triggers = zone_triggers(workcell, robot.process, rule.sphere_alone);
@@ -180,47 +229,25 @@ Process simulate(const Workcell& workcell, const Rule& rule) {
   return std::move(robot.process);
 }
 
-std::optional<double> seconds(const Arm& arm, Moved joint, double degrees) {
-  kinematics::Angles moved = arm.home;
-  moved[joint] += degrees;
-  const kinematics::Angles before = arm.chain.turns(arm.home), after = arm.chain.turns(moved);
-  double longest = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const double turned = std::abs(after[i] - before[i]);
-    if (turned == 0) continue;
-    if (!(arm.speeds[i] > 0)) return std::nullopt;
-    longest = std::max(longest, turned / arm.speeds[i]);
+kinematics::Angles Step::after(kinematics::Angles from, double turned) const {
+  for (std::size_t i = 0; i < by.size(); ++i)
+    if (by[i] != 0) from[i] += std::copysign(i == joint ? turned : turned * std::abs(by[i] / degrees), by[i]);
+  return from;
+}
+
+Step step_of(Moved joint, double degrees) {
+  Step step{joint, degrees, {}};
+  step.by[joint] = degrees;
+  return step;
+}
+
+Step step_between(const kinematics::Angles& from, const kinematics::Angles& to) {
+  Step step{kBase, 0, {}};
+  for (const Moved joint : {kBase, kShoulder, kElbow}) {
+    step.by[joint] = to[joint] - from[joint];
+    if (std::abs(step.by[joint]) > std::abs(step.degrees)) step.joint = joint, step.degrees = step.by[joint];
   }
-  return longest;
-}
-
-StepOfJoint step_between(const Stop& from, const Stop& to) {
-  for (const Moved joint : {kBase, kShoulder, kElbow})
-    if (from.commanded[joint] != to.commanded[joint]) return {joint, to.commanded[joint] - from.commanded[joint]};
-  return {kBase, 0};
-}
-
-std::vector<double> times_of(const Arm& arm, const Process& process) {
-  std::vector<double> times;
-  for (std::size_t i = 0; i < process.stops.size(); ++i) {
-    if (i == 0) {
-      times.push_back(0);
-      continue;
-    }
-    const StepOfJoint step = step_between(process.stops[i - 1], process.stops[i]);
-    const auto taken = seconds(arm, step.joint, step.degrees);
-    if (!taken) return {};
-    times.push_back(times.back() + *taken);
-  }
-  return times;
-}
-
-std::optional<double> when(const std::vector<double>& times, const Arm& arm, const Process& process, std::size_t stop,
-                           double degrees) {
-  if (times.empty()) return std::nullopt;
-  if (degrees == 0 || stop + 1 == process.stops.size()) return times[stop];
-  const Moved joint = step_between(process.stops[stop], process.stops[stop + 1]).joint;
-  return times[stop] + seconds(arm, joint, degrees).value();
+  return step;
 }
 
 }  // namespace touchstone::cell

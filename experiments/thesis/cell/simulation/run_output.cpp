@@ -2,6 +2,7 @@
 #include "experiments/thesis/cell/simulation/run_output.h"
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "experiments/run/table.h"
 #include "experiments/thesis/cell/simulation/distance_output.h"
 #include "experiments/thesis/cell/simulation/process.h"
+#include "experiments/thesis/cell/simulation/timing.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::cell {
@@ -52,14 +54,14 @@ run::Table<MoveRow> moves_csv() {
   };
   return {
       "moves.csv",
-      "a move of one joint",
+      "a move",
       {{"move", "its number", &MoveRow::number},
        {"phase", "the part of the process", path(&MoveRow::move, &Move::phase)},
-       {"joint", "the joint", &MoveRow::joint},
+       {"joint", "the joint, or that which turns furthest", &MoveRow::joint},
        {"until", "what ends the move", path(&MoveRow::move, &Move::until)},
-       {"degrees", "a whole number of steps", path(&MoveRow::move, &Move::degrees)},
+       {"degrees", "a whole number of steps, but not on a way that is found", path(&MoveRow::move, &Move::degrees)},
        {"exact_deg", "the angle before it is rounded to steps", path(&MoveRow::move, &Move::exact), "{:.6f}"},
-       {"seconds", "it takes with every joint at its greatest speed", &MoveRow::seconds, "{:.4f}"},
+       {"seconds", "it takes, as fast as its joints allow", &MoveRow::seconds, "{:.4f}"},
        {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::move, &Move::margin), "{:.6f}"},
        {"contact_low_deg", "the certified enclosure of the first contact", contact(&FirstContact::low)},
        {"contact_high_deg", "its upper end", contact(&FirstContact::high)},
@@ -68,7 +70,9 @@ run::Table<MoveRow> moves_csv() {
        {"early_deg", "degrees by which a wrong stop is before the exact one",
         [](const MoveRow& row) { return row.move->wrong ? row.move->wrong->early : std::nullopt; }},
        {"gap", "between the sphere and its target at a wrong stop",
-        [](const MoveRow& row) { return row.move->wrong ? std::optional(row.move->wrong->gap) : std::nullopt; }}}};
+        [](const MoveRow& row) { return row.move->wrong ? std::optional(row.move->wrong->gap) : std::nullopt; }},
+       {"rise", "of the hand, straight up or down",
+        [](const MoveRow& row) { return row.move->rise != 0 ? std::optional(row.move->rise) : std::nullopt; }}}};
 }
 
 struct StopRow {
@@ -146,10 +150,10 @@ std::vector<NearRow> near_rows(const MethodComparison& comparison) {
 }
 
 std::vector<MoveRow> move_rows(const Workcell& workcell, const Process& process) {
+  const Timing timing(workcell, process);
   std::vector<MoveRow> rows;
   for (const Move& move : process.moves)
-    rows.push_back(
-        {rows.size() + 1, joint_name(workcell, move.joint), &move, seconds(workcell.arm(), move.joint, move.degrees)});
+    rows.push_back({rows.size() + 1, joint_name(workcell, move.joint), &move, timing.move(rows.size())});
   return rows;
 }
 
@@ -183,12 +187,39 @@ std::string disagreements_text(const MethodComparison& comparison, std::size_t m
   return text;
 }
 
+/// How fingers hold the material, a line for each.
+std::string grip_text(const Workcell& workcell, const MaterialTransfer& transfer) {
+  const std::string_view unit = workcell.cell().unit.name;
+  std::string text =
+      fmt::format("gripped at stop {}: the fingers are {:.6g} {} apart\n", transfer.stop, transfer.grip->opening, unit);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& [way, gap, faces, place] = transfer.grip->fingers[i];
+    const auto at = [](const Eigen::Vector3d& p) {
+      return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x(), p.y(), p.z());
+    };
+    text += fmt::format("  {} closes by {:.6g} {} and touches face {} from {} to {} of the hand, within {:.1g} {}\n",
+                        workcell.cell().gripper.fingers->parts[i].name, way, unit, fmt::join(faces, ", "),
+                        at(place.min()), at(place.max()), gap, unit);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string summary(const Workcell& workcell, const Process& process, const Separation& separation,
                     const MethodComparison& comparison) {
   std::string text;
+  const std::string_view unit = workcell.cell().unit.name;
   for (const Move& m : process.moves) {
+    if (m.rise != 0) {
+      text += fmt::format("{:<16} straight {:+.6f} {}  {}\n", to_string(m.phase), m.rise, unit, to_string(m.until));
+      continue;
+    }
+    if (m.until == Until::Through) {
+      text += fmt::format("{:<16} {:<10} {:+8.2f}  {}\n", to_string(m.phase), joint_name(workcell, m.joint), m.degrees,
+                          to_string(m.until));
+      continue;
+    }
     text += fmt::format("{:<16} {:<10} {:+8g}  {:<8} at {:+.6f}", to_string(m.phase), joint_name(workcell, m.joint),
                         m.degrees, to_string(m.until), m.exact);
     if (m.contact) text += fmt::format(", face {}, {}", m.contact->face, to_string(m.contact->kind));
@@ -199,12 +230,16 @@ std::string summary(const Workcell& workcell, const Process& process, const Sepa
                           m.wrong->gap, workcell.cell().unit.name);
     text += "\n";
   }
-  const std::string_view unit = workcell.cell().unit.name;
   text += fmt::format("\n{} stops; {} distances were measured for obstacles\n", process.stops.size(), process.queries);
-  for (const MaterialTransfer& transfer : process.transfers)
+  for (const MaterialTransfer& transfer : process.transfers) {
+    if (transfer.grip) text += grip_text(workcell, transfer);
     if (transfer.slot && transfer.stop > 0)
       text += fmt::format("let go in the {}: {:.1f} {} from its place, turned by {:.2f} degrees\n",
                           to_string(*transfer.slot), transfer.shift, unit, transfer.turn);
+    if (transfer.landing)
+      text += fmt::format("  it lies on {}, at most {:.1g} {} above it\n", transfer.landing->support,
+                          transfer.landing->gap, unit);
+  }
   text += "\n" + separation_text(workcell, process, separation) + "\n";
   if (const std::string triggers = triggers_text(workcell, process); !triggers.empty()) text += triggers + "\n";
   text += fmt::format("{} pairs of a stop and a face could touch: their boxes meet\n\n", comparison.met);

@@ -20,10 +20,21 @@ std::size_t index(Mover mover) { return static_cast<std::size_t>(mover); }
 
 struct Element {
   std::string name;
-  TriangleTree triangles;
+  TriangleTree triangles;           ///< of material in its own frame
   std::optional<StationSlot> slot;  ///< of material
 
   [[nodiscard]] bool is_there(const MaterialTransfer& state) const { return !slot || slot == state.slot; }
+  /// Returns a pose in the cell as it is in the frame of the triangles.
+  [[nodiscard]] Pose seen(const Pose& pose, const MaterialTransfer& state) const {
+    return slot ? within(inverse(state.lies->pose), pose) : pose;
+  }
+  /// Returns a height that no point is above.
+  [[nodiscard]] double top(const MaterialTransfer& state) const {
+    const touchstone::Box box = triangles.whole();
+    if (!slot) return box.high.z();
+    const Eigen::Vector3d half = (box.high - box.low) / 2;
+    return (state.lies->pose * (box.low + half)).z() + (state.lies->pose.rotation.cwiseAbs() * half).z();
+  }
 };
 
 /// What is known of a stretch: at each stop the arm's links and lower bounds by part and element, and the way to the
@@ -79,7 +90,7 @@ class Measurement {
       elements_.push_back({name, TriangleTree(std::move(triangles)), {}});
     }
     for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
-      elements_.push_back({"the material in the " + std::string(to_string(slot)), cell_.material_in(slot), slot});
+      elements_.push_back({"the material in the " + std::string(to_string(slot)), cell_.material_tree(), slot});
   }
 
   [[nodiscard]] Best& best_of(Mover mover, std::size_t element) {
@@ -90,7 +101,8 @@ class Measurement {
   DistanceBounds measure(std::size_t p, std::size_t e, const std::vector<Pose>& links, const MaterialTransfer& state,
                          double cutoff, std::size_t stop, double degrees) {
     const MovingPart& part = parts_[p];
-    const DistanceBounds bounds = part.distance_from(elements_[e].triangles, part.pose(links, state), cutoff);
+    const Pose pose = elements_[e].seen(part.pose(links, state), state);
+    const DistanceBounds bounds = part.distance_from(elements_[e].triangles, pose, cutoff);
     if (Best& best = best_of(part.mover, e); bounds.upper < best.bounds.upper) {
       best.bounds.upper = bounds.upper;
       best.part = p, best.stop = stop, best.degrees = degrees;
@@ -146,7 +158,7 @@ class Measurement {
   /// A way between two stops, in degrees from the first one.
   struct Way {
     std::size_t part, element, stop;
-    StepOfJoint step;
+    Step step;
     const MaterialTransfer* state;
     double rate;    ///< by which the distance changes at most, per degree
     double upper;   ///< attained on the way
@@ -162,8 +174,7 @@ class Measurement {
       return Next::Done;
     };
     by_halves(whole, judge, [&](double middle, const Clearance& part) {
-      kinematics::Angles angles = process_.stops[way.stop].commanded;
-      angles[way.step.joint] += std::copysign(middle, way.step.degrees);
+      const kinematics::Angles angles = way.step.after(process_.stops[way.stop].commanded, middle);
       const double cutoff = std::max(part.at_begin, part.at_end) + way.rate * (part.end - part.begin);
       const DistanceBounds there = measure(way.part, way.element, arm_.link_poses(angles), *way.state, cutoff, way.stop,
                                            std::copysign(middle, way.step.degrees));
@@ -172,16 +183,16 @@ class Measurement {
     });
     return lower;
   }
-  /// How much higher than an element a part stays while it turns about a vertical axis; 0 for other moves.
-  [[nodiscard]] double above(std::size_t p, std::size_t e, const JointTurn& turn, const std::vector<Pose>& links,
-                             const MaterialTransfer& state) const {
-    if (std::hypot(turn.axis().x(), turn.axis().y()) > 0) return 0;
+  /// How much higher than an element a part stays while one joint turns it about a vertical axis; 0 for other moves.
+  [[nodiscard]] double above(std::size_t p, std::size_t e, const Step& step, const JointTurn& turn,
+                             const std::vector<Pose>& links, const MaterialTransfer& state) const {
+    if (std::ranges::count(step.by, 0.0) < 2 || std::hypot(turn.axis().x(), turn.axis().y()) > 0) return 0;
     const MovingPart& part = parts_[p];
     const Pose pose = part.pose(links, state);
     const touchstone::Box box = part.triangles.whole();
     const Eigen::Vector3d half = (box.high - box.low) / 2;
     const double center = (pose * (box.low + half)).z(), reach = (pose.rotation.cwiseAbs() * half).z() + part.radius;
-    return std::max(0.0, center - reach - elements_[e].triangles.whole().high.z() - kTolerance * tolerance_);
+    return std::max(0.0, center - reach - elements_[e].top(state) - kTolerance * tolerance_);
   }
   [[nodiscard]] double needed(const Way& way) {
     return std::max(best_of(parts_[way.part].mover, way.element).bounds.upper - tolerance_,
@@ -218,7 +229,7 @@ class Measurement {
                    stretch.state,
                    degrees > 0 ? way[p] / degrees : 0,
                    nearest.bounds.upper,
-                   above(p, e, turn, links, *stretch.state)};
+                   above(p, e, step, turn, links, *stretch.state)};
           const double lower = lowest(over, {0, before[i], degrees, after[i]});
           best.bounds.lower = std::min(best.bounds.lower, lower);
           nearest.bounds.upper = std::min(nearest.bounds.upper, over.upper);

@@ -130,7 +130,11 @@ DistanceBounds distance(const Triangle& first, const Triangle& second) {
     if (foot_inside(a[i], b, m, foot)) nearest.take(a[i], foot);
     if (foot_inside(b[i], a, n, foot)) nearest.take(foot, b[i]);
   }
-  const double upper = std::sqrt(nearest.squared), lower = apart(a, b, nearest.other - nearest.one);
+  const double upper = std::sqrt(nearest.squared);
+  double lower = apart(a, b, nearest.other - nearest.one);
+  // Rounding turns a short way between two faces that are almost parallel; their normals stay.
+  for (const Eigen::Vector3d& normal : {n, m})
+    if (!(lower > 0)) lower = std::max(apart(a, b, normal), apart(a, b, -normal));
   if (lower > 0) return {lower, std::max(lower, upper)};
   return {0, pierces(a, b, m) || pierces(b, a, n) ? 0 : upper};
 }
@@ -187,6 +191,33 @@ DistanceOfTrees distance(const TriangleTree& moving, const Pose& pose, const Tri
     }
   }
   return bounds;
+}
+
+namespace {
+
+constexpr double kTouching = 3e-13;  // of coordinates: some roundings of a posed distance
+constexpr int kMostSteps = 10'000;
+
+double size_of(const touchstone::Box& box) {
+  return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+
+StraightWay until_touch(const TriangleTree& moving, const Pose& pose, const Eigen::Vector3d& direction, double most,
+                        const TriangleTree& still) {
+  const double near = kTouching * (size_of(moving.whole()) + pose.translation.cwiseAbs().maxCoeff() + most);
+  StraightWay result{0, false, std::numeric_limits<double>::infinity()};
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Pose here{pose.rotation, pose.translation + result.way * direction};
+    const DistanceOfTrees left = distance(moving, here, still, most - result.way + near);
+    if (left.lower > most - result.way) return {most, false, std::numeric_limits<double>::infinity()};
+    result.gap = left.upper, result.owner = left.owner, result.other = left.other;
+    if (left.lower <= near) break;
+    result.way += left.lower;
+  }
+  result.touches = true;
+  return result;
 }
 
 }  // namespace touchstone::cell

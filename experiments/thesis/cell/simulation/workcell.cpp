@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/thesis/cell/simulation/workcell.h"
 
-#include <fmt/core.h>
-
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "experiments/cases/workloads/degrees.h"
@@ -27,9 +28,9 @@ void append(scene::Faces& all, const scene::Faces& more) {
 }
 
 /// Around all vertices, seen along and across a direction of the plan.
-Eigen::AlignedBox3d box_along(const scene::Faces& faces, double azimuth) {
+Eigen::AlignedBox3d box_along(const scene::Faces& faces, double direction) {
   Eigen::Matrix3d turned;
-  const double c = workloads::cosine(azimuth), s = workloads::sine(azimuth);
+  const double c = workloads::cosine(direction), s = workloads::sine(direction);
   turned << c, s, 0, -s, c, 0, 0, 0, 1;
   Eigen::AlignedBox3d box;
   const auto extend = [&](const Eigen::Vector3d& vertex) { box.extend(Eigen::Vector3d(turned * vertex)); };
@@ -39,23 +40,31 @@ Eigen::AlignedBox3d box_along(const scene::Faces& faces, double azimuth) {
   return box;
 }
 
-Workplace workplace(const Station& station, const Slot& slot, const scene::Faces& material, double drop) {
+Lying lying(const scene::Faces& material, const Pose& pose) {
+  auto there = std::make_shared<LyingMaterial>();
+  there->pose = pose;
+  there->faces = posed(pose, material);
+  there->scene.add("material", there->faces);
+  return there;
+}
+
+Workplace workplace(const PlanarArm& plane, const Station& station, const Slot& slot, const scene::Faces& material,
+                    double drop) {
   const Eigen::Vector2d aim = in_plan(station, slot.aim);
   const double x = aim.x(), y = aim.y();
   const Pose frame = pose_of(station);
   Workplace place;
-  place.azimuth = station.azimuth() + workloads::arc_tangent(y, x);
   place.out = std::sqrt(x * x + y * y);
-  place.pose = {frame.rotation, frame * slot.place};
-  place.faces = posed(place.pose, material);
+  place.facing = plane.facing(station.azimuth() + workloads::arc_tangent(y, x), place.out);
+  const Eigen::Vector3d at = frame * slot.place;
   place.drop = drop;
-  place.virtual_pose = {frame.rotation, place.pose.translation + Eigen::Vector3d(0, 0, drop)};
-  place.virtual_faces = posed(place.virtual_pose, material);
-  const Eigen::AlignedBox3d box = box_along(place.faces, place.azimuth);
+  place.material = lying(material, {frame.rotation, at});
+  place.copy = lying(material, {frame.rotation, at + Eigen::Vector3d(0, 0, drop)});
+  const Eigen::AlignedBox3d box = box_along(place.material->faces, place.facing);
   place.bottom = box.min().z();
   place.top = box.max().z();
-  place.right = box.min().y();
-  place.left = box.max().y();
+  place.right = box.min().y() - plane.beside();
+  place.left = box.max().y() - plane.beside();
   return place;
 }
 
@@ -91,12 +100,13 @@ Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
     switch (part.carrier) {
       case Carrier::Link: break;
       case Carrier::Gripper: append(gripper_, faces, owner); break;
+      case Carrier::Finger: append(fingers_.emplace_back(), faces, owner); break;
       case Carrier::Storage:
       case Carrier::Machine:
       case Carrier::Obstacle: {
         if (part.carrier != Carrier::Obstacle)
           faces = posed(pose_of(part.carrier == Carrier::Storage ? cell.storage : cell.machine), faces);
-        standing_.push_back(scene_.add(part.name, faces));
+        scene_.add(part.name, faces);
         append(standing_triangles_, faces, owner);
         append(obstacles_.faces, faces);
         obstacles_.owners.insert(obstacles_.owners.end(), faces.triangles.size(), part.name);
@@ -105,52 +115,38 @@ Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
       }
       case Carrier::Material:
         append(material_triangles_, faces, owner);
-        places_ = {workplace(cell.storage, cell.storage.slots[cell.material.slot], faces, cell.material.drop),
-                   workplace(cell.machine, cell.machine.slots[cell.material.machine_slot], faces, cell.material.drop)};
-        for (const Workplace& place : places_) {
-          std::vector<NamedTriangle> there;
-          append(there, place.faces, owner);
-          slots_triangles_.emplace_back(std::move(there));
-        }
+        material_tree_.emplace(material_triangles_);
+        places_ = {
+            workplace(plane_, cell.storage, cell.storage.slots[cell.material.slot], faces, cell.material.drop),
+            workplace(plane_, cell.machine, cell.machine.slots[cell.material.machine_slot], faces, cell.material.drop)};
+        material_faces_ = std::move(faces);
         break;
     }
   }
   obstacles_.owners.insert(obstacles_.owners.end(), owners_of_polygons.begin(), owners_of_polygons.end());
-  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine}) {
-    material_.push_back(scene_.add(fmt::format("the material in the {}", to_string(slot)), at(slot).faces));
-    copies_.push_back(
-        scene_.add(fmt::format("the virtual material in the {}", to_string(slot)), at(slot).virtual_faces));
-  }
   const double reach = 2 * (plane_.furthest() + cell.storage.radius + cell.machine.radius);
   const auto corner = [&](double x, double y) { return Eigen::Vector3d(x * reach, y * reach, 0); };
   floor_faces_ = {{{corner(-1, -1), corner(1, -1), corner(1, 1)}, {corner(-1, -1), corner(1, 1), corner(-1, 1)}}, {}};
-  floor_ = scene_.add("the floor", floor_faces_);
   names_.emplace_back("the floor");
   standing_tree_.emplace(standing_parts());
 }
 
-scene::Scene::Objects Workcell::in_the_way(Material material, bool floor) const {
-  std::vector<std::uint32_t> numbers = standing_;
-  if (material) numbers.push_back(material_[static_cast<std::size_t>(*material)]);
-  if (floor) numbers.push_back(floor_);
-  return {std::move(numbers)};
+Lying Workcell::lay(const Pose& pose) const { return lying(material_faces_, pose); }
+
+std::optional<std::size_t> LyingMaterial::touched(const Ball& ball) const {
+  const auto all = scene.touched(ball);
+  if (all.empty()) return std::nullopt;
+  return all.front().face;
 }
 
-std::optional<std::size_t> Workcell::touched(const Ball& ball, StationSlot slot, bool virtual_copy) const {
-  const auto faces = scene_.touched(ball, {{(virtual_copy ? copies_ : material_)[static_cast<std::size_t>(slot)]}});
-  if (faces.empty()) return std::nullopt;
-  return faces.front().face;
+double LyingMaterial::gap(const Ball& ball) const {
+  return std::max(0.0, scene.nearest(ball).value().distance - ball.radius);
 }
 
 std::vector<NamedTriangle> Workcell::standing_parts() const {
   std::vector<NamedTriangle> all = standing_triangles_;
   append(all, floor_faces_, static_cast<std::uint32_t>(names_.size() - 1));
   return all;
-}
-
-double Workcell::gap(const Ball& ball, StationSlot slot, bool virtual_copy) const {
-  const auto nearest = scene_.nearest(ball, {{(virtual_copy ? copies_ : material_)[static_cast<std::size_t>(slot)]}});
-  return std::max(0.0, nearest.value().distance - ball.radius);
 }
 
 }  // namespace touchstone::cell

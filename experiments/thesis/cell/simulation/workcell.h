@@ -23,17 +23,28 @@ namespace touchstone::cell {
 enum class StationSlot { Storage, Machine };
 [[nodiscard]] std::string_view to_string(StationSlot slot);
 
+/// The material, or its virtual copy, where it lies in the cell.
+struct LyingMaterial {
+  Pose pose;
+  scene::Faces faces;
+  scene::Scene scene;  ///< of these faces
+
+  /// Returns the lowest face that a ball touches.
+  [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball) const;
+  /// Returns the distance from a ball; 0 if they touch.
+  [[nodiscard]] double gap(const Ball& ball) const;
+};
+using Lying = std::shared_ptr<const LyingMaterial>;
+
 /// One of the two slots, in the cell.
 struct Workplace {
-  double azimuth,
-      out;  ///< of the point that the arm faces: degrees counter-clockwise, and distance from the base's axis
+  double facing;       ///< the direction of the arm's plane that holds the point to come to, counter-clockwise
+  double out;          ///< the distance of that point from the base's axis
   double bottom, top;  ///< of the material there, above the floor
   double drop;         ///< of its virtual copy above it
   double left,
       right;  ///< of the material, from the plane of the arm that faces it: counter-clockwise is left; left >= right
-  Pose pose, virtual_pose;     ///< of the material, and of its virtual copy
-  scene::Faces faces;          ///< of the material
-  scene::Faces virtual_faces;  ///< of its virtual copy, `drop` above it
+  Lying material, copy;  ///< the material in its place, and its virtual copy, `drop` above it
 };
 
 /// The fixed obstacles, in the cell's frame.
@@ -70,33 +81,26 @@ class Workcell {
 
   [[nodiscard]] const std::vector<Covered>& covered() const { return *covered_; }
 
-  /// The place of the material that is an obstacle, if any.
-  using Material = std::optional<StationSlot>;
-
-  /// The parts that stand, the material in both slots, its virtual copies and the floor.
+  /// The parts that stand.
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
-  /// Returns the objects that are in the way: the parts that stand, the material in a slot and, if asked, the floor.
-  [[nodiscard]] scene::Scene::Objects in_the_way(Material material, bool floor) const;
-  /// Returns the lowest face of the material in a slot, or of its virtual copy, that a ball touches.
-  [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball, StationSlot slot, bool virtual_copy) const;
 
-  /// Returns the distance of a ball from the material in a slot, or from its virtual copy; 0 if they touch.
-  [[nodiscard]] double gap(const Ball& ball, StationSlot slot, bool virtual_copy) const;
-
-  /// The same things as triangles, which cover their faces: those of the parts that stand and of the floor, and those
-  /// of the material in a slot. Owners are indices of `names()`.
+  /// The same things as triangles, which cover their faces: those of the parts that stand and of the floor. Owners are
+  /// indices of `names()`.
   [[nodiscard]] const TriangleTree& standing() const { return *standing_tree_; }
-  [[nodiscard]] const TriangleTree& material_in(StationSlot slot) const {
-    return slots_triangles_[static_cast<std::size_t>(slot)];
-  }
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   /// The triangles of all that stands, in the cell, and those of the floor.
   [[nodiscard]] std::vector<NamedTriangle> standing_parts() const;
   /// Those without the floor.
   [[nodiscard]] const std::vector<NamedTriangle>& standing_triangles() const { return standing_triangles_; }
-  /// The triangles of the gripper in the flange's frame, and of the material in its own.
+  /// The triangles of the gripper without its fingers and of each finger, open, in the flange's frame.
   [[nodiscard]] const std::vector<NamedTriangle>& gripper() const { return gripper_; }
+  [[nodiscard]] const std::vector<std::vector<NamedTriangle>>& fingers() const { return fingers_; }
+  /// Returns the material at a pose in the cell.
+  [[nodiscard]] Lying lay(const Pose& pose) const;
+  /// The material in its own frame: its faces, the triangles that cover them, and these in a hierarchy.
+  [[nodiscard]] const scene::Faces& material_faces() const { return material_faces_; }
   [[nodiscard]] const std::vector<NamedTriangle>& material() const { return material_triangles_; }
+  [[nodiscard]] const TriangleTree& material_tree() const { return *material_tree_; }
 
  private:
   Cell cell_;
@@ -106,15 +110,12 @@ class Workcell {
   Obstacles obstacles_;
   std::shared_ptr<const std::vector<Covered>> covered_;
   scene::Scene scene_;
-  std::vector<std::uint32_t> standing_;           // objects of the scene
-  std::vector<std::uint32_t> material_, copies_;  // by place
-  std::uint32_t floor_ = 0;
-  scene::Faces floor_faces_;
+  scene::Faces floor_faces_, material_faces_;
   std::vector<std::string> names_;
   std::vector<NamedTriangle> gripper_, material_triangles_;
+  std::vector<std::vector<NamedTriangle>> fingers_;
   std::vector<NamedTriangle> standing_triangles_;  // without the floor
-  std::optional<TriangleTree> standing_tree_;
-  std::vector<TriangleTree> slots_triangles_;  // by place
+  std::optional<TriangleTree> standing_tree_, material_tree_;
 };
 
 }  // namespace touchstone::cell

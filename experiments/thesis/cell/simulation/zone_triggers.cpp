@@ -68,14 +68,13 @@ class Watch {
 
   /// The first angle of a way, from 0 to `degrees` of the joint's step, up to which the part is certainly outside; none
   /// if it is on the whole way.
-  [[nodiscard]] std::optional<double> comes_in(const Stop& from, const StepOfJoint& step, const MaterialTransfer& state,
+  [[nodiscard]] std::optional<double> comes_in(const Stop& from, const Step& step, const MaterialTransfer& state,
                                                double moved, double at_begin, double at_end) const {
     const double degrees = std::abs(step.degrees), rate = degrees > 0 ? moved / degrees : 0;
     return first_touch({0, at_begin, degrees, at_end}, rate, kFinest * cell_.cell().step,
                        [&](double middle, const Clearance& part) {
-                         kinematics::Angles angles = from.commanded;
-                         angles[step.joint] += std::copysign(middle, step.degrees);
-                         return apart(cell_.arm().link_poses(angles), state, rate * (part.end - part.begin));
+                         return apart(cell_.arm().link_poses(step.after(from.commanded, middle)), state,
+                                      rate * (part.end - part.begin));
                        });
   }
 
@@ -103,10 +102,10 @@ class Follower {
     if (open_) triggers.back().until = stop;
     open_ = false;
   }
-  void is_in(std::size_t after, double degrees, const std::string& part, const StepOfJoint* step, std::size_t until) {
+  void is_in(std::size_t after, double degrees, const std::string& part, const Step* step, std::size_t until) {
     if (!open_) {
       kinematics::Angles angles = process_.stops[after].commanded;
-      if (step != nullptr) angles[step->joint] += std::copysign(degrees, step->degrees);
+      if (step != nullptr) angles = step->after(angles, degrees);
       triggers.push_back({zone_, mover_, part, after, degrees, until, cell_.arm().sphere_at(angles).center});
       open_ = true;
     }
@@ -208,8 +207,8 @@ void stop_at_zones(const Workcell& workcell, Process& process) {
       process.stops[trigger.after].commanded,
       {trigger.part, zones[trigger.zone].name}};
   if (trigger.after + 1 < process.stops.size()) {
-    const StepOfJoint step = step_between(process.stops[trigger.after], process.stops[trigger.after + 1]);
-    stuck.commanded[step.joint] += std::copysign(trigger.degrees, step.degrees);
+    const Step step = step_between(process.stops[trigger.after], process.stops[trigger.after + 1]);
+    stuck.commanded = step.after(stuck.commanded, trigger.degrees);
   }
   const std::size_t move = process.stops[trigger.after].move;
   const bool completed =

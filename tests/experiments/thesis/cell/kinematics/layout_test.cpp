@@ -24,15 +24,14 @@ double net(const cell::Process& path, cell::Moved joint) {
 
 // The captions of Figs 6.4 to 6.17 and 6.20 to 6.29, with the lift of 11 degrees that they leave out.
 TEST(ChosenLayout, BringsOutTheCaptionedAnglesOfBothCases) {
-  for (const Layout& layout : {chosen_layout(), locked_layout()}) {
-    const cell::Process first = rehearse_case(layout, 0), second = rehearse_case(layout, 1);
-    EXPECT_EQ(degrees_of(first), (std::vector<double>{-3, -149, 38, 66, 28})) << first.failure;
-    EXPECT_EQ(degrees_of(second), (std::vector<double>{12, -183, 25, -11, 23, 100, 14})) << second.failure;
-    EXPECT_EQ(difference(first, kCases[0]), "");
-    EXPECT_EQ(difference(second, kCases[1]), "");
-    ASSERT_EQ(first.moves.size(), 5U);
-    EXPECT_EQ(first.moves[1].contact.value().feature.kind, Feature::Kind::Face);  // Fig 6.9: sphere and face
-  }
+  const Layout layout = chosen_layout();
+  const cell::Process first = rehearse_case(layout, 0), second = rehearse_case(layout, 1);
+  EXPECT_EQ(degrees_of(first), (std::vector<double>{-3, -149, 38, 66, 28})) << first.failure;
+  EXPECT_EQ(degrees_of(second), (std::vector<double>{12, -183, 25, -11, 23, 100, 14})) << second.failure;
+  EXPECT_EQ(difference(first, kCases[0]), "");
+  EXPECT_EQ(difference(second, kCases[1]), "");
+  ASSERT_EQ(first.moves.size(), 5U);
+  EXPECT_EQ(first.moves[1].contact.value().feature.kind, Feature::Kind::Face);  // Fig 6.9: sphere and face
 }
 
 TEST(ChosenLayout, KeepsEveryRoundedAngleNearlyHalfADegreeFromTheNext) {
@@ -105,9 +104,9 @@ TEST(Rehearsal, TellsWhichCaptionFlips) {
   EXPECT_EQ(difference(rehearse_case(layout, 0), kCases[0]), "move 3: elbow +39 where the caption says elbow +38");
   layout = chosen_layout();
   layout.gap += 8;
-  EXPECT_TRUE(difference(rehearse_case(layout, 0), kCases[0])
-                  .starts_with("from the side: to-storage base -149: the sphere does not touch the material"))
-      << difference(rehearse_case(layout, 0), kCases[0]);
+  EXPECT_NE(rehearse_case(layout, 0).refused.at(0).find(
+                "from the side: to-storage base -149: the sphere does not touch the material"),
+            std::string::npos);
   layout = chosen_layout();
   layout.clearance -= 4;
   EXPECT_EQ(difference(rehearse_case(layout, 1), kCases[1]),
@@ -120,8 +119,7 @@ TEST(Rehearsal, NamesWhatIsOutOfReach) {
   storage.radius = 2000;
   const cell::Process path = rehearse(layout, storage);
   EXPECT_EQ(path.cause, cell::FailureCause::OutOfReach);
-  EXPECT_NE(path.failure.find("from above: the upper face of the material is out of reach"), std::string::npos)
-      << path.failure;
+  EXPECT_NE(path.failure.find("the upper face of the material is out of reach"), std::string::npos) << path.failure;
 }
 
 TEST(SolveLayout, BringsOutTheCaptionsFromOtherHomesToo) {

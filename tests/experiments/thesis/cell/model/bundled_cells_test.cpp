@@ -74,13 +74,17 @@ TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
   std::map<std::string, SolidFaces> parts;
   for (ModelPart& part : build_model(cell)) {
     const std::string owner = part.name.substr(0, part.name.find('/'));
-    EXPECT_EQ(part.carrier == Carrier::Link ? cell.robot.links[part.link].name : to_string(part.carrier), owner);
-    if (part.carrier == Carrier::Gripper) {
+    const bool of_gripper = part.carrier == Carrier::Gripper || part.carrier == Carrier::Finger;
+    EXPECT_EQ(part.carrier == Carrier::Link ? cell.robot.links[part.link].name
+              : of_gripper                  ? "gripper"
+                                            : to_string(part.carrier),
+              owner);
+    if (of_gripper) {
       EXPECT_EQ(part.link, cell.robot.links.size() - 1);
     }
     parts.emplace(part.name, std::move(part.faces));
   }
-  EXPECT_EQ(parts.size(), 20U);
+  EXPECT_EQ(parts.size(), 22U);
   EXPECT_EQ(parts.at("gripper/Gripper1").volume, 90.0 * 30 * 75 - 50 * 30 * 45);
   EXPECT_EQ(parts.at("gripper/Gripper1").faces.size(), 10U);
   EXPECT_EQ(parts.at("storage/deck").holes(), 3U);

@@ -33,9 +33,9 @@ class CellCommand : public testing::Test {
 TEST_F(CellCommand, ShowWritesAModelFileForEveryLink) {
   const Ran ran = touchstone_cell({"show", aristo, "--output", path("out")});
   ASSERT_EQ(ran.status, 0) << ran.err;
-  EXPECT_NE(ran.out.find("faces.csv and 18 model files: "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("faces.csv and 20 model files: "), std::string::npos) << ran.out;
   const std::string faces = run_tests::text_of(path("out/faces.csv"));
-  EXPECT_EQ(std::count(faces.begin(), faces.end(), '\n'), 1 + 576);
+  EXPECT_EQ(std::count(faces.begin(), faces.end(), '\n'), 1 + 598);
   EXPECT_NE(faces.find("\nstorage/deck,storage,20,"), std::string::npos);
   EXPECT_NE(run_tests::text_of(path("out/run.json")).find("touchstone cell show "), std::string::npos);
   const LinkModel axis1 = read_link_model(path("out/models/Axis1.txt"));

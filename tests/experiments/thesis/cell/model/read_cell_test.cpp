@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -189,20 +190,37 @@ TEST_F(BadCells, AnAxisMayHaveAnyLength) {
   }
   run::write_file(scratch.path / "aristo.urdf", urdf);
   for (const double length : {1e200, 1e-200})
-    EXPECT_EQ(fault("/gripper/hold/along", json::array({0, length, 0})), "") << length;
-  EXPECT_EQ(fault("/gripper/hold/along", json::array({0, 0, 0})), "gripper.hold.along: has no direction");
+    EXPECT_EQ(fault("/gripper/fingers/along", json::array({0, length, 0})), "") << length;
+  EXPECT_EQ(fault("/gripper/fingers/along", json::array({0, 0, 0})), "gripper.fingers.along: has no direction");
+}
+
+TEST_F(BadCells, AGripperHasTwoFingersWithNamesOfTheirOwn) {
+  const json finger = whole["gripper"]["fingers"]["parts"][0];
+  EXPECT_EQ(fault("/gripper/fingers/parts", json::array({finger})), "gripper.fingers.parts: a gripper has two fingers");
+  EXPECT_EQ(fault("/gripper/fingers/parts/1/name", "Gripper1"),
+            "gripper.fingers.parts[1].name: another part of the gripper has this name");
+  EXPECT_EQ(fault("/gripper/fingers/parts/1/name", "Axis1"),
+            "gripper.fingers.parts[1].name: a link, or something else, has this name");
+  EXPECT_EQ(fault("/gripper/fingers/stroke", 0), "gripper.fingers.stroke: must be positive, is 0");
 }
 
 TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
   EXPECT_EQ(urdf_fault("lower=\"-1.570796326794897\" upper=\"1.570796326794897\"", "lower=\"1\" upper=\"-1\""),
             "line 23: joint shoulder: limits are crossed: lower 57.295779513 and upper -57.295779513 degrees");
-  EXPECT_EQ(urdf_fault("name=\"wrist_pitch\" type=\"revolute\"", "name=\"wrist_pitch\" type=\"floating\""),
-            "line 44: joint wrist_pitch: is neither revolute, continuous, prismatic nor fixed");
+  EXPECT_EQ(
+      urdf_fault("name=\"wrist_pitch\" type=\"revolute\"", "name=\"wrist_pitch\" type=\"floating\""),
+      "line 44: joint wrist_pitch: is neither revolute, continuous, prismatic nor fixed; robot.root can name a link "
+      "behind it");
   EXPECT_EQ(urdf_fault("<axis xyz=\"0 0 -1\"/>", "<axis xyz=\"0 0 0\"/>"), "line 51: joint hand_roll: has no axis");
   EXPECT_EQ(urdf_fault("<parent link=\"Axis5\"/>", "<parent link=\"Axis4\"/>"),
-            "line 13: link Axis4: has more than one child; a serial arm is expected");
+            "as many joints turn on the way to link Axis6 as to Axis5: robot.tip must name the last link");
   EXPECT_EQ(urdf_fault("<origin xyz=\"0 0 0.3\"/>", "<origin xyz=\"0 0 0.3\"/><mimic joint=\"shoulder\"/>"),
-            "line 30: joint elbow: mimics another joint; couplings are given in the cell file");
+            "robot.home.elbow: the joint mimics another, and has no angle of its own");
+  whole["robot"]["home"].erase("elbow");
+  EXPECT_EQ(urdf_fault("<origin xyz=\"0 0 0.3\"/>", "<origin xyz=\"0 0 0.3\"/><mimic joint=\"shoulder\"/>"),
+            "robot.urdf: joint \"elbow\" mimics another, but the cell moves it by itself: only joints after the first "
+            "three that turn can follow");
+  whole["robot"]["home"]["elbow"] = -25;
   const auto link = [&](const char* inside) {
     return urdf_fault("<link name=\"Base\"/>",
                       "<link name=\"Base\"><visual><geometry>" + std::string(inside) + "</geometry></visual></link>");
@@ -213,8 +231,6 @@ TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
   EXPECT_EQ(link("<box size=\"1 0 1\"/>"), "line 9: link Base: visual0: a size must be positive, is 0");
   EXPECT_EQ(link("<mesh filename=\"none.stl\"/>"),
             "line 9: link Base: visual0: mesh: there is no file " + (scratch.path / "none.stl").string());
-  EXPECT_EQ(link("<mesh filename=\"aristo.urdf\" scale=\"2 2 2\"/>"),
-            "line 9: link Base: visual0: mesh: the scale 2 2 2 is not that of a unit of length in metres");
   EXPECT_NE(urdf_fault("</robot>", ""), "");
   EXPECT_NE(urdf_fault("<link name=\"Axis3\"/>", ""), "");
   EXPECT_EQ(urdf_fault("<origin xyz=\"0 0 0.2\"/>", "<origin xyz=\"0.1 0 0.2\"/>"),
@@ -233,6 +249,40 @@ TEST_F(BadCells, UrdfsFromElsewhereAreRead) {
                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   EXPECT_EQ(link("<mesh filename=\"package://arm/meshes/a.obj\"/>"), "");
   EXPECT_EQ(link("<mesh filename=\"file://" + (scratch.path / "arm/meshes/a.obj").string() + "\"/>"), "");
+}
+
+TEST_F(BadCells, AccelerationsAndWaitsArePositive) {
+  for (const char* key : {"/gripper/grip_seconds", "/gripper/release_seconds", "/material/milling_seconds",
+                          "/robot/accelerations/elbow", "/robot/speeds/elbow"}) {
+    whole["robot"]["accelerations"] = json::object();
+    std::string path = key + 1;
+    std::ranges::replace(path, '/', '.');
+    EXPECT_EQ(fault(key, 0.5), "");
+    EXPECT_EQ(fault(key, 0), path + ": must be positive, is 0");
+    EXPECT_EQ(fault(key, -0.5), path + ": must be positive, is -0.5");
+    EXPECT_EQ(fault(key, "fast"), path + ": must be a number");
+  }
+  EXPECT_EQ(fault("/robot/accelerations/elbow", 5e-324),
+            "robot.accelerations.elbow: must be at least 1e-09, is 5e-324");
+  EXPECT_EQ(fault("/robot/accelerations/knee", 1),
+            "robot.accelerations.knee: the robot has no joint of this name that turns");
+  EXPECT_EQ(fault("/storage/milling_seconds", 1).substr(0, 45), "storage.milling_seconds: is an unknown key; t");
+  std::string text = whole.dump();
+  text.replace(text.find("\"drop\":2.5"), 10, "\"milling_seconds\":1e999");
+  EXPECT_NE(fault(text), "");
+}
+
+// Each goes to its own place.
+TEST(ReadCell, AccelerationsAndWaitsAreThoseOfTheFile) {
+  const Cell cell = read_cell(kCells / "aristo.json", std::nullopt,
+                              {"robot.accelerations={\"elbow\": 150}", "gripper.grip_seconds=0.5",
+                               "gripper.release_seconds=0.25", "material.milling_seconds=30"});
+  EXPECT_EQ(arm_of(cell).accelerations, (std::vector<double>{0, 0, 150, 0, 0, 0}));
+  EXPECT_EQ(cell.gripper.grip_seconds, 0.5);
+  EXPECT_EQ(cell.gripper.release_seconds, 0.25);
+  EXPECT_EQ(cell.material.milling_seconds, 30);
+  EXPECT_EQ(cell.label("material.milling_seconds"), Label::Chosen);
+  EXPECT_EQ(cell.label("robot.accelerations.elbow"), Label::Chosen);
 }
 
 // A joint that slides stands where `home` says.

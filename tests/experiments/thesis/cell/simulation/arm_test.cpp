@@ -77,9 +77,10 @@ TEST(Arm, TheCellsArmHoldsItsSphereWhereTheChosenLayoutDoes) {
 }
 
 TEST(Arm, InverseBringsTheSphereToThePoint) {
-  for (const bool coupled : {true, false}) {
+  for (const auto& [coupled, beside] : {std::pair{true, 0.0}, {false, 0.0}, {true, 120.0}, {false, -60.0}}) {
     Cell cell = read_cell(kAristo);
     if (!coupled) cell.robot.couplings.clear();
+    cell.gripper.sphere.center.y() = beside;
     const Arm arm = arm_of(cell);
     const PlanarArm plane(cell, arm);
     for (std::uint64_t n = 0; n < 50; ++n) {
@@ -89,14 +90,16 @@ TEST(Arm, InverseBringsTheSphereToThePoint) {
       const auto commands = plane.inverse(point);
       ASSERT_TRUE(commands) << n;
       Angles angles = arm.home;
-      angles[kBase] = plane.base(azimuth);
+      angles[kBase] = plane.base(plane.facing(azimuth, point.out));
       angles[kShoulder] = commands->shoulder;
       angles[kElbow] = commands->elbow;
       const Eigen::Vector3d at = arm.sphere_at(angles).center;
       const double a = azimuth * std::numbers::pi / 180;
       EXPECT_LT((at - Eigen::Vector3d(point.out * std::cos(a), point.out * std::sin(a), point.up)).norm(), 1e-8) << n;
     }
+    EXPECT_EQ(std::abs(plane.beside()), std::abs(beside));
     EXPECT_FALSE(plane.inverse({2000, 0}));
+    EXPECT_FALSE(plane.inverse({std::abs(beside) - 1, 400}));
   }
 }
 
@@ -127,8 +130,8 @@ TEST(Arm, RefusesWhatWouldNotMoveOnArcs) {
               c.robot.couplings.clear();
             }),
             "robot.urdf: the second and third joint do not turn about y at home");
-  EXPECT_EQ(fault([](Cell& c) { c.gripper.sphere.center.y() = 3; }),
-            "robot.urdf: at home the sphere's centre is at (488.958, 3, 295.848), not over the positive x axis");
+  EXPECT_EQ(fault([](Cell& c) { c.robot.joints[0].home = 180; }),
+            "robot.urdf: at home the sphere's centre is at (-488.958, 0, 295.848), not in front of the base");
 }
 
 }  // namespace

@@ -21,6 +21,10 @@ using run_tests::kAristo;
 /// The changes that put the storage where the second case study has it.
 inline const std::vector<std::string> kSecondCase{"storage.angle=-33", "storage.radius=609"};
 
+/// The change that puts a table below the real arm's machine slot, whose meshes the tests do not have.
+inline const std::string kMelfaTable =
+    R"(machine.parts[6]={"name":"bench","box":{"from":[-60,-60,-20],"to":[60,60,0]}})";
+
 /// The default cell's arm, covered coarsely, once for all tests.
 [[nodiscard]] const std::shared_ptr<const std::vector<Covered>>& covered_aristo();
 

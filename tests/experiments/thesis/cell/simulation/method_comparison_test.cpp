@@ -25,11 +25,11 @@ const std::vector<std::string> kNotched{
 
 Process into_the_notch(const Workcell& workcell) {
   Process process;
-  process.transfers.push_back({0, StationSlot::Storage, 0, 0, {}});
-  const Workplace& at = workcell.at(StationSlot::Storage);
+  const Lying& lies = workcell.at(StationSlot::Storage).material;
+  process.transfers.push_back({0, StationSlot::Storage, 0, 0, {}, lies});
   for (int i = 0; i <= 49; ++i) {
     const Eigen::Vector3d local{0, 20, 60.0 - i};  // in the plane of the side
-    const Eigen::Vector3d center = at.pose * local;
+    const Eigen::Vector3d center = lies->pose * local;
     process.stops.push_back({0, workcell.arm().home, {center, 6}, StationSlot::Storage, {}});
   }
   return process;
@@ -39,7 +39,7 @@ TEST(MethodComparison, CountsWhatTheThesissMethodGetsWrongInANotch) {
   const Workcell workcell = aristo(kNotched);
   const Process process = into_the_notch(workcell);
   for (const Stop& stop : process.stops)
-    for (const Polygon& face : workcell.at(StationSlot::Storage).faces.polygons)
+    for (const Polygon& face : workcell.at(StationSlot::Storage).material->faces.polygons)
       ASSERT_FALSE(exact::contact(stop.sphere, face));
   const MethodComparison comparison =
       compare_methods(workcell, process, methods::find_methods({"filtered", "fast", "thesis", "thesis-signed"}), false);
@@ -74,8 +74,9 @@ TEST(MethodComparison, CountsHowNearQuestionsComeToContact) {
   EXPECT_EQ(compare_methods(workcell, process, {}, true).near[0], 0U);  // was not to be counted
 
   const Workplace& at = workcell.at(StationSlot::Storage);
-  const Polygon& side = at.faces.polygons.front();
-  const Eigen::Vector3d center = at.pose.translation + at.pose.rotation * Eigen::Vector3d(0, 200, 20);
+  const Polygon& side = at.material->faces.polygons.front();
+  const Eigen::Vector3d center =
+      at.material->pose.translation + at.material->pose.rotation * Eigen::Vector3d(0, 200, 20);
   const double distance = exact::answer({center, 0}, side).distance;
   process.stops.assign(1, {0, workcell.arm().home, {center, distance * (1 + 0x1p-20)}, StationSlot::Storage, {}});
   const MethodComparison near = compare_methods(workcell, process, {}, true, true);
@@ -106,8 +107,9 @@ TEST(MethodComparison, BoxesHideNothingFromARightMethod) {
 TEST(MethodComparison, TheMaterialIsAskedAboutWhereItIsAndWhereItsCopyIs) {
   const Workcell workcell = aristo();
   Process process;
-  process.transfers = {
-      {0, StationSlot::Storage, 0, 0, {}}, {1, std::nullopt, 0, 0, Pose{}}, {3, StationSlot::Machine, 0, 0, {}}};
+  process.transfers = {{0, StationSlot::Storage, 0, 0, {}, workcell.at(StationSlot::Storage).material},
+                       {1, std::nullopt, 0, 0, Pose{}},
+                       {3, StationSlot::Machine, 0, 0, {}, workcell.at(StationSlot::Machine).material}};
   const Ball far{{0, 0, 2000}, 1};
   for (int i = 0; i < 6; ++i) process.stops.push_back({0, workcell.arm().home, far, {}, {}});
   process.stops[3].target = StationSlot::Machine;  // its virtual copy

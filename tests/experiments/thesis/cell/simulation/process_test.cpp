@@ -2,6 +2,8 @@
 // The whole process of the cell: its results are those of the captions, and every stop is what is promised of it.
 #include "experiments/thesis/cell/simulation/process.h"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -31,16 +33,16 @@ bool touches(const Ball& ball, const scene::Faces& faces) {
 }
 
 // The real arm's layout: its hand stays level, and what it grips from above it sets down there and takes home again.
-// Its meshes are tetrahedra here.
+// Its meshes are tetrahedra here, and there is a table to set it down on.
 TEST(Process, TheRealArmCarriesItsPartFromAboveAndBack) {
   const run_tests::MelfaMeshes meshes;
-  const Cell cell = read_cell(kAristo.parent_path() / "melfa.json", meshes.scratch.path);
+  const Cell cell = read_cell(kAristo.parent_path() / "melfa.json", meshes.scratch.path, {kMelfaTable});
   const Workcell workcell(cell, build_model(cell));
   const Process process = simulate(workcell);
   EXPECT_EQ(process.failure, "");
   EXPECT_EQ(process.stops.back().commanded, workcell.arm().home);
   ASSERT_EQ(process.transfers.size(), 5U);
-  EXPECT_TRUE(cell.gripper.hold);
+  for (const std::size_t i : {1U, 3U}) EXPECT_TRUE(process.transfers[i].grip) << i;
   const Pose home = workcell.arm().link_poses(workcell.arm().home).back();
   for (const Stop& stop : process.stops) {
     const Pose flange = workcell.arm().link_poses(stop.commanded).back();
@@ -110,7 +112,7 @@ TEST(Process, PartGripperViceAndDeckOverlapAtNoStop) {
     for (std::size_t i = 0; i < process.stops.size(); ++i) {
       const Pose flange = workcell.arm().link_poses(process.stops[i].commanded).back();
       const MaterialTransfer& last = process.holding(i);
-      const Pose lies = last.slot ? workcell.at(*last.slot).pose : within(flange, *last.in_flange);
+      const Pose lies = last.slot ? last.lies->pose : within(flange, *last.in_flange);
       const OrientedBox part = placed(lies, {-20, -20, 0}, {20, 20, 40});
       for (const OrientedBox& hand :
            {placed(flange, {-45, -15, -75}, {-25, 15, 0}), placed(flange, {25, -15, -75}, {45, 15, 0}),
@@ -128,34 +130,24 @@ TEST(Process, PartGripperViceAndDeckOverlapAtNoStop) {
 TEST(Process, WhatIsCarriedIsMatter) {
   const Workcell workcell = aristo({"machine.slots[0].place=[0,-30,0]", "machine.slots[0].aim=[0,-8.2]"});
   EXPECT_EQ(simulate(workcell, {.sphere_alone = true}).failure, "");
-  const Process process = simulate(workcell);
+  const Process process = simulate(workcell, {.finds_ways = false});
   EXPECT_EQ(process.cause, FailureCause::InTheWay);
   EXPECT_NE(process.failure.find("material touches machine/vice"), std::string::npos) << process.failure;
 }
 
-TEST(Process, GripsOnlyWhatIsBetweenTheFingers) {
-  const auto failure = [](const std::vector<std::string>& changes) { return simulate(aristo(changes)).failure; };
-  const std::string loose = failure({"gripper.hold.play=4"});
-  EXPECT_NE(loose.find("to-storage: the gripper does not hold the material in the storage: towards "),
+TEST(Process, SaysWhyTheGripperDoesNotHold) {
+  const std::string loose = simulate(aristo({"gripper.fingers.stroke=3.5"})).failure;
+  EXPECT_NE(loose.find("to-storage: the gripper does not hold the material in the storage: gripper/Finger1 closes by "
+                       "3.5 mm and touches nothing"),
             std::string::npos)
       << loose;
-  EXPECT_NE(loose.find("no finger is within 4 mm"), std::string::npos) << loose;
-  for (const auto& [finger, open] : {std::pair(R"("from":[-45,-15,-75],"to":[-25,15,0])", "towards (1, 0, 0)"),
-                                     {R"("from":[25,-15,-75],"to":[45,15,0])", "towards -(1, 0, 0)"}}) {
-    const Cell one =
-        read_cell(kAristo, {}, {std::string(R"(gripper.parts[0]={"name":"Gripper1","box":{)") + finger + "}}"});
-    const auto parts = build_model(one);
-    const std::string why = simulate({one, parts, covered_aristo()}).failure;
-    EXPECT_NE(why.find(open), std::string::npos) << why;
-  }
 }
 
 TEST(Process, LetsGoOnlyWithinTheTolerance) {
-  const Process process = simulate(aristo({"material.tolerance.distance=5"}));
-  EXPECT_NE(
-      process.failure.find("to-machine: the material would be let go 6.8 mm and 0.0 degrees from its place in the "
-                           "machine, which is more than 5 and 10"),
-      std::string::npos)
+  const Process process = simulate(aristo({"material.tolerance.distance=1"}), {.finds_ways = false});
+  EXPECT_NE(process.failure.find("withdraw: the material would be let go 1.4 mm and 0.0 degrees from its place in the "
+                                 "machine, which is more than 1 and 10"),
+            std::string::npos)
       << process.failure;
 }
 
@@ -211,8 +203,7 @@ TEST(Process, ItEndsAtHomeWithTheMaterialBackInItsSlot) {
                               {"material.slot=A"},
                               {"material.slot=C"},
                               {"storage.height=200"},
-                              {"storage.radius=520"},
-                              {"step=0.5"}}) {
+                              {"storage.radius=520"}}) {
     const Workcell workcell = aristo(changes);
     const Process process = simulate(workcell);
     ASSERT_EQ(process.failure, "") << (changes.empty() ? "" : changes[0]);
@@ -227,8 +218,10 @@ TEST(Process, ItEndsAtHomeWithTheMaterialBackInItsSlot) {
 
 TEST(Process, StopsAreOneStepOfOneJointApart) {
   const Workcell workcell = aristo({"step=0.5"});
-  const Process process = simulate(workcell);
-  for (std::size_t i = 1; i < process.stops.size(); ++i) {
+  const Process process = simulate(workcell, {.finds_ways = false});
+  ASSERT_GE(process.moves.size(), 5U);
+  for (std::size_t i = 1; i < process.stops.size() && process.stops[i].move < process.moves.size(); ++i) {
+    if (process.moves.at(process.stops[i].move).rise != 0) continue;
     const auto& before = process.stops[i - 1].commanded;
     const auto& after = process.stops[i].commanded;
     double turned = 0;
@@ -252,7 +245,8 @@ TEST(Process, AMoveUntilContactEndsAtTheFirstStopThatTouchesExactly) {
       EXPECT_FALSE(touches(stop.sphere, workcell.obstacles().faces)) << "stop " << i;
       if (!stop.target) continue;
       const Workplace& place = workcell.at(*stop.target);
-      const scene::Faces& target = process.holding(i).slot == stop.target ? place.faces : place.virtual_faces;
+      const MaterialTransfer& state = process.holding(i);
+      const scene::Faces& target = (state.slot == stop.target ? state.lies : place.copy)->faces;
       EXPECT_EQ(touches(stop.sphere, target), stop.touched.has_value()) << "stop " << i;
       if (move.until != Until::Contact) continue;
       const bool last = i + 1 == process.stops.size() || process.stops[i + 1].move != stop.move;
@@ -269,7 +263,9 @@ TEST(Process, AMoveUntilContactEndsAtTheFirstStopThatTouchesExactly) {
 }
 
 TEST(Process, WhatIsInTheWayIsNamedWithTheMoveAndTheAngle) {
-  const auto failure = [](const std::vector<std::string>& changes) { return simulate(aristo(changes)).failure; };
+  const auto failure = [](const std::vector<std::string>& changes) {
+    return fmt::format("{}", fmt::join(simulate(aristo(changes), {.finds_ways = false}).refused, "; "));
+  };
   const std::string in_the_way =
       failure({R"(machine.parts[6]={"name":"wall","box":{"from":[-160,-20,-360],"to":[-120,20,400]}})"});
   EXPECT_NE(in_the_way.find("from the side: to-storage base -149: after "), std::string::npos) << in_the_way;
@@ -279,7 +275,7 @@ TEST(Process, WhatIsInTheWayIsNamedWithTheMoveAndTheAngle) {
       failure({R"(machine.parts[6]={"name":"bar","box":{"from":[-330,-20,80],"to":[-290,20,110]}})"});
   EXPECT_NE(bar.find("Axis"), std::string::npos) << bar;
   EXPECT_NE(bar.find(" touches machine/bar"), std::string::npos) << bar;
-  const std::string fast = simulate(aristo({"step=6"}), {.sphere_alone = true}).failure;
+  const std::string fast = simulate(aristo({"step=6"}), {.sphere_alone = true, .finds_ways = false}).refused.at(0);
   EXPECT_NE(fast.find("steps of 6 degrees pass over the contact at 148."), std::string::npos) << fast;
 }
 
@@ -294,7 +290,8 @@ TEST(Process, ALimitOfAJointIsNamed) {
 
 TEST(Process, WhatWasDoneBeforeAFailureIsKept) {
   const Process process =
-      simulate(aristo({R"(machine.parts[6]={"name":"lid","box":{"from":[-60,-60,50],"to":[60,60,60]}})"}));
+      simulate(aristo({R"(machine.parts[6]={"name":"lid","box":{"from":[-60,-60,50],"to":[60,60,60]}})"}),
+               {.finds_ways = false});
   EXPECT_NE(process.failure.find("machine/lid"), std::string::npos) << process.failure;
   ASSERT_GE(process.moves.size(), 4U);  // up to the lid, which ends the shoulder's way down
   EXPECT_EQ(process.transfers.size(), 2U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Least distances: certified from below at every angle, attained where they are said to be; and the time of a cycle.
+// Least distances: certified from below at every angle, attained where they are said to be.
 #include "experiments/thesis/cell/simulation/separation.h"
 
 #include <gtest/gtest.h>
@@ -22,16 +22,19 @@ double distance_in(const Workcell& workcell, const Process& process, Mover mover
                    std::size_t stop, double degrees, const MaterialTransfer& state) {
   const Arm& arm = workcell.arm();
   kinematics::Angles angles = process.stops[stop].commanded;
-  if (degrees != 0) angles[step_between(process.stops[stop], process.stops[stop + 1]).joint] += degrees;
+  if (degrees != 0)
+    angles = step_between(process.stops[stop], process.stops[stop + 1]).after(angles, std::abs(degrees));
   const auto links = arm.link_poses(angles);
   std::vector<NamedTriangle> standing;
   for (const auto& each : workcell.standing_parts())
     if (workcell.names()[each.owner] == element) standing.push_back(each);
+  if (state.lies && element == "the material in the " + std::string(to_string(*state.slot)))
+    for (const auto& [t, owner] : workcell.material()) {
+      const Pose& lies = state.lies->pose;
+      standing.push_back({{lies * t.a, lies * t.b, lies * t.c}, owner});
+    }
   std::optional<TriangleTree> still;
   if (!standing.empty()) still.emplace(standing);
-  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
-    if (element == "the material in the " + std::string(to_string(slot)) && state.slot == slot)
-      still.emplace(workcell.material_in(slot));
   double least = std::numeric_limits<double>::infinity();
   if (!still) return least;
   const auto take = [&](const std::vector<NamedTriangle>& triangles, const Pose& pose, double radius) {
@@ -42,6 +45,11 @@ double distance_in(const Workcell& workcell, const Process& process, Mover mover
     for (const auto& part : workcell.covered())
       if (part.carrier == Carrier::Link && arm.links[part.link].frame) take(part.triangles, links[part.link], 0);
     take(workcell.gripper(), links.back(), 0);
+    for (std::size_t i = 0; i < workcell.fingers().size(); ++i) {
+      const double way = state.grip ? state.grip->fingers[i].way : 0;
+      const Eigen::Vector3d shift = workcell.cell().gripper.fingers->shift(i, way);
+      take(workcell.fingers()[i], within(links.back(), {Eigen::Matrix3d::Identity(), shift}), 0);
+    }
   } else if (mover == Mover::Held) {
     if (state.in_flange) take(workcell.material(), within(links.back(), *state.in_flange), 0);
   } else {
@@ -146,29 +154,6 @@ TEST(Separation, KnowsThatWhatIsAboveMayComeDown) {
       EXPECT_LE(least.bounds.lower, distance_at(workcell, process, least.mover, least.element, 0, 30) + 1e-9)
           << to_string(least.mover) << ' ' << least.element << ", from " << from << " degrees";
   }
-}
-
-TEST(CycleTime, IsThatOfTheSlowestJointThatTurns) {
-  const Workcell workcell = aristo({R"(robot.speeds={"base": 50, "shoulder": 40, "elbow": 20, "wrist_pitch": 10})"});
-  const Arm& arm = workcell.arm();
-  EXPECT_DOUBLE_EQ(seconds(arm, kBase, -100).value(), 2);
-  // The elbow makes up for the shoulder, the wrist for the elbow.
-  EXPECT_DOUBLE_EQ(seconds(arm, kShoulder, 40).value(), 2);
-  EXPECT_DOUBLE_EQ(seconds(arm, kElbow, 40).value(), 4);
-  const Process process = simulate(workcell, {.last = Phase::ToMachine});
-  const auto times = times_of(arm, process);
-  ASSERT_EQ(times.size(), process.stops.size());
-  double sum = 0;
-  for (const auto& move : process.moves) sum += seconds(arm, move.joint, move.degrees).value();
-  EXPECT_NEAR(times.back(), sum, 1e-9);
-  EXPECT_TRUE(std::ranges::is_sorted(times));
-}
-
-TEST(CycleTime, IsUnknownWithoutASpeed) {
-  const Workcell workcell = aristo({"robot.speeds.wrist_pitch=null"});
-  EXPECT_TRUE(seconds(workcell.arm(), kBase, 1));
-  EXPECT_FALSE(seconds(workcell.arm(), kElbow, 1));
-  EXPECT_TRUE(times_of(workcell.arm(), simulate(workcell, {.last = Phase::ToStorage})).empty());
 }
 
 }  // namespace

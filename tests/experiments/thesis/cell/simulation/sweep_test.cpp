@@ -23,9 +23,14 @@ std::string post(double degrees, double radius, double half) {
                      x - half, y - half, x + half, y + half);
 }
 
+/// The state of the material before it is gripped.
+MaterialTransfer in_storage(const Workcell& workcell) {
+  return {0, StationSlot::Storage, 0, 0, {}, workcell.at(StationSlot::Storage).material};
+}
+
 /// The first of finely sampled angles at which the arm at rest touches something.
 double sampled(const Sweep& sweep, const kinematics::Angles& from, Moved joint, double degrees,
-               const Sweep::Load& load) {
+               const MaterialTransfer& load) {
   std::uint64_t queries = 0;
   for (int i = 0; i <= 2000; ++i) {
     kinematics::Angles at = from;
@@ -39,7 +44,7 @@ TEST(Sweep, FindsWhatIsTouchedBetweenTheStops) {
   for (const double where : {-21.3, -60.6, -100.4}) {
     const Workcell workcell = aristo({post(where, 500, 4)});
     const Sweep sweep(workcell);
-    const Sweep::Load load{{}, StationSlot::Storage};
+    const MaterialTransfer load = in_storage(workcell);
     std::uint64_t queries = 0;
     kinematics::Angles home = workcell.arm().home;
     const auto found = sweep.along(home, kBase, -140, load, queries);
@@ -58,7 +63,7 @@ TEST(Sweep, FindsNothingWhereNothingIs) {
   const Workcell workcell = aristo();
   const Sweep sweep(workcell);
   std::uint64_t queries = 0;
-  const Sweep::Load load{{}, StationSlot::Storage};
+  const MaterialTransfer load = in_storage(workcell);
   EXPECT_FALSE(sweep.at_rest(workcell.arm().home, load, queries));
   EXPECT_FALSE(sweep.along(workcell.arm().home, kBase, 90, load, queries));
   const auto raised = sweep.along(workcell.arm().home, kElbow, 40, load, queries);
@@ -70,7 +75,7 @@ TEST(Sweep, KnowsTheFloorAndTheArmItself) {
   const Workcell workcell = aristo();
   const Sweep sweep(workcell);
   std::uint64_t queries = 0;
-  const Sweep::Load load{{}, StationSlot::Storage};
+  const MaterialTransfer load = in_storage(workcell);
   kinematics::Angles low = workcell.arm().home;
   low[kShoulder] += 55;
   const auto down = sweep.along(low, kElbow, -30, load, queries);
@@ -90,13 +95,14 @@ TEST(Sweep, HeldMaterialRestsOnWhatLiesBelowIt) {
   std::uint64_t queries = 0;
   kinematics::Angles there = workcell.arm().home;
   there[kElbow] -= 3, there[kBase] -= 149;
-  const Pose held = within(inverse(workcell.arm().link_poses(there).back()), workcell.at(StationSlot::Storage).pose);
-  EXPECT_FALSE(sweep.along(there, kElbow, 38, {held, {}}, queries));
-  const auto down = sweep.along(there, kElbow, -5, {held, {}}, queries);
+  const Pose& lies = workcell.at(StationSlot::Storage).material->pose;
+  const MaterialTransfer held{0, std::nullopt, 0, 0, within(inverse(workcell.arm().link_poses(there).back()), lies)};
+  EXPECT_FALSE(sweep.along(there, kElbow, 38, held, queries));
+  const auto down = sweep.along(there, kElbow, -5, held, queries);
   ASSERT_TRUE(down);
   EXPECT_EQ(down->degrees, 0);
   EXPECT_NE(down->what.find("material touches storage/deck"), std::string::npos) << down->what;
-  const auto aside = sweep.along(there, kBase, 10, {held, {}}, queries);
+  const auto aside = sweep.along(there, kBase, 10, held, queries);
   ASSERT_TRUE(aside);
   EXPECT_NEAR(aside->degrees, 1.2, 0.3);  // 10 mm to the wall of its pocket
 }
