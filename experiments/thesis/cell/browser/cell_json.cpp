@@ -118,7 +118,7 @@ Json optional(const std::optional<double>& value) { return value ? Json(*value) 
 /// Millionths suffice for what is shown.
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
-Json separation_json(const Recording& recording, const Arm& arm) {
+Json separation_json(const Recording& recording) {
   const Separation& separation = recording.separation;
   Json least = Json::array(), nearest;
   for (const LeastDistance& each : separation.least)
@@ -128,7 +128,7 @@ Json separation_json(const Recording& recording, const Arm& arm) {
                      {"low", each.bounds.lower},
                      {"high", each.bounds.upper},
                      {"stop", each.stop},
-                     {"seconds", optional(when(recording.times, arm, recording.process, each.stop, each.degrees))}});
+                     {"seconds", optional(recording.timing.after(each.stop, each.degrees))}});
   for (const Mover mover : kMovers) {
     Json here = Json::array(), low = Json::array(), element = Json::array();
     for (const auto& at : separation.nearest[static_cast<std::size_t>(mover)]) {
@@ -154,6 +154,7 @@ Json stuck_json(const Recording& recording, const Arm& arm) {
           {"links", links_json(recording.stuck->links)},
           {"sphere", drawn(arm.sphere_at(stuck.commanded).center)},
           {"material", json_of(recording.stuck->material)},
+          {"closed", recording.stuck->closed},
           {"place", recording.stuck->slot ? Json(to_string(*recording.stuck->slot)) : Json()}};
 }
 
@@ -169,7 +170,13 @@ std::string cell_json(const Simulator& simulator) {
   }
   Json slots = Json::array(), parts = Json::array(), sides = Json::array();
   for (const Slot& slot : cell.storage.slots) slots.push_back({{"name", slot.name}, {"place", drawn(slot.place)}});
-  for (const ModelPart& part : simulator.parts()) parts.push_back(part_json(part));
+  std::size_t finger = 0;
+  for (const ModelPart& part : simulator.parts()) {
+    parts.push_back(part_json(part));
+    if (part.carrier != Carrier::Finger) continue;
+    parts.back()["finger"] = finger;
+    parts.back()["closes"] = drawn(cell.gripper.fingers->shift(finger++, 1));
+  }
   for (const Face& face : material_of(simulator.parts()).faces.faces) sides.push_back(side_of(face.polygon));
   Json pieces = Json::array(), elements = Json::array();
   std::string piece = "material";
@@ -216,7 +223,8 @@ std::string run_json(const Recording& recording) {
                      {"degrees", move.degrees},
                      {"exact", move.exact},
                      {"contact", std::move(contact)},
-                     {"seconds", optional(seconds(arm, move.joint, move.degrees))},
+                     {"rise", move.rise},
+                     {"seconds", optional(recording.timing.move(moves.size()))},
                      {"wrong", move.wrong ? Json{{"early", move.wrong->early ? Json(*move.wrong->early) : Json()},
                                                  {"gap", move.wrong->gap}}
                                           : Json()}});
@@ -232,11 +240,27 @@ std::string run_json(const Recording& recording) {
                      {"links", links_json(snapshot.links)},
                      {"sphere", drawn(stop.sphere.center)},
                      {"material", json_of(snapshot.material)},
+                     {"closed", snapshot.closed},
                      {"place", word(snapshot.slot)},
                      {"target", word(stop.target)},
                      {"nearest", snapshot.nearest ? Json(numbers[snapshot.nearest->face.face]) : Json()},
                      {"distance", snapshot.nearest ? Json(snapshot.nearest->distance) : Json()},
                      {"touched", stop.touched ? Json(numbers[*stop.touched]) : Json()}});
+  }
+
+  Json transfers = Json::array();
+  for (const MaterialTransfer& transfer : process.transfers) {
+    Json grip, landing;
+    if (transfer.grip) {
+      grip = {{"opening", transfer.grip->opening}, {"faces", Json::array()}};
+      for (const FingerContact& finger : transfer.grip->fingers) {
+        Json faces = Json::array();
+        for (const std::size_t face : finger.faces) faces.push_back(numbers[face]);
+        grip["faces"].push_back(std::move(faces));
+      }
+    }
+    if (transfer.landing) landing = {{"support", transfer.landing->support}, {"gap", transfer.landing->gap}};
+    transfers.push_back({{"stop", transfer.stop}, {"grip", std::move(grip)}, {"landing", std::move(landing)}});
   }
 
   Json methods = Json::array(), disagreements = Json::array();
@@ -267,9 +291,12 @@ std::string run_json(const Recording& recording) {
       {"setting", setting_json(recording.cell, recording.drive)},
       {"labels", labels_json(recording.cell)},
       {"failure", process.failure},
+      {"refused", process.refused},
       {"stuck", stuck_json(recording, arm)},
-      {"times", recording.times},
-      {"separation", separation_json(recording, arm)},
+      {"times", recording.timing.arrivals()},
+      {"waits", recording.timing.waits()},
+      {"cycle", recording.timing.text()},
+      {"separation", separation_json(recording)},
       {"stations",
        {{"storage", json_of(pose_of(recording.cell.storage))}, {"machine", json_of(pose_of(recording.cell.machine))}}},
       {"materials", {{"storage", json_of(recording.places[0])}, {"machine", json_of(recording.places[1])}}},
@@ -278,6 +305,7 @@ std::string run_json(const Recording& recording) {
       {"stops", std::move(stops)},
       {"methods", std::move(methods)},
       {"disagreements", std::move(disagreements)},
+      {"transfers", std::move(transfers)},
       {"triggers", std::move(triggers)}};
   return whole.dump();
 }

@@ -17,20 +17,23 @@ namespace touchstone::cell::browser {
 ///   joints: [{name, lower, upper, home}]}, those that turn; setting: as read_setting takes it; drives: the names of
 ///   what may stop the robot; labels: {path: "T", "S", "D" or "C"} of it; bounds: {longest}; slots: [{name, place}];
 ///   storage, machine: {home, angle, radius, height, turn}; links, home_sphere: where they stand at home;
-///   material_faces: where they look, in words: `top`, `underside`, `side`; parts: as part_json draws them.
+///   material_faces: where they look, in words: `top`, `underside`, `side`; parts: as part_json draws them,
+///   of a finger also its number and the direction in which it closes (finger, closes).
 [[nodiscard]] std::string cell_json(const Simulator& simulator);
 
 /// Returns the part of a run that the page shows:
 ///   setting, labels; failure: text, empty if it completed; stuck: null, or where it ends early: {reason: a sentence,
-///   parts: that touch, links, sphere, material}; times: seconds at each stop, empty if a speed is unknown;
+///   parts: that touch, links, sphere, material, closed}; times: seconds at each stop, when the arm arrives there,
+///   empty if a speed is unknown; waits: for how many it stays; cycle: the cycle time and what it assumes, in words;
 ///   separation: {elements, tolerance, least: [{mover, element, part, low, high, stop, seconds}], nearest: {mover:
 ///   {here, low, element}: lists by stop}} as in Separation; stations: {storage, machine}: poses; materials: {storage,
 ///   machine}: poses; stand: the part `storage/stand`, or null; moves: [{phase, joint, until, degrees, exact, contact:
-///   null or {low, high, kind}, wrong: null or {early, gap}, seconds}]; stops: [{move, commanded, links, sphere,
-///   material, place, target, nearest, distance, touched}]: the number of the move; poses; place is null where the
-///   gripper has the material, target where the sphere comes for nothing; then so is nearest, the face of the target
-///   that is nearest to the sphere's centre, at that distance from it; disagreements: [{stop, owner, face, methods}];
-///   triggers: [{zone, mover, part, after, degrees, until}], as in Trigger.
+///   null or {low, high, kind}, wrong: null or {early, gap}, rise, seconds}]; stops: [{move, commanded, links, sphere,
+///   material, closed, place, target, nearest, distance, touched}]: the number of the move; poses; closed: the ways by
+///   which the fingers have closed; place is null where the gripper has the material, target where the sphere comes for
+///   nothing; then so is nearest, the face of the target that is nearest to the sphere's centre, at that distance from
+///   it; disagreements: [{stop, owner, face, methods}]; transfers: [{stop, grip: null or {opening, faces: by finger},
+///   landing: null or {support, gap}}]; triggers: [{zone, mover, part, after, degrees, until}], as in Trigger.
 /// Faces are numbers of SolidFaces::faces of the material.
 [[nodiscard]] std::string run_json(const Recording& recording);
 

@@ -19,28 +19,26 @@ namespace {
 /// The arm at a pose. The material follows the flange while the gripper has it.
 Snapshot snapshot_of(const Workcell& workcell, const kinematics::Angles& commanded, const MaterialTransfer& last) {
   Snapshot snapshot{workcell.arm().link_poses(commanded), {}, last.slot, {}};
-  snapshot.material = last.slot ? workcell.at(*last.slot).pose : within(snapshot.links.back(), *last.in_flange);
+  snapshot.material = last.slot ? last.lies->pose : within(snapshot.links.back(), *last.in_flange);
+  if (last.grip)
+    for (std::size_t i = 0; i < 2; ++i) snapshot.closed[i] = last.grip->fingers[i].way;
   return snapshot;
 }
 
 }  // namespace
 
 std::vector<Snapshot> snapshots_of(const Workcell& workcell, const Process& process) {
-  std::array<scene::Scene, 2> materials, copies;
-  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine}) {
-    materials[static_cast<std::size_t>(slot)].add("material", workcell.at(slot).faces);
-    copies[static_cast<std::size_t>(slot)].add("material", workcell.at(slot).virtual_faces);
-  }
   std::vector<Snapshot> snapshots;
   auto transfer = process.transfers.begin();
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
     const Stop& stop = process.stops[i];
     const bool handed_over = transfer + 1 != process.transfers.end() && (transfer + 1)->stop <= i;
-    const bool found_copy = stop.target && transfer->slot != stop.target;
+    const Lying found = !stop.target                    ? nullptr
+                        : transfer->slot == stop.target ? transfer->lies
+                                                        : workcell.at(*stop.target).copy;
     if (handed_over) ++transfer;
     Snapshot snapshot = snapshot_of(workcell, stop.commanded, *transfer);
-    if (stop.target)
-      snapshot.nearest = (found_copy ? copies : materials)[static_cast<std::size_t>(*stop.target)].nearest(stop.sphere);
+    if (found) snapshot.nearest = found->scene.nearest(stop.sphere);
     snapshots.push_back(std::move(snapshot));
   }
   return snapshots;
@@ -75,25 +73,16 @@ std::vector<std::string> Simulator::drives() const {
 }
 
 Recording Simulator::run(const Setting& setting) const {
-  Recording recording{.cell = changed(cell_, setting),
-                      .parts = {},
-                      .places = {},
-                      .drive = setting.drive,
-                      .process = {},
-                      .snapshots = {},
-                      .times = {},
-                      .separation = {},
-                      .stuck = {},
-                      .comparison = {}};
+  Recording recording{.cell = changed(cell_, setting), .drive = setting.drive};
   recording.parts = parts_for(recording.cell);
   const Workcell workcell(recording.cell, recording.parts, arm_);
   for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
-    recording.places.push_back(workcell.at(slot).virtual_pose);
+    recording.places.push_back(workcell.at(slot).copy->pose);
   recording.process = simulate(workcell, rule_for(setting));
   recording.snapshots = snapshots_of(workcell, recording.process);
   if (const auto& stuck = recording.process.stuck)
     recording.stuck = snapshot_of(workcell, stuck->commanded, recording.process.transfers.back());
-  recording.times = times_of(workcell.arm(), recording.process);
+  recording.timing = Timing(workcell, recording.process);
   recording.separation = separation_of(workcell, recording.process);
   recording.comparison = compare_methods(workcell, recording.process, options_.methods, true);
   return recording;
@@ -110,9 +99,9 @@ Posed Simulator::pose(const Setting& setting, const kinematics::Angles& commande
   }
   Posed posed{arm.link_poses(commanded), arm.sphere_at(commanded), {}, {}};
   std::uint64_t queries = 0;
-  posed.hindrance = Sweep(workcell).at_rest(commanded, {{}, StationSlot::Storage}, queries);
   Process still;
-  still.transfers.push_back({0, StationSlot::Storage, 0, 0, {}});
+  still.transfers.push_back({0, StationSlot::Storage, 0, 0, {}, workcell.at(StationSlot::Storage).material});
+  posed.hindrance = Sweep(workcell).at_rest(commanded, still.transfers.back(), queries);
   still.stops.push_back({0, commanded, posed.sphere, {}, {}});
   posed.separation = separation_of(workcell, still);
   return posed;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/separation.h"
 #include "experiments/thesis/cell/simulation/sweep.h"
+#include "experiments/thesis/cell/simulation/timing.h"
 #include "experiments/thesis/cell/simulation/workcell.h"
 #include "geometry/shapes/pose.h"
 #include "robust/scene/scene.h"
@@ -29,20 +31,21 @@ struct Snapshot {
   std::optional<StationSlot> slot;  ///< where the material is; none while the gripper holds it
   /// The exact nearest face of the target, if there is one, to the sphere's centre.
   std::optional<scene::NearestFace> nearest;
+  std::array<double, 2> closed = {0, 0};  ///< the ways by which the fingers have closed
 };
 
 /// A run of the process, ready to be drawn.
 struct Recording {
-  Cell cell;                     ///< with the setting applied
-  std::vector<ModelPart> parts;  ///< of the cell
-  std::vector<Pose> places;      ///< of the virtual material in the cell, by StationSlot
-  std::string drive;             ///< the method whose answer stopped the robot
-  Process process;
-  std::vector<Snapshot> snapshots;  ///< one for each stop
-  std::vector<double> times;        ///< as times_of
-  Separation separation;
-  std::optional<Snapshot> stuck;  ///< the arm where it gets stuck, if it does
-  MethodComparison comparison;
+  Cell cell;                          ///< with the setting applied
+  std::vector<ModelPart> parts = {};  ///< of the cell
+  std::vector<Pose> places = {};      ///< of the virtual material in the cell, by StationSlot
+  std::string drive;                  ///< the method whose answer stopped the robot
+  Process process = {};
+  std::vector<Snapshot> snapshots = {};  ///< one for each stop
+  Timing timing = {};
+  Separation separation = {};
+  std::optional<Snapshot> stuck = {};  ///< the arm where it gets stuck, if it does
+  MethodComparison comparison = {};
 };
 
 /// Returns the state of the cell at every stop.

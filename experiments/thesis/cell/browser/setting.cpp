@@ -93,10 +93,7 @@ Setting setting_of(const Cell& cell) {
   return {cell.storage.angle, cell.storage.radius, cell.storage.height, cell.material.slot, cell.step, "exact"};
 }
 
-double longest(const Cell& cell) {
-  const Reach reach = reach_of(cell);
-  return 4 * (reach.radius + reach.outer);
-}
+double longest(const Cell& cell) { return 4 * reach_of(cell).furthest(); }
 
 Setting read_setting(std::string_view text, const Cell& cell) {
   return read_request(text, [&](const CellEntry& whole) { return read(whole, cell); });

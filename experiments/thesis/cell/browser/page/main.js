@@ -36,13 +36,13 @@ async function main() {
   try {
     scene = new Scene(at("scene"));
   } catch {
-    at("scene").hidden = true, at("no-scene").hidden = false, at("scene-help").hidden = true;
+    at("scene").hidden = true, at("no-scene").hidden = false, at("scene-help").hidden = at("follow").parentElement.hidden = true;
     document.querySelector(".corner").hidden = true;
   }
   const meshes = scene ? cell.parts.map((part) => ({part, mesh: scene.mesh(part)})) : [];
   const zones = scene ? cell.zones.map((zone) => ({zone, mesh: scene.mesh(zone)})) : [];
   const materialMesh = scene && meshes.find(({part}) => part.carrier === "material").mesh;
-  let ball, rings, floor;
+  let ball, rings, floor, path = null;
   if (scene) {
     const box = [[Infinity, Infinity, 0], [-Infinity, -Infinity, 0]];
     for (const part of cell.parts) {
@@ -60,8 +60,9 @@ async function main() {
   }
   let colours = readColours();
 
-  function poseOf(part, links) {
-    if (part.carrier === "link" || part.carrier === "gripper") return links[part.link];
+  function poseOf(part, links, closed) {
+    if (part.carrier === "finger" && closed) return add3(links[part.link], times(closed[part.finger], part.closes));
+    if (["link", "gripper", "finger"].includes(part.carrier)) return links[part.link];
     if (part.carrier === "obstacle") return IDENTITY;
     const storage = setting.storage;
     if (part.carrier === "storage") return standing(cell.storage.home + storage.angle, storage.radius, storage.height, cell.storage.turn);
@@ -77,7 +78,7 @@ async function main() {
   function readColours() {
     const style = getComputedStyle(document.documentElement);
     const result = {};
-    for (const name of ["view", "floor", "edge", "free", "touching", "wrong", "material", "robot", "gripper", "storage", "machine", "obstacle", "zone", "offending"]) {
+    for (const name of ["view", "floor", "edge", "free", "touching", "wrong", "material", "robot", "gripper", "finger", "storage", "machine", "obstacle", "zone", "offending"]) {
       const hex = style.getPropertyValue(`--${name}`).trim();
       result[name] = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
     }
@@ -117,7 +118,7 @@ async function main() {
     const things = [{mesh: floor, pose: IDENTITY, hollow: true, flat: true, lines: colours.floor}];
     for (const {part, mesh} of meshes) {
       const material = part.carrier === "material";
-      things.push({mesh, pose: material ? look.material : poseOf(part, look.links), shadow: true, lines: colours.edge,
+      things.push({mesh, pose: material ? look.material : poseOf(part, look.links, look.closed), shadow: true, lines: colours.edge,
                    colour: offends(part, look) ? colours.offending : colours[part.carrier === "link" ? "robot" : part.carrier],
                    highlight: material && touching && (!look.virtual || look.puts) ? [look.touched, colours.touching] : null});
     }
@@ -128,10 +129,20 @@ async function main() {
     for (const {zone, mesh} of zones)
       things.push({mesh, pose: IDENTITY, hollow: true, dash: cell.bounds.longest / 300,
                    lines: in_.includes(zone.name) || (look.offending || []).includes(zone.name) ? colours.touching : colours.zone});
+    if (path) things.push({mesh: path, pose: IDENTITY, hollow: true, through: true, flat: true, lines: colours.free});
     const size = cell.sphere;
     if (at("with-sphere").checked) things.push({mesh: ball, pose: shiftedTo(look.sphere, size), colour: signal, shadow: true, through: true});
-    if (look.wrong || (look.errors && look.errors.length)) things.push({mesh: rings, pose: shiftedTo(look.sphere, 2.2 * size), hollow: true, lines: colours.wrong});
+    if (look.wrong || (look.errors && look.errors.length)) things.push({mesh: rings, pose: shiftedTo(look.sphere, 2.2 * size), hollow: true, through: true, lines: colours.wrong});
     scene.draw(things, colours, look.sphere);
+  }
+
+  /// The path of the sphere on the whole run, if it is asked for.
+  function showPath() {
+    const points = run && at("with-path").checked ? run.stops.map(({sphere}) => sphere) : [];
+    at("plan").plan.showPath(points);
+    if (path) scene.forget(path);
+    path = scene && points.length ? scene.path(points) : null;
+    draw();
   }
 
   const sentences = new Sentences(cell, setting, lengthDigits);
@@ -192,8 +203,11 @@ async function main() {
     answer.push(["comes for", !look.target ? "nothing" : `the ${look.virtual ? "virtual " : ""}material ${look.target === "machine" ? "at the machine" : "in the storage"}`]);
     if (look.target)
       answer.push(["nearest", `${face(look.nearest)}, ${digits(look.distance, lengthDigits + 2)} ${cell.unit} from its centre; its radius is ${says(cell.sphere)}`]);
-    answer.push(["the material", look.place === null ? "is held by the gripper" : look.place === "machine" ? "is at the machine" : "is in the storage"]);
+    const {grip, landing} = (run && run.transfers.findLast(({stop}) => stop <= number)) || {};
+    answer.push(["the material", look.place !== null ? `${look.place === "machine" ? "is at the machine" : "is in the storage"}${landing ? `, on ${landing.support}` : ""}`
+      : grip ? `is held at ${grip.faces.map((faces) => faces.map(face).join(", ")).join(" and ")}; the fingers are ${says(grip.opening)} apart` : "sticks to the gripper"]);
     if (run && run.stops[number]) answer.push(["least distance", nearestOf(number).join("; ")]);
+    if (run && run.waits[number]) answer.push(["the arm waits", `${digits(run.waits[number], 3)} s`]);
     const move = number > 0 && run ? run.moves[look.move] : null;
     if (look.wrong) answer.push(["the robot", node("span", wrongly(look.wrong), {class: "verdict wrong"})]);
     if (move && move.contact)
@@ -206,6 +220,14 @@ async function main() {
     showDisagreements(look);
     showJoints(look.commanded);
     showMove(run, look.move, number);
+    draw();
+  }
+
+  /// On the way from a stop to the next: what is said is said of the stop.
+  function showBetween(number, share) {
+    const look = lookOf(number), next = run.stops[number + 1];
+    shown = {...look, links: look.links.map((pose, i) => poseBetween(pose, next.links[i], share)), sphere: mix(look.sphere, next.sphere, share),
+             material: look.place === null ? poseBetween(look.material, next.material, share) : look.material};
     draw();
   }
 
@@ -240,17 +262,17 @@ async function main() {
   const showJoints = (commanded) => joints.show(commanded);
 
   // The run.
-  const player = new Player(show, () => {
+  const player = new Player(show, showBetween, () => {
     at("run").textContent = player.running ? "Pause" : "Run";
     if (!player.running && shown) announce(at("status").textContent);
   });
   function showSpeed() {
     at("speed").value = player.speed;
-    const rate = `${SPEEDS[player.speed]} stops/s`;
+    const rate = player.timed === false ? `${STOPS * RATES[player.speed]} stops/s` : `${RATES[player.speed]} × real time`;
     at("speed-says").textContent = rate;
     at("speed").setAttribute("aria-valuetext", rate);
   }
-  const faster = (by) => (player.speed = Math.max(0, Math.min(SPEEDS.length - 1, player.speed + by)), showSpeed());
+  const faster = (by) => (player.speed = Math.max(0, Math.min(RATES.length - 1, player.speed + by)), showSpeed());
   at("run").addEventListener("click", () => player.toggle());
   at("first").addEventListener("click", () => player.step(-Infinity));
   at("back").addEventListener("click", () => player.step(-1));
@@ -266,10 +288,9 @@ async function main() {
   const curve = new Curve(at("curve"), (stop) => (player.pause(), player.go(stop)));
   function listDistances() {
     curve.load(run, cell.unit);
-    const {least, tolerance} = run.separation, cycle = run.times.at(-1);
+    const {least, tolerance} = run.separation;
     at("curve-says").textContent = run.stops.length < 2 ? "" :
-      `Small distances are drawn larger. ${cycle === undefined ? "A joint's greatest speed is unknown, so there is no cycle time."
-        : `Cycle time ${digits(cycle, 2)} s, one joint after the other at its greatest speed.`} Every distance holds between the stops, too; the bounds differ by at most ${tolerance.toExponential(0)} ${cell.unit}.`;
+      `Small distances are drawn larger. ${run.cycle[0].toUpperCase()}${run.cycle.slice(1)}. Every distance holds between the stops, too; the bounds differ by at most ${tolerance.toExponential(0)} ${cell.unit}.`;
     const row = ({mover, element, low, high, stop}) => {
       const go = node("button", stop, {type: "button", title: "Go to this stop"}), cellOfStop = node("td", "", {class: "number"});
       go.addEventListener("click", () => (player.pause(), player.go(stop)));
@@ -344,6 +365,7 @@ async function main() {
   at("preset").value = answers.preset || 0;
   at("preset").addEventListener("change", () => (location.search = +at("preset").value ? `?preset=${at("preset").value}` : ""));
   at("with-sphere").addEventListener("change", draw);
+  at("with-path").addEventListener("change", showPath);
   new Elements(cell, variation, answers.live);
   at("where").addEventListener("click", showStuck);
   at("unjog").addEventListener("click", () => (joints.forget(), show(player.stop)));
@@ -387,14 +409,18 @@ async function main() {
     draw();
   }
   const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+  function showNoRun() {
+    run = null, shown = null, joints.forget(), player.count = 0;
+    usable(false);
+    showPath();
+    at("where").hidden = true;
+    show(0);
+  }
   /// The run of another setting is not shown.
   function forget() {
     player.pause();
-    run = null, shown = null, joints.forget(), player.count = 0;
-    usable(false);
-    at("where").hidden = true;
+    showNoRun();
     complain("");
-    show(0);
     at("status").textContent = "The storage is being moved; the program is asked when it is let go.";
   }
 
@@ -416,10 +442,7 @@ async function main() {
   }
   function refuse(refused) {
     if (!(refused instanceof Refused)) throw refused;
-    run = null, shown = null, joints.forget(), player.count = 0;
-    usable(false);
-    at("where").hidden = true;
-    show(0);
+    showNoRun();
     at("moves").tBodies[0].replaceChildren(), at("phases").replaceChildren();
     at("status").textContent = "There is no run. The arm is shown at home.";
     announce("");
@@ -429,7 +452,7 @@ async function main() {
     run = answer, joints.forget();
     const end = run.stops.length - 1;
     complain(run.failure && `${end < 0 ? "The process does not begin" : `The process does not come out; it ends after stop ${end}`}: ` +
-             `${inWords(run.stuck.reason)}.`, run.failure);
+             `${inWords(run.stuck.reason)}.`, run.refused.join("; "));
     at("where").hidden = !run.stuck;
     if (scene && run.stand) {
       const stand = meshes.find(({part}) => part.name === run.stand.name);
@@ -438,11 +461,13 @@ async function main() {
     }
     usable(end > 0);
     at("stop").max = Math.max(0, end);
-    listMoves(run, (stop) => (player.pause(), player.go(stop)), wrongly);
+    listMoves(run, cell.unit, (stop) => (player.pause(), player.go(stop)), wrongly);
     listMethods();
     listDistances();
     listTriggers(cell, run, (stop) => (player.pause(), player.go(stop)));
-    player.load(run.stops);
+    showPath();
+    player.load(run);
+    showSpeed();
     if (end < 0) show(0);
     showSetting();
     const wished = +location.hash.slice(1);  // #137: the page begins at this stop

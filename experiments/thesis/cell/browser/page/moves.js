@@ -3,8 +3,8 @@
 
 const lastStopOf = (run, move) => run.stops.findLastIndex((s, k) => k > 0 && s.move === move);
 
-/// Lists the moves; `go(stop)` is told which end of a move is asked for, `wrongly` puts a wrong stop in words.
-function listMoves(run, go, wrongly) {
+/// Lists the moves; `unit` is of lengths; `go(stop)` is told which end of a move is asked for, `wrongly` puts a wrong stop in words.
+function listMoves(run, unit, go, wrongly) {
   const rows = run.moves.map((move, i) => {
     const row = node("tr", "", {"data-move": i});
     const button = node("button", PHASES[move.phase], {type: "button", title: "Go to the end of this move"});
@@ -12,9 +12,9 @@ function listMoves(run, go, wrongly) {
     button.addEventListener("click", () => go(end));
     const first = node("td", "");
     first.append(button);
-    row.append(first, node("td", move.joint), node("td", `${signed(move.degrees)}°`, {class: "number"}), move.wrong ? node("td", wrongly(move.wrong), {class: "verdict wrong"}) : node("td", UNTIL[move.until]),
+    row.append(first, node("td", move.rise ? "straight" : move.joint), node("td", move.rise ? `${signed(move.rise)} ${unit}` : `${signed(move.degrees)}°`, {class: "number"}), move.wrong ? node("td", wrongly(move.wrong), {class: "verdict wrong"}) : node("td", UNTIL[move.until]),
                node("td", move.seconds === null ? "?" : digits(move.seconds, 2), {class: "number"}),
-               node("td", `${signed(move.exact, 6)}°`, {class: "number exactly"}));
+               node("td", move.rise ? "" : `${signed(move.exact, 6)}°`, {class: "number exactly"}));
     return row;
   });
   at("moves").tBodies[0].replaceChildren(...rows);

@@ -71,26 +71,46 @@ class Plan {
     this.storage = drawn("g", {}, this.handle);
     const decks = cell.parts.filter((p) => p.carrier === "storage");
     for (const part of decks) drawn("polygon", {points: flat(hullOf(part)), class: "grip thin"}, this.storage);
-    for (const slot of cell.slots) {
-      const text = drawn("text", {x: slot.place[0], y: -slot.place[1], "font-size": 0.055 * far, "text-anchor": "middle",
-                                  "dominant-baseline": "central"}, this.storage);
-      text.textContent = slot.name;
-    }
-    this.storageName = this.label("storage", 0.07);
+    const deep = decks.flatMap(hullOf).map(([x]) => x);
+    this.deck = {front: Math.min(...deep), back: Math.max(...deep)};
+    this.slots = cell.slots.map(({name, place}) => ({place, tick: drawn("line", {class: "tick thin", "pointer-events": "none"}, svg), letter: this.label(name, 0.065, "slot")}));
+    this.slots.sort((a, b) => a.place[1] - b.place[1]);
+    this.storageName = this.label("storage", 0.07, "name");
 
     const material = cell.parts.find((p) => p.carrier === "material");
     this.material = drawn("polygon", {points: flat(hullOf(material)), class: "material thin"}, svg);
+    this.path = drawn("polyline", {class: "path thin"}, svg);
     this.arm = drawn("polyline", {class: "arm", "stroke-width": 0.035 * far}, svg);
     drawn("circle", {class: "joint thin", r: 0.05 * far}, svg);
     this.ball = drawn("circle", {class: "ball free", r: Math.max(cell.sphere, 0.018 * far)}, svg);
-    for (const still of [this.material, this.arm, this.ball]) still.setAttribute("pointer-events", "none");
+    for (const still of [this.material, this.path, this.arm, this.ball]) still.setAttribute("pointer-events", "none");
     this.listen();
   }
 
-  label(text, size) {
-    const element = drawn("text", {"font-size": size * this.far, "text-anchor": "middle", "dominant-baseline": "central", "pointer-events": "none"}, this.svg);
+  label(text, size, kind = "") {
+    const element = drawn("text", {class: kind, "font-size": size * this.far, "text-anchor": "middle", "dominant-baseline": "central", "pointer-events": "none"}, this.svg);
     element.textContent = text;
     return element;
+  }
+  /// Width and height of the box round an upright text, or a little more.
+  static room(text) {
+    const size = +text.getAttribute("font-size");
+    return [0.75 * size * text.textContent.length, 1.2 * size];
+  }
+  /// The names of slots stand upright in a row behind the deck, in their order across it, and that of the storage behind them or,
+  /// where the plan ends, in front of the deck. No two overlap, whatever the direction of the row.
+  nameSlots(pose) {
+    const gap = 0.02 * this.far, apart = Math.max(...this.slots.map(({letter}) => Math.hypot(...Plan.room(letter))));
+    const first = this.slots[0].place[1], last = this.slots.at(-1).place[1], steps = this.slots.length - 1;
+    const every = Math.max(apart, (last - first) / Math.max(1, steps)), row = this.deck.back + gap + apart / 2;
+    this.slots.forEach(({place, tick, letter}, i) => {
+      const to = posed(pose, [row, (first + last) / 2 + (i - steps / 2) * every, 0]), from = posed(pose, place);
+      this.put(letter, to);
+      for (const [end, [x, y]] of [[1, from], [2, to]]) tick.setAttribute(`x${end}`, x), tick.setAttribute(`y${end}`, -y);
+    });
+    const [wide, high] = Plan.room(this.storageName), half = (Math.abs(pose[0]) * wide + Math.abs(pose[4]) * high) / 2;
+    const behind = posed(pose, [row + apart / 2 + half, 0, 0]), room = [wide / 2, high / 2];
+    this.put(this.storageName, behind.some((x, k) => k < 2 && Math.abs(x) + room[k] > this.far) ? posed(pose, [this.deck.front - gap - half, 0, 0]) : behind);
   }
 
   put(text, [x, y]) {
@@ -111,6 +131,8 @@ class Plan {
       this.handle.focus({preventScroll: true});
       event.preventDefault();
     });
+    // A browser may scroll in spite of touch-action on a shape.
+    this.handle.addEventListener("touchstart", (event) => this.fixed || event.preventDefault(), {passive: false});
     this.handle.addEventListener("pointermove", (event) => {
       if (!grabbed) return;
       const [x, y] = point(event);
@@ -136,8 +158,7 @@ class Plan {
     const pose = standing(this.cell.storage.home + angle, radius, 0, this.cell.storage.turn);
     this.place(this.storage, pose);
     this.aim.setAttribute("x2", pose[3]), this.aim.setAttribute("y2", -pose[7]);
-    const [x, y] = posed(pose, [0.19 * this.far, 0, 0]), inside = 0.84 * this.far;
-    this.put(this.storageName, [Math.max(-inside, Math.min(inside, x)), y]);
+    this.nameSlots(pose);
     this.handle.setAttribute("aria-valuenow", angle);
     this.handle.setAttribute("aria-valuetext", words);
     this.handle.setAttribute("aria-disabled", Boolean(fixed));
@@ -159,6 +180,8 @@ class Plan {
     }
   }
   clearArea() { this.area.replaceChildren(); }
+
+  showPath(points) { this.path.setAttribute("points", flat(points)); }
 
   show(links, sphere, material, touching) {
     const way = [];

@@ -46,6 +46,7 @@ class Scene {
     this.faces = this.program(FACES, FACE_COLOUR, ["pose", "view", "shadow", "eye", "sun", "colour", "lit"]);
     this.lines = this.program(LINES, LINE_COLOUR, ["pose", "view", "eye", "lift", "colour", "dash"]);
     this.target = [0, 0, 0], this.size = 1, this.split = true, this.closeness = 0.16;
+    this.follows = false;  // whether the sphere stays in the middle, in the whole, too
     this.behind = 0;  // degrees: where one sees the stations from, across the robot
     this.look("front");
   }
@@ -132,6 +133,12 @@ class Scene {
     return this.mesh({points, triangles: [], face_ends: [], outline});
   }
 
+  /// A line through points.
+  path(points) {
+    const outline = points.slice(1).flatMap((_, i) => [i, i + 1]);
+    return this.mesh({points: points.flat(), triangles: [], face_ends: [], outline});
+  }
+
   frame(target, size) {
     this.target = target, this.size = size;
     this.look("front");
@@ -159,7 +166,7 @@ class Scene {
   }
 
   /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow, flat, through}]; what goes
-  /// through is to be seen, paler, behind others, and so are highlights.
+  /// through is to be seen behind others, paler if it is not hollow, and so are highlights.
   draw(things, colours, sphere) {
     const gl = this.gl, canvas = this.canvas, ratio = Math.min(2, window.devicePixelRatio || 1);
     const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
@@ -194,7 +201,7 @@ class Scene {
     const distance = near ? this.closeness : this.distance;
     const reach = this.size / Math.sin(angle / 2 * Math.PI / 180) / Math.min(1, aspect) * distance * 0.76;
     const a = this.azimuth * Math.PI / 180, e = this.elevation * Math.PI / 180;
-    const target = near ? sphere : this.target;
+    const target = near || this.follows ? sphere : this.target;
     const eye = add(target, times(reach, [Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)]));
     const view = product(perspective(angle, aspect, Math.max(reach - 2.5 * this.size, reach / 30), reach + 3 * this.size),
                          lookingAt(eye, target, [0, 0, 1]));
@@ -218,6 +225,7 @@ class Scene {
     gl.uniform3f(this.faces.eye, ...eye);
     const from = (this.behind - 35) * Math.PI / 180, light = unit([Math.cos(from), Math.sin(from), 1.6]);
     gl.uniform3f(this.faces.sun, ...light);
+    gl.depthFunc(gl.LEQUAL);
     for (const thing of things) {
       if (thing.hollow) continue;
       fill(thing, [...thing.colour, 1], 1, 0, thing.mesh.corners);
@@ -227,7 +235,6 @@ class Scene {
       const [face, colour] = thing.highlight, ends = thing.mesh.ends, begin = face > 0 ? ends[face - 1] : 0;
       fill(thing, [...colour, alpha], lit, 3 * begin, 3 * (ends[face] - begin));
     };
-    gl.depthFunc(gl.LEQUAL);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     for (const thing of things) if (thing.highlight) highlight(thing, thing.hollow ? 0.75 : 1, 0.5);
@@ -235,7 +242,7 @@ class Scene {
     gl.depthMask(false);
     for (const thing of things) {
       if (thing.highlight) highlight(thing, 0.55, 0);
-      if (thing.through) fill(thing, [...thing.colour, 0.45], 0, 0, thing.mesh.corners);
+      if (thing.through && !thing.hollow) fill(thing, [...thing.colour, 0.45], 0, 0, thing.mesh.corners);
     }
     gl.depthMask(true);
     gl.depthFunc(gl.LEQUAL);
@@ -258,6 +265,7 @@ class Scene {
     gl.uniform3f(this.lines.eye, ...eye);
     for (const thing of things) {
       if (!thing.lines) continue;
+      gl.depthFunc(thing.hollow && thing.through ? gl.ALWAYS : gl.LEQUAL);
       gl.bindBuffer(gl.ARRAY_BUFFER, thing.mesh.lines);
       gl.enableVertexAttribArray(0);
       gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);

@@ -15,6 +15,13 @@ const posed = (p, a) => [
   p[4] * a[0] + p[5] * a[1] + p[6] * a[2] + p[7],
   p[8] * a[0] + p[9] * a[1] + p[10] * a[2] + p[11],
 ];
+const mix = (a, b, share) => a.map((x, i) => x + share * (b[i] - x));
+/// A pose on the straight way from one to another.
+function poseBetween(a, b, share) {
+  const p = mix(a, b, share), x = unit([p[0], p[4], p[8]]), near = [p[1], p[5], p[9]];
+  const y = unit(minus(near, times(dot(x, near), x))), z = cross(x, y);
+  return [x[0], y[0], z[0], p[3], x[1], y[1], z[1], p[7], x[2], y[2], z[2], p[11]];
+}
 const matrixOf = (p) => [p[0], p[4], p[8], 0, p[1], p[5], p[9], 0, p[2], p[6], p[10], 0, p[3], p[7], p[11], 1];
 const shiftedTo = (a, scale = 1) => [scale, 0, 0, a[0], 0, scale, 0, a[1], 0, 0, scale, a[2]];
 /// Of a station: x away from the robot's axis, and turned from there, degrees counter-clockwise.

@@ -50,5 +50,6 @@ function listenToView(scene, draw) {
       document.querySelector("[data-look=split]").setAttribute("aria-pressed", scene.split);
       draw();
     });
+  at("follow").addEventListener("change", () => (scene.follows = at("follow").checked, draw()));
   new ResizeObserver(draw).observe(canvas);
 }

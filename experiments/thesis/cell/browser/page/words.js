@@ -17,6 +17,7 @@ const PHASES = {
 };
 const UNTIL = {
   planned: "as planned", facing: "it faces the place", contact: "the sphere touches", cleared: "it is clear",
+  landed: "it lies on its place", raised: "the hand is back", through: "on its way",
 };
 
 /// A reason that begins with the name of a phase, in the page's words.
@@ -30,6 +31,7 @@ class Sentences {
   constructor(cell, setting, lengthDigits) {
     this.cell = cell, this.setting = setting;
     this.face = (number) => `face ${number} (${cell.material_faces[number]})`;
+    this.length = (x) => digits(Math.abs(x), lengthDigits + 1);
     this.wrongly = ({early, gap}) => "Wrong stop: " + (early === null ? "there is no contact on the way" : early > 0 ? `${digits(early, 3)}° early` : `${digits(-early, 3)}° late`) +
       `, ${digits(gap, lengthDigits + 1)} ${cell.unit} from the material`;
   }
@@ -40,6 +42,7 @@ class Sentences {
     const joint = move && this.cell.robot.joints.findIndex(({name}) => name === move.joint);
     const before = move && run.stops[run.stops.findIndex((s, i) => i > 0 && s.move === look.move) - 1];
     const where = number === 0 ? "home" : !move ? "a move that did not come out"
+      : move.rise ? `${PHASES[move.phase]}, straight ${move.rise < 0 ? "down" : "up"} ${this.length(look.sphere[2] - before.sphere[2])} of ${this.length(move.rise)} ${this.cell.unit}`
       : `${PHASES[move.phase]}, ${move.joint} ${signed(look.commanded[joint] - before.commanded[joint])}° of ${signed(move.degrees)}°`;
     const wrong = [...new Set(look.errors.flatMap(({methods}) => methods))];
     const errs = wrong.length ? ` Wrong here: ${wrong.join(", ")}.` : "";

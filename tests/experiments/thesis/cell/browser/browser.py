@@ -257,8 +257,8 @@ def check_configuration(page, address):
     page.slide("angle", 67)
     expect(page.text("failure").startswith("The process does not begin: at home storage/") and "stands in machine/" in page.text("failure"),
            f"in the machine: {page.text('failure')!r}")
-    page.slide("angle", -33)
-    page.slide("radius", 659.2)
+    page.reset()
+    page.slide("height", 610)
     expect("does not come out" in page.text("failure"), "a process that fails says nothing")
     expect(page.text("status").startswith("Where it fails: "), "the arm is not shown where it fails")
     expect(page.red() > 100, "what touches is not coloured")
@@ -269,6 +269,7 @@ def check_configuration(page, address):
     expect(page.red() == 0, "something is red at a stop")
     page.find("#where").click()
     expect(page.red() > 100, "the button does not show where it fails")
+    page.reset()
     page.slide("radius", 150)
     expect(page.text("failure").startswith("The process does not begin: at home "), f"in the robot: {page.text('failure')!r}")
     expect(page.text("status").startswith("Where it fails: at home "), f"without a stop it says {page.text('status')!r}")
@@ -313,7 +314,7 @@ def check_distances(page, run):
         expect(said and abs(float(said[1]) - nearest[mover]["here"][number]) < 0.06, f"{mover}: {page.text('answer')!r}")
     rows = page.script("return document.querySelectorAll('#least tbody tr').length")
     expect(rows == len(run["separation"]["least"]), "the table lacks distances")
-    expect(f"{run['times'][-1]:.2f}".rstrip("0") in page.text("curve-says"), f"no cycle time: {page.text('curve-says')!r}")
+    expect(run["cycle"][1:] in page.text("curve-says"), f"no cycle time: {page.text('curve-says')!r}")
     expect(page.script("return document.querySelectorAll('#curve .line').length") >= 4, "a curve is missing")
     page.script("document.getElementById('curve').scrollIntoView({block: 'center'})")
     page.find("#curve").click()
@@ -330,6 +331,80 @@ def check_views(page):
     expect(page.pixels(blue) == 0, "the sphere cannot be switched off")
     page.find("#with-sphere").click()
     page.look("split")
+
+
+def check_hand(page, run):
+    """The path of the hand is drawn through all stops, and the hand stays in the middle of the view that follows it."""
+    blue = "b > 120 && r < 0.3 * b && g < 0.75 * b && g > 0.4 * b"
+    for look in ("near", "front"):  # the whole alone
+        page.look(look)
+    page.go(0)
+    page.find("#with-sphere").click()
+    expect(page.pixels(blue) == 0, "there is a path before it is asked for")
+    page.seen("bytes => (window.without = bytes, 0)")
+    page.find("#with-path").click()
+    page.go(0)
+    seen = page.pixels(blue)
+    expect(seen > 200, "the path of the hand is not to be seen")
+    page.go(0)
+    changed = page.seen("bytes => bytes.filter((byte, i) => i % 4 === 0 && Math.abs(byte - without[i]) > 20).length")
+    expect(changed < 5 * seen, f"the path changes {changed} pixels, of which {seen} are its own")
+    points = page.script("return document.querySelector('#plan .path').getAttribute('points')").split()
+    expect([[float(x) for x in point.split(",")] for point in points]
+           == [[round(stop["sphere"][0], 4), round(-stop["sphere"][1], 4)] for stop in run["stops"]], "the plan has another path")
+    page.picture("path")
+    page.find("#with-path").click()
+    expect(page.pixels(blue) == 0 and not page.script("return document.querySelector('#plan .path').getAttribute('points')"),
+           "the path cannot be switched off")
+    without = page.find("#with-sphere")
+    without.click()
+
+    def seen():
+        """Where the sphere is in the view, at home and where it holds the material: what it makes bluer."""
+        places = []
+        for stop in (0, next(i for i, stop in enumerate(run["stops"]) if stop["place"] is None) + 20):
+            page.go(stop)
+            without.click()
+            page.seen("bytes => (window.without = bytes, 0)")
+            without.click()
+            places.append(page.seen("""bytes => {
+              const canvas = document.getElementById('scene');
+              let x = 0, y = 0, count = 0;
+              for (let i = 0; i < bytes.length; i += 4)
+                if (bytes[i + 2] - bytes[i] - without[i + 2] + without[i] > 20)
+                  x += i / 4 % canvas.width, y += Math.floor(i / 4 / canvas.width), ++count;
+              return [x / count / canvas.width, y / count / canvas.height];
+            }"""))
+        return places
+    expect(max(abs(a - b) for a, b in zip(*seen())) > 0.05, "the view follows the hand before it is asked to")
+    page.find("#follow").click()
+    for place in seen():
+        expect(all(abs(x - 0.5) < 0.02 for x in place), f"the hand is at {place} of the view that follows it")
+    page.picture("follow")
+    page.find("#follow").click()
+    page.look("split")
+
+
+def check_slots(page):
+    """Wherever the storage stands, the names of slots and storage can be read, and none lies on another."""
+    boxes = page.script("""
+      const plan = document.getElementById('plan').plan, all = [];
+      for (let angle = -180; angle < 180; angle += 15)
+        for (const share of [0.3, 0.6, 0.95]) {
+          plan.configure(angle, share * plan.far, '', false);
+          all.push([...plan.svg.querySelectorAll('.slot, .name')].map(text => {
+            const {left, right, top, bottom} = text.getBoundingClientRect();
+            return [text.textContent, left, right, top, bottom, text.getCTM().b];
+          }));
+        }
+      return all;""")
+    for texts in boxes:
+        expect([text[0] for text in texts] == ["A", "B", "C", "storage"], f"the plan names {texts}")
+        for i, (name, left, right, top, bottom, turned) in enumerate(texts):
+            expect(turned == 0 and bottom - top >= 12, f"{name} cannot be read")
+            for other in texts[:i]:
+                expect(left >= other[2] or right <= other[1] or top >= other[4] or bottom <= other[3], f"{name} lies on {other[0]}")
+    page.reset()
 
 
 def check_jog(page):
@@ -358,8 +433,8 @@ def check_wrong_stop(page, address):
     page.look("near")
     row = page.script("return [...document.querySelectorAll('#moves tbody tr')].findIndex(r => r.textContent.includes('Wrong stop'))")
     page.script("document.querySelectorAll('#moves tbody tr')[arguments[0]].querySelector('button').click()", row)
-    expect("Wrong stop: 3° early" in page.text("status") and page.magenta() > 20, f"a wrong stop is not marked: {page.text('status')!r}")
     page.picture("wrong-stop")
+    expect("Wrong stop: 3° early" in page.text("status") and page.magenta() > 20, f"a wrong stop is not marked: {page.text('status')!r}")
 
 
 CONTRAST = """
@@ -446,6 +521,45 @@ def check_disagreements(page, file):
     page.picture("disagreement")
 
 
+def check_play(page, file):
+    """The run is played in its own time, also between the stops, and waits where the arm waits."""
+    answers = recorded(file)
+    run = answers["run"]
+    for stop in range(8, len(run["stops"])):
+        run["times"][stop] += 2
+    run["waits"][7] = 2
+    waiting = file.with_name("waiting.html")
+    waiting.write_text(RECORDED.sub(lambda found: found[1] + json.dumps(answers) + found[3], file.read_text()))
+    page.open(waiting.as_uri())
+    page.go(5)
+    page.script("return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")  # the page has drawn
+    page.script("window.frames = []; window.requestAnimationFrame = act => frames.push(act); performance.now = () => 0")
+    hand = """for (let i = 0; i < 3; ++i) frames.splice(0).forEach(act => act(arguments[0]));
+              const ball = document.querySelector('#plan .ball');
+              return [+ball.getAttribute('cx'), -ball.getAttribute('cy')];"""
+
+    def expect_hand(moment, stop, share):
+        a, b = (run["stops"][number]["sphere"] for number in (stop, min(stop + 1, len(run["stops"]) - 1)))
+        here = page.script(hand, 1000 * (moment - run["times"][5]))
+        expect(all(abs(here[i] - a[i] - share * (b[i] - a[i])) < 1e-3 for i in (0, 1)), f"after {moment} s the hand is at {here}")
+        expect(page.stop()[0] == stop, f"after {moment} s it says {page.text('status')!r}")
+
+    times = run["times"]
+    page.find("#run").click()
+    expect_hand(0.75 * times[5] + 0.25 * times[6], 5, 0.25)
+    expect_hand(0.5 * times[6] + 0.5 * times[7], 6, 0.5)
+    expect_hand(times[7] + 1.9, 7, 0)
+    expect("2 s" in page.text("answer"), "it is not said that the arm waits")
+    expect_hand(times[7] + 2 + 0.5 * (times[8] - times[7] - 2), 7, 0.5)
+    held = next(i for i, stop in enumerate(run["stops"]) if stop["place"] is None) + 20
+    expect_hand(0.5 * times[held] + 0.5 * times[held + 1], held, 0.5)
+    page.find("#run").click()
+    expect_hand(0, held, 0)  # it pauses at a stop
+    page.find("#run").click()
+    page.script(hand, 1e6)
+    expect(page.stop()[0] == page.stop()[1] and page.text("run") == "Run", "it does not end at the end")
+
+
 def elements(page):
     return page.script("return [...document.querySelectorAll('#elements tbody tr')].map(row => row.dataset.key)")
 
@@ -509,8 +623,8 @@ def check_elements(page, address):
     page.open(address)
     add(page, "box")
     expect(page.text("moves") == moves or page.find("#failure").is_displayed(), "an obstacle changes the run")
-    move(page, "box-2", (300, -300, 200))
-    expect("box-2" in page.text("failure"), f"an obstacle on the way: {page.text('failure')!r}")
+    move(page, "box-2", (-420, -240, 320))
+    expect("box-2" in page.text("failure"), f"an obstacle above the material: {page.text('failure')!r}")
     expect(page.red() > 50, "the obstacle is not coloured")
     page.picture("obstacle")
 
@@ -582,6 +696,8 @@ def main(touchstone, pictures=None):
             check_keys(page)
             check_distances(page, run)
             check_views(page)
+            check_hand(page, run)
+            check_slots(page)
             check_jog(page)
             check_typed(page, address)
             check_area(page)
@@ -621,6 +737,7 @@ def main(touchstone, pictures=None):
             check_offline(page, file)
             page.picture("exported")
             check_disagreements(page, file)
+            check_play(page, file)
             done.append("exported, offline")
     print(f"The page is as it should be: {', '.join(done)}.")
 

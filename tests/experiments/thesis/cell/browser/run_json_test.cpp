@@ -65,6 +65,8 @@ TEST(RunJson, IsWhatTheProcessSays) {
     EXPECT_EQ(json["stops"][i]["touched"].is_null(), !stop.touched.has_value());
     EXPECT_EQ(json["stops"][i]["target"].is_null(), !stop.target.has_value());
   }
+  EXPECT_EQ(json["times"], Json(run.timing.arrivals()));
+  EXPECT_EQ(json["waits"], Json(run.timing.waits()));
   EXPECT_EQ(json["methods"][0],
             Json({{"name", "filtered"}, {"asked", run.comparison.scores[0].asked}, {"wrong", 0}, {"unsure", 0}}));
 }
@@ -80,7 +82,7 @@ void names_the_faces_that_are_touched(const Recording& run) {
     const cell::Stop& at = run.process.stops[i];
     if (!at.target) continue;
     Pose pose = run.places[static_cast<std::size_t>(*at.target)];
-    if (run.process.holding(i).slot == at.target) pose.translation.z() -= run.cell.material.drop;  // no virtual copy
+    if (run.process.holding(i).slot == at.target) pose = run.process.holding(i).lies->pose;  // no virtual copy
     const auto distance = [&](const char* key) {
       const Polygon& face = faces.at(json["stops"][i][key].get<std::size_t>()).polygon;
       Loop loop;
