@@ -4,8 +4,8 @@ from results import finite, natural, number
 from values.latex import count, percent, table
 
 KNOWN_ERRORS = "E."  # entries that are ours, about what is wrong with the method
-STATUSES = ("reproduced", "reproduced with chosen values", "photograph: not computable", "not computable", "differs")
-
+STATUSES = ("reproduced with chosen values", "derived", "self-check", "photograph: not computable", "not computable", "differs")
+DIFFERS = ["table 5.1"]  # as the text says: two other sources of the arm's lengths and reach
 
 LAYOUT = {  # numbers of table 6.1 about how easily the layout fits
     "free-values": "values of the layout that are chosen freely", "captioned-moves": "captioned moves of both cases that it must reproduce",
@@ -20,22 +20,34 @@ def layout(study):
         raise ValueError("no more values of the layout are free than captions state, against the text")
 
 
+def predicted(study):
+    """The number of places that were not fitted, at all of which what the captions imply is found."""
+    angles = ("base_to_storage", "base_to_machine", "elbow_at_machine", "shoulder_at_machine")
+    rows = study.rows("predictions.csv", basis=str, **{f"{name}_{which}": str for name in angles for which in ("deg", "implied_deg")})
+    places = [row for row in rows if row["basis"] == "predicted"]
+    if any(row[f"{name}_deg"] != row[f"{name}_implied_deg"] for row in places for name in angles):
+        raise ValueError("what the captions imply is not found at some place, against the text")
+    return count(len(places))
+
+
 def values(study):
     yield from layout(study)
     entries = [row for row in study.rows("entries.csv", id=str, status=str) if not row["id"].startswith(KNOWN_ERRORS)]
     if unknown := {row["status"] for row in entries} - set(STATUSES):
         raise ValueError(f"unknown status: {', '.join(sorted(unknown))}")
     counted = lambda *statuses: str(sum(row["status"] in statuses for row in entries))
-    if any(row["status"] == "differs" for row in entries):
-        raise ValueError("a captioned figure differs, which the text does not say")
+    if (differing := [row["id"] for row in entries if row["status"] == "differs"]) != DIFFERS:
+        raise ValueError(f"other figures differ than the text says: {', '.join(differing)}")
     yield "entries", str(len(entries))
-    yield "reproduced", counted("reproduced")
     yield "chosen", counted("reproduced with chosen values")
+    yield "self-checks", counted("self-check")
+    yield "derived", counted("derived")
     yield "not-computable", counted("photograph: not computable", "not computable")
     turns = [row["degrees"] for row in study.rows("moves.csv", phase=str, joint=str, degrees=finite)
              if row["joint"] == "base" and row["phase"] in ("to-storage", "to-machine")]
     captioned = [abs(turn) for turn in turns]
     yield "base-turns", ", ".join(rf"{turn:g}\textdegree{{}}" for turn in captioned[:-1]) + rf" and {captioned[-1]:g}\textdegree{{}}"
+    yield "predicted", predicted(study)
     areas = study.rows("areas.csv", outline=str, points=natural, share=finite, hull=finite)
     yield "points", count(min(row["points"] for row in areas))
     yield "worst-area-share", percent(max(row["share"] for row in areas))

@@ -104,10 +104,14 @@ FILES = {
         "methods.csv": table("method asked wrong_hits wrong_misses unsure", (["fast", "thesis"], 100, 0, 0, 0)),
         "near.csv": table("exponent near questions", (0, 50, 100), (1, 9, 100), (2, 3, 100), (3, 0, 100))}.items()},
     "thesis": {
-        "entries.csv": table("id status", ("4.1", "reproduced"), ("E.1", "differs"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),
+        "entries.csv": table("id status", ("4.1", "reproduced with chosen values"), ("E.1", "differs"), ("4.4", "self-check"), ("4.6", "derived"), ("2.1", "not computable"),
+                             ("table 5.1", "differs")),
         "numbers.csv": table("id what ours", ("table 6.1", "values of the layout that are chosen freely", 12),
                              ("table 6.1", "captioned moves of both cases that it must reproduce", 10), ("table 6.1", "home poses that were tried", 400),
                              ("table 6.1", "of these with a layout in which all captions hold", 45)),
+        "predictions.csv": table("basis base_to_storage_deg base_to_storage_implied_deg base_to_machine_deg base_to_machine_implied_deg elbow_at_machine_deg "
+                                 "elbow_at_machine_implied_deg shoulder_at_machine_deg shoulder_at_machine_implied_deg",
+                                 ("fitted", -149, -149, 66, 66, 35, 35, 28, 28), ("predicted", -150, -150, 67, 67, 35, 35, 28, 28)),
         "moves.csv": table("phase joint degrees", ("to-storage", "elbow", -3), ("to-storage", "base", -149), ("to-machine", "base", 66), ("to-home", "base", 149)),
         "areas.csv": table("outline points share lower upper hull parts", (["U3x3", "square"], 100, 0.86, 0.8, 0.9, 0.29, 3)),
         "touching.csv": table("balls missed", (8, 7))},

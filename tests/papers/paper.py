@@ -65,7 +65,7 @@ def what_the_text_asks_for_is_made(root, results, output):
 def data_make_the_numbers(root, results, output, scratch):
     values = (output / "values.tex").read_text()
     for line in (r"\defineval{near-edge/face/fast}{25\,\%}", r"\defineval{near-edge/foot-edge/thesis}{50\,\%}",
-                 r"\defineval{engines/never-wrong-count}{1}", r"\defineval{engines/never-wrong}{\method{cgal-epeck-distance}}", r"\defineval{thesis/entries}{3}", r"\defineval{stability/most-vertices}{1{,}000}", r"\defineval{soak/cases}{4}", r"\defineval{soak/limit}{0.53}", r"\defineval{soak/unlimited-share}{12\,\%}", r"\defineval{engines/polygons}{8}",
+                 r"\defineval{engines/never-wrong-count}{1}", r"\defineval{engines/never-wrong}{\method{cgal-epeck-distance}}", r"\defineval{thesis/entries}{5}", r"\defineval{thesis/self-checks}{1}", r"\defineval{thesis/predicted}{1}", r"\defineval{stability/most-vertices}{1{,}000}", r"\defineval{soak/cases}{4}", r"\defineval{soak/limit}{0.53}", r"\defineval{soak/unlimited-share}{12\,\%}", r"\defineval{engines/polygons}{8}",
                  r"\defineval{stability/first/1e6/fast}{$2^{-51}$}", r"\defineval{stability/filtered-samples}{8}",
                  r"\defineval{bench/half-near/filtered/ratio}{1.50}", r"\defineval{real/face/fast}{12\,\%}",
                  r"\defineval{thesis/home-poses-share}{45\,\%}", r"\defineval{thesis/base-turns}{149\textdegree{} and 66\textdegree{}}", r"\defineval{tradeoff/distance-right/filtered}{all}",
@@ -137,6 +137,9 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
             lambda at: edit(at / "cell/case-2/methods.csv", "thesis,100,0,0", "thesis,100,1,0"))
     spoiled("cell: ValueError: a case study was not recorded", lambda at: shutil.rmtree(at / "cell/case-1"))
     spoiled("thesis: ValueError: no more values of the layout are free", lambda at: edit(at / "thesis/numbers.csv", "chosen freely,12", "chosen freely,10"))
+    spoiled("thesis: ValueError: other figures differ than the text says: 4.1, table 5.1",
+            lambda at: edit(at / "thesis/entries.csv", "4.1,reproduced with chosen values", "4.1,differs"))
+    spoiled("thesis: ValueError: what the captions imply is not found", lambda at: edit(at / "thesis/predictions.csv", "-150,-150", "150,-150"))
     spoiled("thesis: ValueError: unknown status: better", lambda at: edit(at / "thesis/entries.csv", "not computable", "better"))
     spoiled("too noisy to quote: bench/random-triangles/filtered/ratio",
             lambda at: edit(at / "bench/bench.json", '"ratio": {', '"ratio": {"too_noisy": true, '))

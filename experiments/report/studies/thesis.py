@@ -9,12 +9,12 @@ import sys
 from looks import BLACK, BLUE, ORANGE
 from page import code, count, escaped, inlined, number, percent, rendered, smaller
 from replacing import replacing
-from results import maybe, natural
+from results import Study, maybe, natural
 from results import number as any_number
 from studies import OUTPUT, Run
 from style import draw, plt, rows_of, save
 from thesis import cell as views
-from thesis import method, model
+from thesis import method, model, predictions
 
 RUN = Run(17, "the thesis's figures", full=[["thesis", "--output", OUTPUT]], quick=[["thesis", "--quick", "--output", OUTPUT]],
           tiny=["thesis", "--quick", "--samples", "100", "--no-pictures"])
@@ -22,8 +22,11 @@ TITLE = "The figures of the thesis of 2008"
 SHOWN = ("E.1",)  # in the chapter; all are on the thesis's own page
 CHAPTERS = {"2": "Chapter 2: literature", "3": "Chapter 3: methodology", "4": "Chapter 4: the collision detection algorithm",
             "5": "Chapter 5: the virtual environment", "6": "Chapter 6: the case studies", "E": "Known errors of the method"}
-TONES = {"reproduced": "yes", "differs": "no", "reproduced with chosen values": "chosen"}
+TONES = {"differs": "no", "reproduced with chosen values": "chosen"}
+MEANINGS = {"derived": "its numbers are compared with what this project derived or another source states, not with the thesis",
+            "self-check": "compared with what holds by construction, such as a file that is written and read again"}
 BASES = {"fitted": "angles that captions state, for which the layout was solved", "input": "numbers of captions that the cell was built with",
+         "predicted": "counts of places that were not fitted, at which what the captions imply is found",
          "other source": "numbers of other sources", "own check": "tests of this project: arithmetic, and the exact answer"}
 
 
@@ -61,7 +64,7 @@ def bases(numbers):
 def distinct_of(rows):
     """Captions repeat themselves: how many different numbers there are, if fewer than rows."""
     values = {(row["stated"], row["unit"]) for row in rows}
-    return f" ({len(values)} different numbers)" if len(values) < len(rows) else ""
+    return f" ({len(values)} different numbers)" if 1 < len(values) < len(rows) else ""
 
 
 def fit(numbers):
@@ -104,7 +107,7 @@ def told(study):
         "worse_than_hulls": notched and all(row["share"] > row["hull"] for row in notched),
         "areas": [[escaped(row["outline"]), "" if row["share"] is None else percent(row["share"], 3), percent(row["hull"], 3), "0", count(row["parts"])]
                   for row in data.areas],
-        "systems": named_systems(), "statuses": [f"{count(n)} {escaped(status)}" for status, n in counts_of([entry["status"] for entry in data.entries]).items()],
+        "predicted": predictions.section(study), "systems": named_systems(), "statuses": [f"{count(n)} {escaped(status)}" for status, n in counts_of([entry["status"] for entry in data.entries]).items()],
         "shown": [each for entry in data.entries if entry["id"] in SHOWN and (each := shown(entry))["path"]]}
 
 
@@ -128,6 +131,7 @@ def write_page(folder, entries, numbers, run):
     by_chapter = {key: [entry for entry in told if entry["id"].removeprefix("table ").split(".")[0] == key] for key in CHAPTERS}
     text = rendered("thesis_page.html", entries=entries, known_errors=len(by_chapter["E"]), statuses=counts_of([entry["status"] for entry in told]),
                     bases=bases(numbers), fit=fit(numbers), differing=[row for row in stated_in(numbers) if row["agrees"] == "no"], run=run, tones=TONES,
+                    meanings=MEANINGS, predicted=predictions.section(Study(folder)),
                     chapters=[{"key": key, "title": title, "entries": by_chapter[key]} for key, title in CHAPTERS.items()])
     with replacing(folder / "index.html") as file:
         file.write_text(text, encoding="utf-8")

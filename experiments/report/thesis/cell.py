@@ -11,7 +11,7 @@ from looks import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 from style import GREY, on_white, picture, plt
 from thesis.shaded import Camera, Solid, draw
 
-COLORS = {"link": "#f0c878", "gripper": RED, "storage": SKY, "machine": "#b9c4b9", "material": PURPLE}
+COLORS = {"link": "#f0c878", "gripper": RED, "finger": ORANGE, "storage": SKY, "machine": "#b9c4b9", "material": PURPLE}
 FLOOR = 1150  # mm: half a side of what is drawn of it
 STATION_COLORS = {"storage 1": BLUE, "storage 2": ORANGE, "machine": GREEN}
 
@@ -28,10 +28,11 @@ class Cell:
     def placed(self, moment, virtual=False):
         """All solids where they stand at a moment."""
         now = self.moments[moment]
-        result = []
+        result, fingers = [], iter(now["fingers"])
         for part, solid in self.solids:
             carrier = part["moves_with"]
             pose = {"link": lambda: now["links"][part["link"]], "gripper": lambda: now["links"][-1],
+                    "finger": lambda: next(fingers),
                     "storage": lambda: now["storage"], "machine": lambda: now["machine"],
                     "material": lambda: now["material"]}[carrier]()
             result.append(solid.moved(pose))

@@ -150,7 +150,7 @@ def hierarchy(axes, cell):
         x = i * 2
         box_text(axes, (x, 9.1), name, color)
         axes.plot([4, x], [10.1, 9.4], color=BLACK, linewidth=0.8)
-        parts = [part["name"] for part in cell.drawing["parts"] if part["moves_with"] == carrier]
+        parts = [part["name"] for part in cell.drawing["parts"] if part["moves_with"].replace("finger", "gripper") == carrier]
         for j, part in enumerate(parts):
             y = 8.2 - j * 0.72
             box_text(axes, (x + 0.1, y), part.split("/", 1)[-1] if carrier != "link" else part, width=1.6, height=0.42, size=7.5)
@@ -203,7 +203,7 @@ def union(both, cell, link, name):
 def robot(axes, cell):
     now = cell.moments["case 1, home"]
     solids = [solid.moved(now["links"][part["link"] if part["moves_with"] == "link" else -1])
-              for part, solid in cell.solids if part["moves_with"] in ("link", "gripper")]
+              for part, solid in cell.solids if part["moves_with"] in ("link", "gripper", "finger")]
     shaded(axes, solids, -58, 20, aspect=0.93, pixels=900)
 
 

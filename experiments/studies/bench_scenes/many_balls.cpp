@@ -78,6 +78,7 @@ constexpr const char* kAllTogether = "Scene, all together";
 
 }  // namespace
 
+// Embree's call for a packet of points asks about one after the other, as its manual says, and has no row of its own.
 const std::vector<ManyBalls> kManyBalls{
     {"Scene, 64 together", 64, 1, {methods::kEmbree, timing::Goal{0.8}}},
     {"Scene, 1024 together", 1024, 1, {methods::kEmbree, timing::Goal{0.5}}},

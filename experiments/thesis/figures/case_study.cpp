@@ -61,7 +61,7 @@ CaseStudy study_case(const cell::Cell& cell, const std::vector<cell::ModelPart>&
   using cell::StationSlot;
   CaseStudy study{cell, {}, {}, {}, {}, {}};
   const cell::Workcell workcell(cell, parts, covered);
-  study.copy = workcell.at(StationSlot::Machine).virtual_pose;
+  study.copy = workcell.at(StationSlot::Machine).copy->pose;
   study.process = cell::simulate(workcell);
   study.snapshots = cell::browser::snapshots_of(workcell, study.process);
   const auto& stops = study.process.stops;
@@ -75,12 +75,12 @@ CaseStudy study_case(const cell::Cell& cell, const std::vector<cell::ModelPart>&
     if (move.until != cell::Until::Contact || move.phase > cell::Phase::ToMachine) continue;
     const bool at_machine = move.phase == cell::Phase::ToMachine;
     const cell::Workplace& place = workcell.at(at_machine ? StationSlot::Machine : StationSlot::Storage);
-    const std::vector<Polygon> faces = cell::polygons_of(at_machine ? place.virtual_faces : place.faces);
+    const std::vector<Polygon> faces = cell::polygons_of((at_machine ? place.copy : place.material)->faces);
     const double step = move.degrees < 0 ? -cell.step : cell.step;
     const Ball at = stops[i].sphere, before = sphere_at(workcell, stops[i], move, move.degrees - step);
     const std::size_t face = nearest(faces, at);
     const filtered::PreparedPolygon prepared(faces[face]);
-    study.stops.push_back({stops[i].move, words_of(faces[face], place.pose), filtered::answer(at, prepared),
+    study.stops.push_back({stops[i].move, words_of(faces[face], place.material->pose), filtered::answer(at, prepared),
                            filtered::answer(before, prepared), at.center,
                            sphere_at(workcell, stops[i], move, move.exact).center, before.center, by_thesis(at, faces),
                            by_thesis(before, faces)});

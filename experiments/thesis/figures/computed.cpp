@@ -16,6 +16,7 @@
 #include "experiments/thesis/cell/model/reach.h"
 #include "experiments/thesis/cell/simulation/arm.h"
 #include "experiments/thesis/figures/angle_sum.h"
+#include "experiments/thesis/figures/predictions.h"
 
 namespace touchstone::figures {
 namespace {
@@ -144,13 +145,13 @@ void compute_robot(const Study& study, Computed& computed) {
   std::size_t robot_parts = 0;
   for (const cell::Link& link : links) robot_parts += link.parts.size();
   numbers["parts of the robot"] = robot_parts;
-  numbers["parts of the gripper"] = study.cell.gripper.parts.size();
+  numbers["parts of the gripper"] = parts_of(study.cell.gripper).size();
   numbers["parts of the storage"] = study.cell.storage.parts.size() + 1;
   numbers["parts of the machine"] = study.cell.machine.parts.size() + 1;
   numbers["faces of the robot"] = faces(study, cell::Carrier::Link);
   numbers["faces of all"] = faces(study, cell::Carrier::Link) + faces(study, cell::Carrier::Gripper) +
-                            faces(study, cell::Carrier::Storage) + faces(study, cell::Carrier::Machine) +
-                            faces(study, cell::Carrier::Material);
+                            faces(study, cell::Carrier::Finger) + faces(study, cell::Carrier::Storage) +
+                            faces(study, cell::Carrier::Machine) + faces(study, cell::Carrier::Material);
   numbers["revolute axes"] =
       std::ranges::count(study.cell.robot.joints, cell::Joint::Kind::Revolute, &cell::Joint::kind);
   double off_plane = 0;
@@ -365,17 +366,22 @@ void compute_cases(const Study& study, Computed& computed) {
 /// How well the layout is determined, and what it predicts.
 void compute_layout(const Study& study, Computed& computed) {
   auto& numbers = computed.numbers;
-  const Predictions& p = study.predictions;
-  numbers["predictions"] = p.places;
-  numbers["predictions: to the storage"] = p.to_storage;
-  numbers["predictions: to the machine"] = p.to_machine;
-  numbers["predictions: net"] = p.net;
+  const auto predicted = [&](const auto& counts) {
+    return std::ranges::count_if(study.predictions, [&](const Prediction& p) { return !p.fitted && counts(p); });
+  };
+  numbers["predictions"] = predicted([](const Prediction&) { return true; });
+  numbers["predictions: between"] = predicted([](const Prediction& place) { return place.line == "between"; });
+  for (std::size_t i = 0; i < kImplied.size(); ++i)
+    numbers[fmt::format("predictions: {}", kImplied[i])] = predicted([i](const Prediction& p) { return p.agrees(i); });
+  numbers["predictions: contacts"] =
+      predicted([](const Prediction& p) { return p.contact && std::abs(*p.contact - *p.derived) < 1e-9; });
+  numbers["predictions: wrong stops"] = predicted([](const Prediction& p) { return p.found && p.wrong_stops == 0; });
   // The lift of the second case is not captioned.
   const std::size_t captioned = moves_of(kCases[0]).size() + moves_of(kCases[1]).size() - 1;
-  auto &parameters = numbers["layout: free parameters"], &moves = numbers["layout: captioned moves"],
+  auto &free_values = numbers["layout: free parameters"], &moves = numbers["layout: captioned moves"],
        &homes = numbers["layout: home poses"], &fitting = numbers["layout: fitting home poses"];
   if (study.homes.empty()) return;
-  parameters = free_parameters();
+  free_values = parameters().size();
   moves = captioned;
   homes = study.homes.size();
   const auto fit = std::ranges::count_if(study.homes, [](const Member& member) { return member.failure.empty(); });

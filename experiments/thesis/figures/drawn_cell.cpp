@@ -105,9 +105,13 @@ ordered_json drawn_moments(const CaseStudy& study) {
   for (const Moment& moment : study.moments) {
     const cell::browser::Snapshot& now = study.snapshots[moment.stop];
     const cell::Stop& stop = study.process.stops[moment.stop];
-    ordered_json poses = ordered_json::array();
+    ordered_json poses = ordered_json::array(), fingers = ordered_json::array();
     for (const Pose& link : now.links) poses.push_back(numbers(link));
+    if (const auto& its = study.cell.gripper.fingers)
+      for (std::size_t i = 0; i < now.closed.size(); ++i)
+        fingers.push_back(numbers({now.links.back().rotation, now.links.back() * its->shift(i, now.closed[i])}));
     all[moment.name] = {{"links", poses},
+                        {"fingers", fingers},
                         {"storage", storage},
                         {"machine", machine},
                         {"material", numbers(now.material)},

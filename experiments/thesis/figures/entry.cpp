@@ -18,13 +18,13 @@ namespace {
 
 using Item = cell::CellEntry;
 
-constexpr std::array<std::string_view, 4> kBases{"fitted", "input", "own check", "other source"};
-constexpr std::array<std::string_view, 4> kStatuses{"reproduced", "reproduced with chosen values",
+constexpr std::array<std::string_view, 5> kBases{"fitted", "input", "predicted", "own check", "other source"};
+constexpr std::array<std::string_view, 5> kStatuses{"reproduced with chosen values", "derived", "self-check",
                                                     "photograph: not computable", "not computable"};
 
 /// Returns the enumerator of this word.
 template <class Enum>
-Enum one_of(const Item& item, const std::array<std::string_view, 4>& words) {
+Enum one_of(const Item& item, const std::array<std::string_view, 5>& words) {
   const auto word = std::ranges::find(words, item.text());
   if (word == words.end()) item.bad("must be one of: " + fmt::format("{}", fmt::join(words, ", ")));
   return static_cast<Enum>(word - words.begin());
@@ -104,7 +104,7 @@ Entry read_entry(const Item& item, const std::string& id, const Computed& comput
 std::string_view to_string(Basis basis) { return kBases[static_cast<std::size_t>(basis)]; }
 
 Label label_of(Basis basis) {
-  constexpr std::array labels{Label::Text, Label::Text, Label::Derived, Label::Source};
+  constexpr std::array labels{Label::Text, Label::Text, Label::Derived, Label::Derived, Label::Source};
   return labels[static_cast<std::size_t>(basis)];
 }
 
@@ -118,7 +118,7 @@ bool Entry::agrees() const {
 }
 
 std::string_view Entry::status_words() const {
-  if ((status == Status::Reproduced || status == Status::WithChosen) && !agrees()) return "differs";
+  if (status < Status::Photograph && !agrees()) return "differs";
   return kStatuses[static_cast<std::size_t>(status)];
 }
 

@@ -19,10 +19,11 @@ using cell::Label;
 enum class Basis {
   Fitted,       ///< a caption states it, and the layout was solved for it
   Input,        ///< a caption states it, and the cell was built with it
+  Predicted,    ///< captions imply it where the layout was not fitted
   OwnCheck,     ///< arithmetic or the exact answer says it: a test of this project
   OtherSource,  ///< another source says it
 };
-/// `fitted`, `input`, `own check`, `other source`.
+/// `fitted`, `input`, `predicted`, `own check`, `other source`.
 [[nodiscard]] std::string_view to_string(Basis basis);
 /// Returns the source of a number that is stated with this basis.
 [[nodiscard]] Label label_of(Basis basis);
@@ -41,8 +42,9 @@ struct Number {
 };
 
 enum class Status {
-  Reproduced,     ///< from the thesis's text, public sources and arithmetic alone
   WithChosen,     ///< with values that no public source gives
+  Derived,        ///< compared with what this project derived or another source states: no number is the thesis's
+  SelfCheck,      ///< compared with what holds by construction, such as a file that is written and read again
   Photograph,     ///< of real machines
   NotComputable,  ///< has no number, or no public one
 };
@@ -59,8 +61,8 @@ struct Entry {
 
   /// Returns whether all stated numbers agree.
   [[nodiscard]] bool agrees() const;
-  /// Returns the status in words: `reproduced`, `reproduced with chosen values`, `photograph: not computable`, `not
-  /// computable`; or `differs`, if a number of the first two kinds does.
+  /// Returns the status in words: `reproduced with chosen values`, `derived`, `self-check`, `photograph: not
+  /// computable`, `not computable`; or `differs`, if a number of the first three kinds does.
   [[nodiscard]] std::string_view status_words() const;
   /// Returns the name of its files, without extension: `4-3`, `table-6-1`, `E-2`.
   [[nodiscard]] std::string file_stem() const;

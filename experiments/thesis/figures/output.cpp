@@ -15,6 +15,7 @@
 #include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/figures/drawn_cell.h"
 #include "experiments/thesis/figures/picture_tables.h"
+#include "experiments/thesis/figures/predictions.h"
 
 namespace touchstone::figures {
 namespace {
@@ -30,7 +31,7 @@ const run::Table<Entry>& entries_csv() {
        {"caption", "its caption", &Entry::caption},
        {"page", "of the thesis",
         [](const Entry& entry) { return entry.page == 0 ? std::nullopt : std::optional(entry.page); }},
-       {"status", "whether it was reproduced", &Entry::status_words},
+       {"status", "whether it was reproduced, or what its numbers are compared with", &Entry::status_words},
        {"text", "what was done, or why nothing can be done", &Entry::text},
        {"picture", "the file of our picture",
         [](const Entry& entry) { return entry.shows.empty() ? std::string() : entry.file_stem(); }},
@@ -64,7 +65,7 @@ const run::Table<NumberRow>& numbers_csv() {
        {"stated", "the stated value", path(&NumberRow::number, &Number::stated)},
        {"tolerance", "the largest difference that counts as agreement",
         [](const NumberRow& row) { return row.number->stated ? std::optional(row.number->tolerance) : std::nullopt; }},
-       {"basis", "why they agree: `fitted`, `input`, `own check` or `other source`",
+       {"basis", "why they agree: `fitted`, `input`, `predicted`, `own check` or `other source`",
         [](const NumberRow& row) { return row.number->basis ? to_string(*row.number->basis) : std::string_view(); }},
        {"label", "the source of the stated value",
         [](const NumberRow& row) {
@@ -138,6 +139,8 @@ void write_entries(const std::filesystem::path& folder, const std::vector<Entry>
 
 void write_data(const std::filesystem::path& folder, const Study& study) {
   write_picture_tables(folder, study);
+  predictions_csv().write(folder, study.predictions);
+  sensitivity_csv().write(folder, study.sensitivities);
   run::write_file(folder / "drawing.json", drawing(study).dump() + "\n");
   run::make_folder(folder / "models");
   for (const LinkFile& file : study.link_files)
@@ -146,7 +149,8 @@ void write_data(const std::filesystem::path& folder, const Study& study) {
 }
 
 std::vector<run::TableDescription> tables() {
-  std::vector<run::TableDescription> all{entries_csv().description(), numbers_csv().description()};
+  std::vector<run::TableDescription> all{entries_csv().description(), numbers_csv().description(),
+                                         predictions_csv().description(), sensitivity_csv().description()};
   for (auto& table : picture_tables()) all.push_back(std::move(table));
   return all;
 }
@@ -187,6 +191,7 @@ std::string table(const std::vector<Entry>& entries) {
   line(counts[Basis::Fitted],
        fmt::format("angles of captions, {} different ones, for which the layout was solved", captions.size()));
   line(counts[Basis::Input], "numbers of captions that the cell was built with");
+  line(counts[Basis::Predicted], "counts of places that were not fitted, at which what the captions imply is found");
   line(counts[Basis::OtherSource], "numbers of other sources");
   line(counts[Basis::OwnCheck], "tests of this project: arithmetic, and the exact answer");
   line(of_errors, "known errors of the thesis's method, derived here");

@@ -19,7 +19,6 @@ using namespace kinematics;
 
 using Task = std::function<void()>;
 
-constexpr int kLargestAngle = 60;
 constexpr int kLowestRadius = 150, kHighestRadius = 720;  // of the area of configuration
 constexpr int kHighestHeight = 700;
 constexpr int kFurthestOffset = 15;  // a power of ten, mm
@@ -45,22 +44,6 @@ std::vector<LinkFile> link_files(const std::vector<cell::ModelPart>& parts) {
   }
   std::filesystem::remove_all(folder);
   return files;
-}
-
-Predictions predict(const Study& study) {
-  Predictions predictions;
-  std::vector<cell::ModelPart> material;
-  std::ranges::copy_if(study.parts, std::back_inserter(material),
-                       [](const cell::ModelPart& part) { return part.carrier == cell::Carrier::Material; });
-  const auto uncovered = std::make_shared<const std::vector<cell::Covered>>();
-  for (const CaseStudy& its : study.cases)
-    for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
-      cell::Cell cell = its.cell;
-      cell.storage.angle = angle;
-      predictions.take(angle, cell::simulate(cell::Workcell(cell, material, uncovered),
-                                             {.last = cell::Phase::ToMachine, .sphere_alone = true}));
-    }
-  return predictions;
 }
 
 /// The work that is shared out among threads: each task has a place of its own to write to.
@@ -139,7 +122,10 @@ std::vector<Task> tasks_of(Study& study) {
              return Where{angle, radius, tried_heights[i]};
            });
   }
-  tasks.emplace_back([&study] { study.predictions = predict(study); });
+  tasks.emplace_back([&study] { study.predictions = predict(chosen_layout()); });
+  study.sensitivities.resize(parameters().size());
+  for (std::size_t i = 0; i < parameters().size(); ++i)
+    tasks.emplace_back([&study, i] { study.sensitivities[i] = sensitivity(chosen_layout(), parameters()[i]); });
 
   tasks.emplace_back([&study, &gripper, samples, seed] {
     const CaseStudy& first = study.cases[0];

@@ -20,6 +20,7 @@
 #include "experiments/thesis/figures/false_areas.h"
 #include "experiments/thesis/figures/flowchart.h"
 #include "experiments/thesis/figures/known_errors.h"
+#include "experiments/thesis/figures/predictions.h"
 #include "experiments/thesis/figures/reconfiguration.h"
 
 /// The computations of `touchstone thesis`, done once for all of its entries.
@@ -50,12 +51,11 @@ struct Study {
   std::vector<Outline> outlines;     ///< the gripper's first, then those of outlines.h
 
   // Chapter 4
-  std::vector<Flowchart> flowcharts;  ///< outline by outline, radius by radius
-  FootErrors feet;                    ///< on the gripper's front, where it touches in case 1
-  EdgePlaces edges;                   ///< on the gripper
-  /// By the sphere alone, at every whole angle of the storage from -60 to 60 degrees, in both cases' places: bodies
-  /// apart, what the captions imply.
-  kinematics::Predictions predictions;
+  std::vector<Flowchart> flowcharts;       ///< outline by outline, radius by radius
+  FootErrors feet;                         ///< on the gripper's front, where it touches in case 1
+  EdgePlaces edges;                        ///< on the gripper
+  std::vector<Prediction> predictions;     ///< of the chosen layout, which the cell is
+  std::vector<Sensitivity> sensitivities;  ///< of its parameters, in their order
 
   // Chapters 5 and 6
   std::array<CaseStudy, 2> cases;

@@ -323,6 +323,22 @@ class Report(unittest.TestCase):
         shutil.rmtree(self.results / "cell/case-2")
         self.assertNotIn("In both case studies", self.changed().text)
 
+    def test_places_where_what_captions_imply_is_not_found_are_counted_apart(self):
+        path = self.results / "thesis/predictions.csv"
+        middle = lambda row: (row["line"], row["angle_deg"]) == ("between", "-16")
+        self.assertIn("At 273 of 273 places of the storage for which the layout was not fitted, the base's two turns", self.page.text)
+        edited(path, lambda row: row.update(elbow_at_machine_deg="-35") if middle(row) else None)
+        text = self.changed().text
+        self.assertIn("At 272 of 273 places", text)
+        self.assertIn("At 1 an angle differs. Much", text)
+        found = ("base_to_storage_deg", "base_to_machine_deg", "elbow_at_machine_deg", "shoulder_at_machine_deg")
+        edited(path, lambda row: row.update({name: "" for name in found} | {"failure": "out of reach"}) if middle(row) else None)
+        self.assertIn("At 272 of 273 places", self.changed().text)
+        self.assertIn("At 1 the process fails (1: out of reach). Much", self.changed().text)
+        edited(self.results / "thesis/sensitivity.csv",
+               lambda row: row.update(highest=str(float(row["value"]) + 0.25)) if row["parameter"] == "machine height" else None)
+        self.assertIn("changes by a step: the machine height by 0.25 mm (shoulder at the machine) and", self.changed().text)
+
     def test_malformed_data_are_an_error_that_names_the_line(self):
         path = self.results / "near-edge/bands.csv"
         whole = path.read_text()
