@@ -38,6 +38,7 @@ SECONDS = 90  # a suite that does not end has noticed something
 SUITES = {
     "boost_numbers_tests": "*",
     "cell_tests": "*",
+    "cell_handling_tests": "*",
     "cell_simulation_tests": "*",
     "contact_tests": "*",
     "filtered_tests": "-FilteredEnvironment.*:FilteredErrorFree.*:FilteredDoubleDouble*:FilteredInteger.*:Signs.*",
