@@ -490,11 +490,13 @@ def check_touch(page):
 def check_calm(page):
     page.find("#run").click()
     page.wait("the end of a move", lambda: page.stop()[0] > 0)
-    ends = page.script("""return [...document.querySelectorAll('#moves tbody tr')].findIndex(row => row.className === 'now')""")
-    here = page.stop()[0]
-    page.find("#forward").click()
-    now = page.script("""return [...document.querySelectorAll('#moves tbody tr')].findIndex(row => row.className === 'now')""")
-    expect(page.stop()[0] == here + 1 and now == ends + 1, "without motion, it does not go by whole moves")
+    (here, ends), (there, now) = page.script("""
+      const seen = () => [+document.getElementById('stop').value,
+                          [...document.querySelectorAll('#moves tbody tr')].findIndex(row => row.className === 'now')];
+      const before = seen();
+      document.getElementById('forward').click();
+      return [before, seen()];""")
+    expect(there == here + 1 and now == ends + 1, "without motion, it does not go by whole moves")
 
 
 RECORDED = re.compile(r'(id="recorded">)(.*?)(</script>)', re.S)
