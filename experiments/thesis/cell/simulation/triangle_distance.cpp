@@ -106,6 +106,25 @@ double apart(const Vertices& first, const Vertices& second, const Eigen::Vector3
   return std::max(0.0, ((low - high) / length) * (1 - kProjecting) - kProjecting * size);
 }
 
+/// By how much their projections onto a normal, onto a line across two edges, or within a plane across an edge are
+/// certainly apart: two triangles that do not touch are apart along one of these. `n` and `m` are the normals.
+double apart_along_normals(const Vertices& first, const Eigen::Vector3d& n, const Vertices& second,
+                           const Eigen::Vector3d& m) {
+  double most = 0;
+  const auto take = [&](const Eigen::Vector3d& along) {
+    most = std::max({most, apart(first, second, along), apart(first, second, -along)});
+  };
+  take(n);
+  take(m);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3d u = first[(i + 1) % 3] - first[i], v = second[(i + 1) % 3] - second[i];
+    take(n.cross(u));
+    take(m.cross(v));
+    for (std::size_t k = 0; k < 3; ++k) take(u.cross(second[(k + 1) % 3] - second[k]));
+  }
+  return most;
+}
+
 double size_of(const Triangle& t) {
   return std::max({t.a.cwiseAbs().maxCoeff(), t.b.cwiseAbs().maxCoeff(), t.c.cwiseAbs().maxCoeff()});
 }
@@ -132,9 +151,7 @@ DistanceBounds distance(const Triangle& first, const Triangle& second) {
   }
   const double upper = std::sqrt(nearest.squared);
   double lower = apart(a, b, nearest.other - nearest.one);
-  // Rounding turns a short way between two faces that are almost parallel; their normals stay.
-  for (const Eigen::Vector3d& normal : {n, m})
-    if (!(lower > 0)) lower = std::max(apart(a, b, normal), apart(a, b, -normal));
+  if (!(lower > 0)) lower = apart_along_normals(a, n, b, m);  // rounding has turned a short way
   if (lower > 0) return {lower, std::max(lower, upper)};
   return {0, pierces(a, b, m) || pierces(b, a, n) ? 0 : upper};
 }

@@ -55,9 +55,11 @@ struct DistanceBounds {
 
 /// Returns the distance of two closed triangles, points and segments among them.
 ///
-/// The lower bound is that of projections onto the line through the two nearest points found or onto a normal, less
-/// than what they can be rounded by: no point of one triangle is nearer to the other. It differs from the upper one by
-/// rounding, or is 0 for triangles that touch. Requires finite coordinates. Cost: 0.3 us.
+/// The lower bound is proved: no point of one triangle is nearer to the other. It is that of projections onto the line
+/// through the two nearest points found, less than what they can be rounded by, and differs from the upper one by
+/// rounding. Near contact rounding may turn that line. Then the bound is that of projections onto normals and onto what
+/// is perpendicular to an edge of each; it is less than the distance, and it can be 0 for needles that nearly touch.
+/// Requires finite coordinates. Cost: 0.3 us, near contact 1 us.
 [[nodiscard]] DistanceBounds distance(const Triangle& first, const Triangle& second);
 
 /// The distance of two sets of triangles.

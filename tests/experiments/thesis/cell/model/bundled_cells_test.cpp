@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -144,6 +146,13 @@ TEST_F(Melfa, LimitsAreWholeDegreesAndFramesQuarterTurns) {
   EXPECT_EQ(cell.robot.joints[1].origin.rotation, turn);
   EXPECT_EQ(cell.robot.joints[1].origin.translation, Eigen::Vector3d(85, 0, 111));
   for (const ModelPart& part : build_model(cell)) EXPECT_FALSE(part.faces.faces.empty()) << part.name;
+}
+
+// There ./reproduce unpacks them.
+TEST(MelfaMeshFolder, IsInTheCacheOfTheProject) {
+  const auto file = json::parse(std::ifstream(kCells / "melfa.json"));
+  EXPECT_EQ((kCells / file.at("meshes").get<std::string>()).lexically_normal(),
+            std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "cache/meshes");
 }
 
 TEST_F(Melfa, AMissingMeshIsNamed) {

@@ -65,6 +65,36 @@ TEST(TriangleDistance, OfPointsSegmentsAndParallelFaces) {
   is(distance({high, high, high}, {far, far, far}), (high - far).norm());
 }
 
+// Vertex to face, edge to edge, face to face, and beside each other in one plane: rounding turns the line through the
+// two nearest points, which no longer parts them.
+TEST(TriangleDistance, ANearMissIsNoContact) {
+  workloads::Random random(3, 0);
+  int near = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Triangle s = triangle(random, point(random, 500), 300);
+    const Eigen::Vector3d n = (s.b - s.a).cross(s.c - s.a).normalized();
+    Triangle t = triangle(random, (s.a + s.b + s.c) / 3, 300);
+    Eigen::Vector3d way = point(random, 1).normalized();
+    if (i % 4 == 0) t = s, way = n;
+    if (i % 4 == 1) t = {s.a, s.b, s.a + s.b - s.c}, way = (s.b - s.a).cross(n).normalized();
+    const auto shifted = [&](double by) { return Triangle{t.a + by * way, t.b + by * way, t.c + by * way}; };
+    double touching = 0, apart = 4000;
+    if (reference(s, t) > 1e-9) continue;
+    while (apart - touching > 1e-9) {
+      const double middle = (touching + apart) / 2;
+      (reference(s, shifted(middle)) > 0 ? apart : touching) = middle;
+    }
+    const Triangle beside = shifted(apart + 1e-8);
+    const double exact = reference(s, beside);
+    if (exact < 1e-10) continue;
+    ++near;
+    const DistanceBounds bounds = distance(s, beside);
+    EXPECT_GT(bounds.lower, 0) << "seed 3, pair " << i << ", which are " << exact << " apart";
+    EXPECT_LE(bounds.lower, exact);
+  }
+  EXPECT_GT(near, 100);
+}
+
 // With two hierarchies and a pose, as with every pair; a cutoff hides only what is further.
 TEST(TriangleDistance, OfTreesIsTheLeastOfAllPairs) {
   workloads::Random random(2, 0);
