@@ -20,6 +20,7 @@
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/reach.h"
 #include "experiments/thesis/cell/model/read_cell.h"
+#include "experiments/thesis/cell/simulation/arm.h"
 
 namespace touchstone::cell {
 namespace {
@@ -106,9 +107,8 @@ std::string summary(const Cell& cell, const std::vector<ModelPart>& parts) {
   const Reach reach = reach_of(cell);
   std::string text = fmt::format("{} ({}, degrees)\n\n{}\n", cell.name, cell.unit.name, parts_table(parts));
   text += fmt::format(
-      "{}: base at height {:g}; second joint on a circle of radius {:g} at height {:g}, sphere {:g} to "
-      "{:g} from there{}\n{}",
-      cell.robot.name, cell.robot.base.translation.z(), reach.radius, reach.height, reach.inner, reach.outer,
+      "{}: base at height {:g}; sphere {:g} to {:g} from a circle of radius {:g} at height {:g}{}\n{}", cell.robot.name,
+      cell.robot.base.translation.z(), reach.inner, reach.outer, reach.radius, reach.height,
       reach.beside == 0 ? "" : fmt::format(", in the arm's plane, {:g} beside the base's axis", reach.beside),
       joints_table(cell.robot));
   const Eigen::Vector3d& at = cell.gripper.sphere.center;
@@ -139,10 +139,26 @@ struct ShowOptions : run::FolderOptions {
   std::string file, meshes;
 };
 
+/// Throws BadCell for a preset that cannot be applied, and warns of an arm that cannot run.
+void check(const Cell& cell, const std::optional<std::filesystem::path>& meshes) {
+  for (const auto& [name, changes] : read_presets(cell.file)) try {
+      static_cast<void>(read_plant(cell.file, meshes, changes));
+    } catch (const std::exception& error) {
+      throw BadCell(fmt::format("{}: presets.{}: {}", cell.file.string(), name, error.what()));
+    }
+  try {
+    const PlanarArm plane(cell, arm_of(cell));
+  } catch (const BadCell& refused) {
+    fmt::print(stderr, "touchstone: warning: {}; cell run refuses it\n", refused.what());
+  }
+}
+
 int run(const ShowOptions& options) {
   run::CommandRun run(options);
   if (run.has_folder()) run::make_folder(run.folder() / "models");
-  const Cell cell = read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes));
+  const auto meshes = options.meshes.empty() ? std::nullopt : std::optional<std::filesystem::path>(options.meshes);
+  const Cell cell = read_cell(options.file, meshes);
+  check(cell, meshes);
   std::vector<ModelPart> parts;
   {
     std::optional<run::ProgressLine> line;

@@ -47,7 +47,7 @@ std::vector<ModelPart> build_model(const Cell& cell, const std::function<void(st
   std::vector<Named> solids = solids_of(cell);
   std::vector<ModelPart> parts;
   for (Named& each : solids) {
-    SolidFaces faces = faces_of(each.solid, each.name);
+    SolidFaces faces = faces_of(each.solid, cell.file.string() + ": " + each.name);
     parts.push_back({each.carrier, each.link, std::move(each.name), std::move(faces)});
     if (done) done(parts.size(), solids.size());
   }

@@ -43,8 +43,8 @@ std::vector<kinematics::Compensation> compensations_of(const Cell& cell, const k
     if (driver >= joint) refuse("does not come behind it");
     const auto parallel = [&](std::size_t i) { return axis(i).cross(axis(driver)).norm() <= 1e-12; };
     if (!parallel(joint)) refuse("is not parallel to it at home");
-    if (couplings[k].factor != (axis(joint).dot(axis(driver)) > 0 ? -1 : 1))
-      refuse(fmt::format("would do so by the factor {:g}", -couplings[k].factor));
+    if (const double undoing = axis(joint).dot(axis(driver)) > 0 ? -1 : 1; couplings[k].factor != undoing)
+      refuse(fmt::format("its factor is {:g}, not {:g}", couplings[k].factor, undoing));
     for (std::size_t i = driver + 1; i < joint; ++i)
       if ((i <= kElbow || follows(i)) && !parallel(i))
         refuse(fmt::format("{} moves between them and is not parallel to them", free.joints()[i].name));

@@ -131,6 +131,9 @@ std::variant<Grip, std::string> close_upon(const Workcell& workcell, const Pose&
       return fmt::format("{} closes by {:g} {} and touches nothing: it is too narrow there, or not between the fingers",
                          name(i), fingers.stroke, workcell.cell().unit.name);
     if (!(found.way > 0)) return name(i) + " touches it before it closes: it is too wide there";
+    const touchstone::Box whole = workcell.material_tree().whole();
+    if (found.gap > kOnFace * (whole.high - whole.low).norm())
+      return name(i) + " slides along it, too closely to close";
     grip.fingers[i] = {found.way, found.gap, {}, {}};
     grip.opening -= found.way;
     find_touched(workcell, i, in_flange, grip.fingers[i]);

@@ -32,9 +32,11 @@ struct Grip {
 /// Guarantees
 ///  (1) no finger touches the material before it has closed by its `way` (until_touch);
 ///  (2) there it is at most `gap` from the material, less than 1e-9 for a cell in mm whose faces meet squarely;
-///  (3) two of the touched faces, one by each finger, are opposite: their normals are, within a thousandth.
-/// Otherwise returns why not, as a sentence: a finger touches nothing within its stroke, or touches at once, or the
-/// touched faces are not opposite, so that the material would slip. Requires a gripper with fingers.
+///  (3) two of the touched faces, one by each finger, are opposite: their normals are, within a thousandth. An edge
+///      belongs to both of its faces, so a turned box is held by two edges; whether it would turn there is not asked.
+/// Otherwise returns why not, as a sentence: a finger touches nothing within its stroke, or touches at once, or slides
+/// along the material, or the touched faces are not opposite, so that the material would slip. Requires a gripper with
+/// fingers.
 [[nodiscard]] std::variant<Grip, std::string> close_upon(const Workcell& workcell, const Pose& in_flange);
 
 }  // namespace touchstone::cell

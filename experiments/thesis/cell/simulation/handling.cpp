@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -20,6 +21,7 @@ namespace {
 constexpr int kMostTries = 8;
 constexpr int kMostSteps = 10'000;
 constexpr double kRounding = 1e-13;  // of a height: what angles of that precision are off
+constexpr double kLanded = 2e-12;    // of the arm's reach: what is let go is no further from what it lies on
 constexpr double kTouching = 1e-9;   // of the arm's reach: so far the sphere sinks into what it comes straight down on
 constexpr double kMostTurn = 10;     // degrees of a joint between two stops straight up or down
 constexpr std::array kShares{1.0, 0.5, 0.25};  // of the clearance, above a place
@@ -149,11 +151,19 @@ void Handling::require_free_fingers(const Grip& grip, const char* what) {
   }
 }
 
-/// The angles at stops straight up, or down, from where the hand is, a 100th of its reach apart or less.
+/// The angles at stops straight up, or down, from where the hand is, a 100th of its reach apart or less: so near that
+/// what the joints' turning bends the way between two of them is less than half of it.
 std::vector<kinematics::Angles> Handling::angles_up(double rise) {
   const Eigen::Vector3d from = arm_->sphere_at(angles_).center;
   const double out = std::sqrt(from.x() * from.x() + from.y() * from.y());
-  const auto count = static_cast<int>(std::ceil(std::abs(rise) / (workcell_->plane().furthest() / 100)));
+  const double reach = workcell_->plane().furthest();
+  double parts = std::abs(rise) / (reach / 100);
+  if (const auto end = workcell_->plane().inverse({out, from.z() + rise}); end && rise != 0) {
+    const double turned = (std::abs(end->shoulder - angles_[kShoulder]) + std::abs(end->elbow - angles_[kElbow])) *
+                          (std::numbers::pi / 180);
+    parts = std::max(parts, 4 * reach * turned * turned / std::abs(rise));
+  }
+  const auto count = static_cast<int>(std::ceil(parts));
   std::vector<kinematics::Angles> all;
   for (int i = 1; i <= count; ++i) {
     const auto commands = workcell_->plane().inverse({out, from.z() + rise * i / count});
@@ -196,6 +206,10 @@ Landing Handling::land() {
     const DistanceOfTrees left = distance(workcell_->material_tree(), there, workcell_->standing(), most);
     process.queries += 2;
     if (left.lower > 0 || angles.empty()) {
+      if (left.upper > kLanded * workcell_->plane().furthest())
+        fail(FailureCause::Misplaced,
+             fmt::format("{}: on its way down the material slides along {}, too closely to land", to_string(phase_),
+                         workcell_->names()[left.other]));
       if (!angles.empty()) go_straight(Until::Landed, -way, angles);
       return {way, left.upper, workcell_->names()[left.other]};
     }

@@ -47,6 +47,7 @@ void MovingArm::start() {
   if (!met.empty()) found = {0, "the sphere touches " + met, {met}};
   if (!found && matter_) found = overlap_of_things(*workcell_);
   if (!found && matter_) found = sweep_->at_rest(angles_, state(), process.queries);
+  if (!found && matter_) found = nested_at_home(*workcell_);
   if (found) fail_at("at home " + found->what, kBase, 0, found->parts);
   stop();
 }

@@ -214,9 +214,9 @@ struct Rule {
 ///  (3) unless a method drives, a move until contact ends at the first stop at which the sphere, exactly, touches a
 ///      face of its target; for a move of one joint the certified contact lies within the last step;
 ///  (4) both fingers touch what is gripped, on opposite faces (close_upon), and on their way they touch nothing else;
-///  (5) what is let go lies on what is below it: at most 1e-9 above it for a cell in mm, never in it; it is within
-///      the tolerance of its place (Material::Tolerance), and stays where it lies until it is gripped again;
-///  (6) no two things that stand overlap (sweep.h).
+///  (5) what is let go lies on what stopped it on its way down: at most 2e-12 of the arm's reach from it, never in it.
+///      It is within the tolerance of its place (Material::Tolerance), and stays where it lies until it is gripped;
+///  (6) no two things that stand overlap, and none lies in the arm at home, or the arm in it (sweep.h).
 /// With `sphere_alone`, (1) and (3) only, and what is let go is in its place at once. Virtual objects stop nothing,
 /// unless the file says so: then the process ends where something comes into one (zone_triggers). If one of them cannot
 /// be kept, or a step skips a contact, `failure` says why: it names the move, the angle in degrees, and the obstacle.

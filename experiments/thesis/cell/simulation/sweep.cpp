@@ -69,26 +69,53 @@ bool winds_round(const std::vector<NamedTriangle>& surface, const Eigen::Vector3
   return std::abs(sum) > std::numbers::pi;
 }
 
+/// Whether one of two parts lies in the other, if their surfaces are apart: then one vertex tells for all.
+bool nested(const Piece& one, const Piece& other) {
+  return (lies_in(one.box, other.box) && winds_round(other.triangles, one.triangles.front().triangle.a)) ||
+         (lies_in(other.box, one.box) && winds_round(one.triangles, other.triangles.front().triangle.a));
+}
+
+Hindrance in_each_other(const std::string& one, const std::string& other) {
+  return {0, fmt::format("{} and {} stand one in the other", one, other), {one, other}};
+}
+
 }  // namespace
 
 std::optional<Hindrance> overlap_of_things(const Workcell& workcell) {
   const std::vector<Thing> things = things_of(workcell);
   const std::vector<std::string>& names = workcell.names();
-  const auto hindrance = [&](const char* words, std::uint32_t one, std::uint32_t other) {
-    return Hindrance{0, fmt::format(fmt::runtime(words), names[one], names[other]), {names[one], names[other]}};
-  };
   for (std::size_t i = 0; i < things.size(); ++i)
     for (std::size_t j = i + 1; j < things.size(); ++j) {
       constexpr double kNear = std::numeric_limits<double>::min();
       if (const auto met = distance(things[i].tree, {}, things[j].tree, kNear); met.lower < kNear)
-        return hindrance("{} stands in {}", met.owner, met.other);
-      // Surfaces that are apart: one vertex tells for all of a part.
+        return Hindrance{0,
+                         fmt::format("{} stands in {}", names[met.owner], names[met.other]),
+                         {names[met.owner], names[met.other]}};
       for (const Piece& part : things[i].parts)
         for (const Piece& other : things[j].parts)
-          if ((lies_in(part.box, other.box) && winds_round(other.triangles, part.triangles.front().triangle.a)) ||
-              (lies_in(other.box, part.box) && winds_round(part.triangles, other.triangles.front().triangle.a)))
-            return hindrance("{} and {} stand one in the other", part.name, other.name);
+          if (nested(part, other)) return in_each_other(names[part.name], names[other.name]);
     }
+  return std::nullopt;
+}
+
+std::optional<Hindrance> nested_at_home(const Workcell& workcell) {
+  const std::vector<Pose> links = workcell.arm().link_poses(workcell.arm().home);
+  const std::vector<Thing> things = things_of(workcell);
+  std::vector<Covered> arm = workcell.covered();
+  std::erase_if(arm, [](const Covered& part) { return part.carrier == Carrier::Material; });
+  for (std::size_t i = 0; i < workcell.fingers().size(); ++i)
+    arm.push_back({"gripper/" + workcell.cell().gripper.fingers->parts[i].name, Carrier::Finger, links.size() - 1,
+                   workcell.fingers()[i]});
+  for (const Covered& covered : arm) {
+    Piece part{0, covered.triangles, {}};
+    for (auto& [triangle, owner] : part.triangles) {
+      for (Eigen::Vector3d* const v : {&triangle.a, &triangle.b, &triangle.c}) *v = links[covered.link] * *v;
+      part.box = part.box.joined(box(triangle));
+    }
+    for (const Thing& thing : things)
+      for (const Piece& piece : thing.parts)
+        if (nested(part, piece)) return in_each_other(covered.name, workcell.names()[piece.name]);
+  }
   return std::nullopt;
 }
 

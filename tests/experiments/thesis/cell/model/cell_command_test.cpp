@@ -61,6 +61,34 @@ TEST_F(CellCommand, NewWritesTheLeastCell) {
   EXPECT_EQ(touchstone_cell({"new", path("mine"), "--force"}).status, 0);
 }
 
+TEST_F(CellCommand, ShowNamesWhatRunWouldRefuse) {
+  ASSERT_EQ(touchstone_cell({"new", path("mine")}).status, 0);
+  const auto change = [&](const std::string& from, const std::string& to) {
+    std::string text = run_tests::text_of(path("mine/cell.json"));
+    const auto at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    run::write_file(path("mine/cell.json"), text.replace(at, from.size(), to));
+  };
+  change("\"factor\": -1", "\"factor\": 0.5");
+  const Ran warned = touchstone_cell({"show", path("mine/cell.json")});
+  EXPECT_EQ(warned.status, 0);
+  EXPECT_NE(warned.err.find("robot.coupling[0]: "), std::string::npos) << warned.err;
+  EXPECT_NE(warned.err.find("; cell run refuses it"), std::string::npos) << warned.err;
+  change("{", R"({"presets": {"turned": ["storage.angle=1", "storage.angel=1"]},)");
+  const Ran refused = touchstone_cell({"show", path("mine/cell.json")});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("mine/cell.json: presets.turned: "), std::string::npos) << refused.err;
+}
+
+TEST_F(CellCommand, ASolidWithoutInsideIsNamedWithItsFile) {
+  ASSERT_EQ(touchstone_cell({"new", path("mine")}).status, 0);
+  const Ran ran = touchstone_cell({"run", path("mine/cell.json"), "--set",
+                                   R"(material.solid={"difference": [{"box": {"from": [0, 0, 0], "to": [1, 1, 1]}},
+                                      {"box": {"from": [-1, -1, -1], "to": [2, 2, 2]}}]})"});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("mine/cell.json: material: the solid has no inside"), std::string::npos) << ran.err;
+}
+
 TEST_F(CellCommand, ShowIsTheSameEveryTime) {
   const Ran first = touchstone_cell({"show", aristo}), second = touchstone_cell({"show", aristo});
   EXPECT_EQ(first.out, second.out);

@@ -115,7 +115,7 @@ TEST(Arm, RefusesWhatWouldNotMoveOnArcs) {
   };
   EXPECT_EQ(fault([](Cell&) {}), "");
   EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[0].factor = 0.5; }),
-            "robot.coupling[0]: elbow is to undo the turning of shoulder, but would do so by the factor -0.5");
+            "robot.coupling[0]: elbow is to undo the turning of shoulder, but its factor is 0.5, not 1");
   EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[0].leader = 0; }),
             "robot.coupling[0]: elbow is to undo the turning of base, but is not parallel to it at home");
   EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[1].joint = 0; }),

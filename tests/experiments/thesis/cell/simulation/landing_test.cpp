@@ -99,6 +99,28 @@ TEST(Landing, TheUndersideLiesOnTheFloorOfItsPlace) {
   }
 }
 
+// Between two guides, 1.2 thousandths of a mm from the piece.
+TEST(Landing, WhatSlidesTooCloselyIsNotLetGo) {
+  const auto guide = [](int number, const std::string& from, const std::string& to) {
+    return "machine.parts[" + std::to_string(number) + R"(]={"name":"guide)" + std::to_string(number) +
+           R"(","box":{"from":[-30,)" + from + R"(,0],"to":[30,)" + to + ",14]}}";
+  };
+  const Cell cell = read_cell(kAristo.parent_path() / "least/cell.json", std::nullopt,
+                              {"step=0.02", "storage.home=-20", "machine.home=20", "material.drop=15",
+                               guide(1, "10.0012", "16"), guide(2, "-16", "-10.0012")});
+  const Process process = simulate({cell, build_model(cell)});
+  EXPECT_NE(process.failure.find("slides along machine/guide"), std::string::npos) << process.failure;
+  EXPECT_EQ(process.cause, FailureCause::Misplaced);
+}
+
+// With the arm nearly stretched, a mm of height takes nearly a degree of each joint.
+TEST(Landing, AStretchedArmPutsItsPieceDown) {
+  const run_tests::MelfaMeshes meshes;
+  const Cell real =
+      read_cell(kAristo.parent_path() / "melfa.json", meshes.scratch.path, {kMelfaTable, "storage.radius=840"});
+  EXPECT_EQ(simulate({real, build_model(real)}).failure, "");
+}
+
 // Straight down and straight up again: the sphere keeps its place in the plan, and each joint the angle that it had.
 TEST(Landing, TheHandGoesStraightDownAndBackToWhereItWas) {
   const Workcell workcell = aristo();

@@ -136,6 +136,22 @@ TEST(Overlap, OfAllThingsIsFound) {
             "");  // two robots side by side: the one that moves is tested when it moves
 }
 
+// An obstacle wholly inside a link, the foot or the gripper, and a link wholly inside an obstacle, touch nothing.
+TEST(Overlap, WithTheArmAtHomeIsFound) {
+  const auto nested = [](const std::string& box) {
+    const auto found = nested_at_home(aristo({R"(obstacles[0]={"name": "bug", "box": )" + box + "}"}));
+    return found ? found->what : "";
+  };
+  EXPECT_EQ(nested(R"({"from": [-5, -5, 100], "to": [5, 5, 110]})"), "Base/pedestal and bug stand one in the other");
+  EXPECT_EQ(nested(R"({"from": [-5, -5, 260], "to": [5, 5, 270]})"), "Axis1/body and bug stand one in the other");
+  EXPECT_NE(nested(R"({"from": [-900, -900, -900], "to": [900, 900, 900]})"), "");
+  EXPECT_EQ(nested(R"({"from": [-900, 0, 0], "to": [-890, 5, 5]})"), "");
+  EXPECT_FALSE(nested_at_home(aristo()));
+  EXPECT_EQ(simulate(aristo({R"(obstacles[0]={"name": "bug", "box": {"from": [-5, -5, 260], "to": [5, 5, 270]}})"}))
+                .failure.substr(0, 7),
+            "at home");
+}
+
 // Parts of one thing need not stand next to each other in the list of all parts.
 TEST(Overlap, APieceLiesInItsOwnStorage) {
   EXPECT_EQ(overlap_under({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=200",
