@@ -127,7 +127,7 @@ class EmbreeScene : public BuiltScene {
   std::span<const Triangle> triangles_;
   std::atomic<std::ptrdiff_t> bytes_{0};
   double largest_ = 0;
-  RTCDevice device_ = rtcNewDevice("threads=1");
+  RTCDevice device_ = rtcNewDevice(nullptr);  // a number of threads would hold for the whole program
   RTCScene scene_ = nullptr;
 };
 

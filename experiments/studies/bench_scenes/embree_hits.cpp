@@ -74,7 +74,7 @@ class Hits {
   }
 
   Box box_;
-  RTCDevice device_ = rtcNewDevice("threads=1");
+  RTCDevice device_ = rtcNewDevice(nullptr);  // a number of threads would hold for the whole program
   RTCScene scene_ = rtcNewScene(device_);
 };
 

@@ -243,10 +243,10 @@ std::string scene_goals(const std::vector<SceneResult>& results, const std::stri
 
 std::string scene_legend() {
   return R"(
-Scene builds on all cores, the libraries on one; all queries are asked by one thread. All libraries take turns in every
-repetition, each on the first balls of the same list ("asked": their number): all balls, or as many as fit into 50 ms.
-Times and ratios: medians of the repetitions, +- half the distance of the quartiles or (quartiles); a ratio is one of
-times in the same repetition.
+Scene and Embree build on all cores, the others on one; all queries are asked by one thread. All libraries take turns
+in every repetition, each on the first balls of the same list ("asked": their number): all balls, or as many as fit into
+50 ms. Times and ratios: medians of the repetitions, +- half the distance of the quartiles or (quartiles); a ratio is
+one of times in the same repetition.
 Balls: near, within two radii along each axis of a random point of a random triangle; anywhere in the scene's box;
 touching, as near, but with the double that is nearest to the exact distance as the radius.
 Scene of objects: the same triangles, each hundred an object of its own.
