@@ -217,7 +217,8 @@ TEST(CgalShapes, GraphThatWasRemovedFromItsSceneIsRefused) {
   for (const double s : {1.0, 2.0})
     EXPECT_THROW((void)touched(K::Sphere_3(CGAL::ORIGIN, s), scene, added, roof.mesh, roof.mesh.points()),
                  std::out_of_range);
-  EXPECT_THROW((void)touches(K::Sphere_3(CGAL::ORIGIN, std::nan("")), scene, added, roof.mesh, roof.mesh.points()),
+  EXPECT_THROW((void)touches(K::Sphere_3(CGAL::ORIGIN, std::numeric_limits<double>::infinity()), scene, added,
+                             roof.mesh, roof.mesh.points()),
                Rejected);
 }
 
