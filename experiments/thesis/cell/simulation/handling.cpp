@@ -24,6 +24,7 @@ constexpr double kRounding = 1e-13;  // of a height: what angles of that precisi
 constexpr double kLanded = 2e-12;    // of the arm's reach: what is let go is no further from what it lies on
 constexpr double kTouching = 1e-9;   // of the arm's reach: so far the sphere sinks into what it comes straight down on
 constexpr double kMostTurn = 10;     // degrees of a joint between two stops straight up or down
+constexpr double kMostParts = 1000;  // of a way straight up or down: more are needed only where the joints jump
 constexpr std::array kShares{1.0, 0.5, 0.25};  // of the clearance, above a place
 
 /// Names the part of the open gripper that material at a pose in the flange's frame touches; empty if none does.
@@ -151,8 +152,8 @@ void Handling::require_free_fingers(const Grip& grip, const char* what) {
   }
 }
 
-/// The angles at stops straight up, or down, from where the hand is, a 100th of its reach apart or less: so near that
-/// what the joints' turning bends the way between two of them is less than half of it.
+/// The angles at stops straight up, or down, from where the hand is, a 100th of its reach apart or less. If the joints
+/// turn alike between all stops, the way between two of them bends by less than half of its length.
 std::vector<kinematics::Angles> Handling::angles_up(double rise) {
   const Eigen::Vector3d from = arm_->sphere_at(angles_).center;
   const double out = std::sqrt(from.x() * from.x() + from.y() * from.y());
@@ -163,7 +164,7 @@ std::vector<kinematics::Angles> Handling::angles_up(double rise) {
                           (std::numbers::pi / 180);
     parts = std::max(parts, 4 * reach * turned * turned / std::abs(rise));
   }
-  const auto count = static_cast<int>(std::ceil(parts));
+  const auto count = static_cast<int>(std::ceil(std::min(parts, kMostParts)));
   std::vector<kinematics::Angles> all;
   for (int i = 1; i <= count; ++i) {
     const auto commands = workcell_->plane().inverse({out, from.z() + rise * i / count});

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "experiments/thesis/cell/simulation/overlap.h"
 #include "experiments/thesis/cell/simulation/sweep.h"
 #include "experiments/thesis/cell/simulation/way.h"
 
