@@ -141,11 +141,13 @@ struct ShowOptions : run::FolderOptions {
 
 /// Throws BadCell for a preset that cannot be applied, and warns of an arm that cannot run.
 void check(const Cell& cell, const std::optional<std::filesystem::path>& meshes) {
-  for (const auto& [name, changes] : read_presets(cell.file)) try {
+  for (const auto& [name, changes] : read_presets(cell.file)) {
+    try {
       static_cast<void>(read_plant(cell.file, meshes, changes));
     } catch (const std::exception& error) {
       throw BadCell(fmt::format("{}: presets.{}: {}", cell.file.string(), name, error.what()));
     }
+  }
   try {
     const PlanarArm plane(cell, arm_of(cell));
   } catch (const BadCell& refused) {
