@@ -93,6 +93,13 @@ double CellEntry::not_negative() const {
   return value;
 }
 
+double CellEntry::seconds() const {
+  constexpr double kMost = 1e9;
+  const double seconds = positive();
+  if (seconds > kMost) bad(fmt::format("must be at most {} seconds, is {}", kMost, seconds));
+  return seconds;
+}
+
 int CellEntry::whole(int least, int most) const {
   const double value = number();
   if (value != std::floor(value) || value < least || value > most)

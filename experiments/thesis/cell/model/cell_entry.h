@@ -64,6 +64,7 @@ class CellEntry {
   [[nodiscard]] double number() const;        ///< finite
   [[nodiscard]] double positive() const;      ///< > 0
   [[nodiscard]] double not_negative() const;  ///< >= 0
+  [[nodiscard]] double seconds() const;       ///< > 0 and at most 1e9, so that sums are finite
   [[nodiscard]] int whole(int least, int most) const;
   /// Returns an array of `count` finite numbers.
   [[nodiscard]] Eigen::Vector3d point() const;

@@ -78,10 +78,12 @@ std::optional<std::string> fault(const Cell& cell, const Station& station, const
     // If the plane is beside the axis, a point may be nearer to the circle than to the joint, so none is too near.
     if (distance > reach.outer + around || (reach.beside == 0 && distance < reach.inner - around))
       return fmt::format(
-          "{}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "
+          "{}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint{}, where the arm holds "
           "its sphere {:.6g} to {:.6g} away; {}",
-          station.key, distance < reach.inner ? "too near" : "too far", slot.name, distance, reach.inner, reach.outer,
-          advice(reach, cell.gripper.sphere.radius, station, material));
+          station.key, distance < reach.inner ? "too near" : "too far", slot.name, distance,
+          reach.shift > 0 ? fmt::format(" (shifted by {:.6g}, as the sphere is from the hand's joint)", reach.shift)
+                          : "",
+          reach.inner, reach.outer, advice(reach, cell.gripper.sphere.radius, station, material));
   }
   return std::nullopt;
 }
@@ -137,7 +139,8 @@ Reach reach_of(const Cell& cell) {
     longest = std::max(longest, length);
   }
   const Eigen::Vector3d& second = points.front();
-  return {beside, (second + level).dot(ahead), second.z() + level.z(), std::max(0.0, 2 * longest - sum), sum};
+  return {beside,      (second + level).dot(ahead), second.z() + level.z(), std::max(0.0, 2 * longest - sum), sum,
+          level.norm()};
 }
 
 std::optional<std::string> reach_fault(const Cell& cell) {

@@ -185,8 +185,8 @@ Gripper read_gripper(const CellEntry& entry, const SolidContext& context) {
   sphere.has_only({"at", "radius"});
   Gripper gripper{
       read_parts(entry.at("parts"), context), {sphere.at("at").point(), sphere.at("radius").positive()}, {}};
-  if (const auto seconds = entry.find("grip_seconds")) gripper.grip_seconds = seconds->positive();
-  if (const auto seconds = entry.find("release_seconds")) gripper.release_seconds = seconds->positive();
+  if (const auto seconds = entry.find("grip_seconds")) gripper.grip_seconds = seconds->seconds();
+  if (const auto seconds = entry.find("release_seconds")) gripper.release_seconds = seconds->seconds();
   if (const auto fingers = entry.find("fingers")) {
     fingers->has_only({"along", "stroke", "parts"});
     const Eigen::Vector3d along = fingers->at("along").point();

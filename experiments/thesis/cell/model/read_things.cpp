@@ -201,7 +201,7 @@ Plant::Piece read_piece(const Given& thing, const Plant& plant, const Handlers& 
                     .slot = slot_named(storage, entry.at("slot")),
                     .machine_slot = slot_named(machine, entry.at("machine_slot")),
                     .tolerance = {}};
-  if (const auto seconds = entry.find("milling_seconds")) piece.material.milling_seconds = seconds->positive();
+  if (const auto seconds = entry.find("milling_seconds")) piece.material.milling_seconds = seconds->seconds();
   if (const auto drop = entry.find("drop")) piece.material.drop = drop->not_negative();
   if (const auto tolerance = entry.find("tolerance")) {
     tolerance->has_only({"distance", "degrees"});

@@ -109,16 +109,17 @@ PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
   const Eigen::Vector3d at = frames[kShoulder].translation, elbow = frames[kElbow].translation,
                         center = arm.sphere_at(arm.home).center;
   const double near = 1e-9 * (center - at).norm();
-  const auto require = [&](bool holds, const std::string& otherwise) {
-    if (!holds) bad(cell, "urdf", otherwise);
+  const auto require = [&](bool holds, const std::string& key, const std::string& otherwise) {
+    if (!holds) bad(cell, key, otherwise);
   };
   const auto along = [&](Moved joint, int coordinate) {
     return std::abs(std::abs(axis(joint)[coordinate]) - 1) < 1e-9;
   };
-  require(along(kBase, 2), "the first joint does not turn about z");
-  require(along(kShoulder, 1) && along(kElbow, 1), "the second and third joint do not turn about y at home");
-  require(center.x() > 0, fmt::format("at home the sphere's centre is at ({:g}, {:g}, {:g}), not in front of the base",
-                                      center.x(), center.y(), center.z()));
+  require(along(kBase, 2), "urdf", "the first joint does not turn about z");
+  require(along(kShoulder, 1) && along(kElbow, 1), "home", "the second and third joint do not turn about y at home");
+  require(center.x() > 0, "home",
+          fmt::format("at home the sphere's centre is at ({:g}, {:g}, {:g}), not in front of the base", center.x(),
+                      center.y(), center.z()));
 
   beside_ = std::abs(center.y()) <= near ? 0 : center.y();
   home_base_ = arm.home[kBase];

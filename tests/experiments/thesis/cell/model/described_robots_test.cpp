@@ -118,7 +118,7 @@ TEST(DescribedRobots, ArmsOfSevenJointsCarryTheirPieceWithOneJointStill) {
   json panda = level(home("panda_joint", {0, 0, 0, -90, 0, 0, 45}), "panda_joint", 4, 1, 6, -1),
        iiwa = level(home("lbr_iiwa_joint_", {0, 0, 0, -90, 0, 180, 0}), "lbr_iiwa_joint_", 4, 1, 6, 1);
   const std::string refusal = message_of<BadCell>([&] { (void)failure_of("panda.urdf", free, 650, 300); });
-  EXPECT_NE(refusal.find("robot.urdf: the second and third joint do not turn about y at home"), std::string::npos)
+  EXPECT_NE(refusal.find("robot.home: the second and third joint do not turn about y at home"), std::string::npos)
       << refusal;
   panda["still"] = {"panda_joint3"};
   iiwa["still"] = {"lbr_iiwa_joint_3"};

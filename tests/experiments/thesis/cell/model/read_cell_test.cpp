@@ -262,6 +262,8 @@ TEST_F(BadCells, AccelerationsAndWaitsArePositive) {
     EXPECT_EQ(fault(key, -0.5), path + ": must be positive, is -0.5");
     EXPECT_EQ(fault(key, "fast"), path + ": must be a number");
   }
+  for (const char* key : {"/gripper/grip_seconds", "/gripper/release_seconds", "/material/milling_seconds"})
+    EXPECT_NE(fault(key, 1e308).find("_seconds: must be at most 1000000000 seconds, is 1e+308"), std::string::npos);
   EXPECT_EQ(fault("/robot/accelerations/elbow", 5e-324),
             "robot.accelerations.elbow: must be at least 1e-09, is 5e-324");
   EXPECT_EQ(fault("/robot/accelerations/knee", 1),
@@ -393,6 +395,7 @@ TEST_F(BadCells, UrdfBoxesAndCylindersArePartsOfTheirLink) {
 TEST_F(BadCells, WhatIsOutOfReachIsNamed) {
   const std::string machine = fault("/machine/radius", 2000);
   EXPECT_TRUE(machine.starts_with("machine.radius: too far: material in slot \"vice\" is ")) << machine;
+  EXPECT_NE(machine.find(" from the second joint (shifted by "), std::string::npos) << machine;  // a level hand
   const std::string storage = fault("/storage/height", 1600);
   EXPECT_TRUE(storage.starts_with("storage.radius: too far: material in slot \"A\" is ")) << storage;
   // A hand of 1000 cannot be brought near to the shoulder by an arm of 738.
@@ -401,7 +404,9 @@ TEST_F(BadCells, WhatIsOutOfReachIsNamed) {
   changed["gripper"]["sphere"]["at"] = {0, 0, -1000};
   changed["storage"]["radius"] = 100;
   changed["storage"]["height"] = 300;
-  EXPECT_TRUE(fault(changed.dump()).starts_with("storage.radius: too near: ")) << fault(changed.dump());
+  const std::string near = fault(changed.dump());
+  EXPECT_TRUE(near.starts_with("storage.radius: too near: ")) << near;
+  EXPECT_NE(near.find(" from the second joint, where "), std::string::npos) << near;
 }
 
 TEST_F(BadCells, LabelsAreOfWhatIsThereAndCoverAllNumbers) {

@@ -129,9 +129,9 @@ TEST(Arm, RefusesWhatWouldNotMoveOnArcs) {
               c.robot.joints[1].axis = {1, 0, 0};
               c.robot.couplings.clear();
             }),
-            "robot.urdf: the second and third joint do not turn about y at home");
+            "robot.home: the second and third joint do not turn about y at home");
   EXPECT_EQ(fault([](Cell& c) { c.robot.joints[0].home = 180; }),
-            "robot.urdf: at home the sphere's centre is at (-488.958, 0, 295.848), not in front of the base");
+            "robot.home: at home the sphere's centre is at (-488.958, 0, 295.848), not in front of the base");
 }
 
 }  // namespace
