@@ -17,7 +17,8 @@ struct Failure {
 
   std::string method, id, key;
   bool omits = false;  ///< whether the answer lacks the key
-  friend auto operator<=>(const Failure&, const Failure&) = default;
+
+  friend auto operator<=>(const Failure&, const Failure&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The failures that a user knows of, and those that occur. A failure that is not judged neither occurs nor is mended.

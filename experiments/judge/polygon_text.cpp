@@ -102,7 +102,7 @@ Polygon polygon_of(std::string_view text) {
     loops.back().pop_back();
   }
   if (loops.empty()) fail("WKT", "has no loop");
-  const Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
+  Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
   if (const auto rejection = exact::validate(polygon)) throw Rejected(*rejection);
   return polygon;
 }

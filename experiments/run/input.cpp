@@ -17,8 +17,10 @@ namespace {
 /// Returns the path of the program; where /proc is not mounted, by the name by which it was called.
 std::filesystem::path program_path() {
   std::error_code without_proc;
-  const auto path = std::filesystem::read_symlink("/proc/self/exe", without_proc);
-  return without_proc ? std::filesystem::canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN))) : path;
+  auto path = std::filesystem::read_symlink("/proc/self/exe", without_proc);
+  if (!without_proc) return path;
+  // The system passes the address of the name as a number. NOLINTNEXTLINE(performance-no-int-to-ptr)
+  return std::filesystem::canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN)));
 }
 
 /// Returns the folder of this name in the folder of the program or, if there is none, beside that.

@@ -94,7 +94,8 @@ Pose draw_pose(Random& random) {
 /// A vertex of a face, the middle of an edge, or a point in the face.
 Vector3d draw_place(Random& random, const Polygon& face) {
   const auto i = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(face.vertex_count()) - 1));
-  const Vector3d vertex = face.vertex(i), next = face.vertex(face.next(i)), before = face.vertex(face.previous(i));
+  Vector3d vertex = face.vertex(i);
+  const Vector3d next = face.vertex(face.next(i)), before = face.vertex(face.previous(i));
   switch (random.integer(0, 2)) {
     case 0: return vertex;
     case 1: return (vertex + next) / 2;

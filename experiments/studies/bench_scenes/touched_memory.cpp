@@ -67,8 +67,8 @@ TouchedMemory MemoryModel::touched_by(std::span<const Ball> balls) const {
   const auto mean = [&balls](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(balls.size());
   };
-  constexpr double kNode = sizeof(BoxTree::Node) / kLine, kLeaf = sizeof(filtered::detail::TriangleGroup) / kLine;
-  return {mean(nodes), mean(leaves), kNode * mean(nodes) + kLeaf * mean(leaves), levels_};
+  constexpr std::size_t kNode = sizeof(BoxTree::Node) / kLine, kLeaf = sizeof(filtered::detail::TriangleGroup) / kLine;
+  return {mean(nodes), mean(leaves), mean(kNode * nodes + kLeaf * leaves), levels_};
 }
 
 }  // namespace touchstone::bench_scenes
