@@ -139,8 +139,13 @@ Reach reach_of(const Cell& cell) {
     longest = std::max(longest, length);
   }
   const Eigen::Vector3d& second = points.front();
-  return {beside,      (second + level).dot(ahead), second.z() + level.z(), std::max(0.0, 2 * longest - sum), sum,
-          level.norm()};
+  const double shift = std::hypot(level.dot(ahead), level.z());
+  return {.beside = beside,
+          .radius = (second + level).dot(ahead),
+          .height = second.z() + level.z(),
+          .inner = std::max(0.0, 2 * longest - sum),
+          .outer = sum,
+          .shift = shift > kNear * sum ? shift : 0};
 }
 
 std::optional<std::string> reach_fault(const Cell& cell) {

@@ -21,7 +21,7 @@ struct Reach {
   double beside;          ///< the distance of the plane from the axis
   double radius, height;  ///< of the second joint, so projected and shifted: how far ahead of the axis, and how high
   double inner, outer;
-  double shift;  ///< by what the second joint is shifted
+  double shift;  ///< how far the second joint is shifted
 
   /// Returns the greatest distance of the centre from the cell's z axis.
   [[nodiscard]] double furthest() const;
