@@ -59,7 +59,7 @@ void expect_unmasked(py::handle numbers) {
 }
 
 py::array view_of(const double* owned, const std::vector<py::ssize_t>& shape, py::handle owner) {
-  const Doubles view(shape, owned, owner);
+  Doubles view(shape, owned, owner);
   view.attr("setflags")(py::arg("write") = false);
   return view;
 }

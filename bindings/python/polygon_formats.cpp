@@ -35,7 +35,7 @@ class WktReader {
     if (pass_word("EMPTY")) malformed("the polygon is empty");
     if (!at('(')) fail(has_z ? "expected '('" : "expected '(' or 'Z'");
     if (has_z) coordinates_ = 3;
-    const std::vector<Loop> loops = list<Loop>([this] { return list<Eigen::Vector3d>([this] { return point(); }); });
+    std::vector<Loop> loops = list<Loop>([this] { return list<Eigen::Vector3d>([this] { return point(); }); });
     if (position_ < text_.size()) fail("expected the end");
     return loops;
   }

@@ -58,7 +58,7 @@ Doubles rows_of(py::handle object) {
 }
 
 Doubles rows_of_balls_or_centers(py::handle object) {
-  const Doubles rows = rows_of(object);
+  Doubles rows = rows_of(object);
   constexpr double kPoint[] = {0};
   if ((rows.ndim() == 1 || rows.ndim() == 2) && rows.shape(rows.ndim() - 1) == 3) return balls_of(rows, kPoint);
   return rows;

@@ -120,7 +120,7 @@ class UrdfReader {
 
   template <class Matrix>
   [[nodiscard]] Matrix rounded(const Matrix& given) {
-    const Matrix whole = given.array().round();
+    Matrix whole = given.array().round();
     const double off = (given - whole).cwiseAbs().maxCoeff();
     if (!(off < kNear)) return given;
     if (off > 1e-9) turned_ = std::max(turned_, off);
