@@ -21,6 +21,9 @@ double between(std::int64_t misses, std::int64_t hits, const Touches& touches) {
   return from_ordinal(hits);
 }
 
+/// Returns at most kMost.
+std::int64_t twice(std::int64_t step) { return step > kMost / 2 ? kMost : 2 * step; }
+
 }  // namespace
 
 double grazing_radius(const Motion& motion, const std::function<bool(const Motion&)>& touches) {
@@ -33,11 +36,11 @@ double grazing_radius(const Motion& motion, const std::function<bool(const Motio
   std::int64_t misses = ordinal(estimate), hits = misses, step = 1;
   if (touches_with(misses)) {
     do {
-      hits = misses, misses = hits - kLeast > step ? hits - step : kLeast, step *= 2;
+      hits = misses, misses = hits - kLeast > step ? hits - step : kLeast, step = twice(step);
     } while (misses > kLeast && touches_with(misses));
   } else {
     do {
-      misses = hits, hits = kMost - misses > step ? misses + step : kMost, step *= 2;
+      misses = hits, hits = kMost - misses > step ? misses + step : kMost, step = twice(step);
     } while (hits < kMost && !touches_with(hits));
   }
   return between(misses, hits, touches_with);
