@@ -125,7 +125,7 @@ TEST(TradeoffErrors, OfWhatIsNotFiniteAreCountedApart) {
   const PlantedMethod method([&number](const auto& exact, const Ball& ball, QueryKind kind) {
     PartialAnswer answer = exact.ask(ball, kind);
     if (kind != QueryKind::Answer) {
-      answer.contact = !*answer.contact;
+      if (answer.contact) answer.contact = !*answer.contact;
       return answer;
     }
     answer.distance = number++ % 3 == 0 ? kInfinity : std::nextafter(*answer.distance, kInfinity);
