@@ -3,7 +3,7 @@
 
 The sample of bindings/c/README.md compiles against an installation of BUILD, and prints what the page says: by pkg-config;
 by find_package in a project of C alone, where Eigen, TBB, GMP and MPFR are not found; and with the static library. FLAGs
-are those of BUILD, such as sanitizers.
+are those of BUILD.
 """
 
 import os
