@@ -181,7 +181,7 @@ std::optional<Meeting> find_meeting(const PlanarLoops& loops, std::size_t begin,
 
 bool begins_inside(const PlanarLoops& loops, std::size_t edge, std::size_t begin, std::size_t end) {
   const Point &p = loops[edge], &towards = loops[loops.next(edge)];
-  // A ray runs to the left from the point that follows p on the edge, however near.
+  // A ray runs to the right from the point that follows p on the edge, however near.
   const auto above = [&](const Point& q) { return q.y != p.y ? q.y > p.y : towards.y < p.y; };
   bool inside = false;
   for (std::size_t i = begin; i < end; ++i) {
