@@ -13,9 +13,10 @@ With --one-in N only about one mutant in N is planted; the hash of the commit dr
 others, and the same commit the same ones. --part I/N plants the I-th of N parts, which together are all.
 
 With --corpus nothing but the cases of tests/corpus may tell of the bug, and the case that does is named. Those planted
-in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out, those that change
-no answer ("changes_answers": false), and those of which no case of the corpus tells ("in_corpus": false); those of
-tests/corpus/mutants.json, about constants, stages and guards of the filtered path, come in.
+in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out, those planted in
+proofs and tests alone (NO_CORPUS_UNITS), those that change no answer ("changes_answers": false), and those of which no
+case of the corpus tells ("in_corpus": false); those of tests/corpus/mutants.json, about constants, stages and guards of
+the filtered path, come in.
 """
 
 import argparse
@@ -52,6 +53,7 @@ SUITES = {
 
 
 CORPUS_PATHS = ("geometry/contact/", "robust/exact/", "robust/filtered/")
+NO_CORPUS_UNITS = ("robust/proofs/", "tests/")
 
 
 class Workshop:
@@ -227,7 +229,7 @@ def read_mutants(source, corpus):
     if not corpus:
         return mutants
     mutants = [mutant for mutant in mutants
-               if mutant["file"].startswith(CORPUS_PATHS)
+               if mutant["file"].startswith(CORPUS_PATHS) and not all(unit.startswith(NO_CORPUS_UNITS) for unit in units(mutant))
                and mutant.get("changes_answers", True) and mutant.get("in_corpus", True)]
     mutants += json.loads((tests / "corpus" / "mutants.json").read_text())
     return [dict(mutant, program="corpus_tests", suites="Corpus.*") for mutant in mutants]

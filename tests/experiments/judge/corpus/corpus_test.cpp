@@ -181,6 +181,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
     filtered_path.contact(ball, orders, found);
     ASSERT_EQ(std::ranges::count(found, touches), 6) << stored;
     for (const Triangle& order : orders) ASSERT_EQ(filtered_path.plain_contact(ball, order), touches) << stored;
+    ASSERT_EQ(filtered::relation(ball, *triangle), expected.relation) << stored;
 
     const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance, expected.contact_normal};
     ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
