@@ -150,6 +150,12 @@ TEST_F(JudgeParts, ContinueWhereTheyWereStopped) {
   std::ofstream(scratch.path / "two" / "judgement", std::ios::app) << "99 what a killed run did not complete";
   const Told resumed = part(words, "2/2", "two", true);
   EXPECT_EQ(resumed.status, 0) << resumed.complaints;
+  EXPECT_EQ(part(words, "1/2", "one").status, 0);
+  Words all = words;
+  all.insert(all.end(), {"--output", (scratch.path / "all").string()});
+  const std::vector<fs::path> parts{scratch.path / "one", scratch.path / "two"};
+  EXPECT_EQ(told([&] { return commands::judge_command().merge(parts, all); }),
+            told([&] { return commands::judge_command()(words); }));
   const auto refused = [&](const Words& other, const std::string& share) {
     const std::string said = part(other, share, "two", true).complaints;
     return run_tests::after_file(scratch.path / "two" / "checkpoint.json", said);
