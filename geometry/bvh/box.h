@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <span>
 
 #include "geometry/floating_point.h"
 #include "geometry/shapes/triangle.h"
@@ -31,6 +32,12 @@ struct Box {
 /// Returns the smallest box that contains the triangle; exact.
 [[nodiscard]] inline Box box(const Triangle& t) {
   return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
+}
+/// Returns the smallest box that contains all triangles, the empty box if there are none; exact.
+[[nodiscard]] inline Box box(std::span<const Triangle> triangles) {
+  Box all;
+  for (const Triangle& t : triangles) all = all.joined(box(t));
+  return all;
 }
 
 }  // namespace touchstone

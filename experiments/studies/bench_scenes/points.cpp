@@ -19,12 +19,6 @@ namespace {
 using Points = std::shared_ptr<const std::vector<Eigen::Vector3d>>;
 using Truths = std::shared_ptr<const std::vector<bool>>;
 
-Box box_of(const std::vector<Triangle>& triangles) {
-  Box all;
-  for (const Triangle& t : triangles) all = all.joined(box(t));
-  return all;
-}
-
 /// Null if the triangles are not closed.
 std::shared_ptr<const scene::Solid> solid_of(const std::vector<Triangle>& triangles) {
   try {
@@ -52,8 +46,8 @@ std::optional<timing::Benchmark> point_benchmark(const std::vector<Triangle>& tr
   constexpr std::size_t kMostChecked = 2000;
   const std::shared_ptr<const scene::Solid> solid = solid_of(triangles);
   if (solid == nullptr) return std::nullopt;
-  const Box box = box_of(triangles);
-  const Points points = draw_points(box, settings.samples, settings.seed);
+  const Box around = box(triangles);
+  const Points points = draw_points(around, settings.samples, settings.seed);
   timing::Benchmark benchmark;
   benchmark.name = "points anywhere, inside";
   benchmark.checked = std::min(points->size(), kMostChecked);
@@ -81,7 +75,7 @@ std::optional<timing::Benchmark> point_benchmark(const std::vector<Triangle>& tr
   const bool about_a_million = std::lround(static_cast<double>(triangles.size()) / 1e6) == 1;
   benchmark.candidates.front().comparison = {methods::kEmbree,
                                              about_a_million ? std::optional(kInsideGoal) : std::nullopt};
-  benchmark.candidates.push_back(candidate(methods::kEmbree, inside_by_embree(triangles, box)));
+  benchmark.candidates.push_back(candidate(methods::kEmbree, inside_by_embree(triangles, around)));
 #endif
   return benchmark;
 }

@@ -25,12 +25,6 @@ bool is_triangle(const Triangle& t) {
   return ab.cross(ac).norm() > kClear * ab.norm() * ac.norm() || !exact::validate(Polygon({t.a, t.b, t.c}));
 }
 
-Box box_of(const std::vector<Triangle>& triangles) {
-  Box all;
-  for (const Triangle& t : triangles) all = all.joined(box(t));
-  return all;
-}
-
 std::vector<Triangle> triangles_of(const touchstone::Mesh& mesh) {
   std::vector<Triangle> triangles;
   for (const auto& face : mesh.faces)
@@ -42,7 +36,7 @@ std::vector<Triangle> triangles_of(const touchstone::Mesh& mesh) {
 }
 
 void scale_to_one(std::vector<Triangle>& triangles) {
-  const Box all = box_of(triangles);
+  const Box all = box(triangles);
   int exponent = 0;
   (void)std::frexp((all.high - all.low).maxCoeff(), &exponent);
   const double scale = std::ldexp(1.0, -exponent);
@@ -144,7 +138,7 @@ std::string_view to_string(BallPlace place) {
 std::vector<Ball> draw_scene_balls(BallPlace place, const std::vector<Triangle>& triangles, std::uint64_t count,
                                    std::uint64_t seed) {
   const double size = median_size(triangles);
-  const Box all = box_of(triangles);
+  const Box all = box(triangles);
   const auto last = static_cast<std::int64_t>(triangles.size() - 1);
   std::vector<Ball> balls;
   balls.reserve(count);

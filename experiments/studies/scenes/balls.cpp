@@ -135,7 +135,7 @@ RandomBalls::RandomBalls(const std::vector<scene::Faces>& objects) {
     for (const Polygon& polygon : faces.polygons)
       corners_.push_back({polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)});
   }
-  for (const Triangle& triangle : corners_) box_ = box_.joined(box(triangle));
+  box_ = box(corners_);
 }
 
 NamedBall RandomBalls::draw(std::uint64_t seed, std::uint64_t index) const {

@@ -85,8 +85,7 @@ TEST(SceneBench, ATorusHasAboutTheTrianglesAskedForAllDifferentAndValid) {
 
 TEST(SceneBench, BallsAreAFunctionOfTheSeedAndLieWhereTheyShould) {
   const auto triangles = torus(400);
-  Box all;
-  for (const Triangle& t : triangles) all = all.joined(box(t));
+  const Box all = box(triangles);
   for (const BallPlace place : {BallPlace::Near, BallPlace::Anywhere}) {
     const auto balls = draw_scene_balls(place, triangles, 50, 7);
     const auto again = draw_scene_balls(place, triangles, 20, 7), other = draw_scene_balls(place, triangles, 20, 8);
@@ -170,8 +169,7 @@ TEST(SceneBench, BroadPhasesFindWhatBruteForceFinds) {
     for (Eigen::Vector3d* vertex : {&t.a, &t.b, &t.c}) *vertex = 1e-3 * *vertex + Eigen::Vector3d(1000, -7, 1e6);
   for (const std::vector<Triangle>& triangles : {torus(300), far, std::vector<Triangle>(20, torus(300).front())}) {
     const Mesh mesh(triangles);
-    Box whole;
-    for (const Triangle& t : triangles) whole = whole.joined(box(t));
+    const Box whole = box(triangles);
     const Eigen::Vector3d size = whole.high - whole.low;
     for (const auto& broad_phase :
          {grid_library, octree_library, kd_tree_library, sphere_tree_library, kdop_tree_library}) {
