@@ -7,23 +7,15 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 #include <thread>
 #include <utility>
 
+#include "experiments/built_with.h"
 #include "experiments/run/output.h"
 #include "touchstone_commit.h"
-
-#ifndef TOUCHSTONE_COMPILE_FLAGS
-#define TOUCHSTONE_COMPILE_FLAGS ""
-#endif
-#ifndef TOUCHSTONE_ENGINES
-#define TOUCHSTONE_ENGINES ""
-#endif
 
 namespace touchstone::run {
 namespace {
@@ -41,10 +33,7 @@ nlohmann::ordered_json commit() {
 }
 
 /// Returns the optional third-party libraries of this build.
-std::vector<std::string> engines() {
-  std::istringstream names(TOUCHSTONE_ENGINES);
-  return {std::istream_iterator<std::string>(names), {}};
-}
+std::vector<std::string> engines() { return TOUCHSTONE_LIBRARIES; }
 
 /// Returns the name of the first processor with family, model and stepping, since virtual machines often shorten the
 /// name. Empty if /proc/cpuinfo does not say them.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/built_with.h"
+
+#if TOUCHSTONE_HAS_BULLET
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 
@@ -101,3 +104,4 @@ void add_bullet(MethodList& list) {
 }
 
 }  // namespace touchstone::methods
+#endif

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bullet's float build has the names of the double build, so it runs as a program: bullet_float_program.cpp.
+#include "experiments/built_with.h"
+
+#if TOUCHSTONE_HAS_BULLET_FLOAT
 #include "experiments/methods/engines/engines.h"
 #include "experiments/methods/process/engine.h"
 #include "experiments/run/input.h"
@@ -14,3 +17,4 @@ void add_bullet_float(MethodList& list) {
 }
 
 }  // namespace touchstone::methods
+#endif

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/built_with.h"
+
+#if TOUCHSTONE_HAS_EMBREE
 #include <embree3/rtcore.h>
 
 #include <algorithm>
@@ -143,3 +146,4 @@ void add_embree(MethodList& list) {
 }
 
 }  // namespace touchstone::methods
+#endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Third-party engines: the file NAME.cpp of this folder defines add_NAME(MethodList&), which add_engines calls if the
-// list of CMakeLists.txt, or cmake/find_engines.cmake for an engine with a library, names it. As methods they decide
+// Third-party engines: the file NAME.cpp of this folder defines add_NAME(MethodList&), which add_engines calls, or
+// is empty if the engine's library is missing: experiments/built_with.h says which are there. As methods they decide
 // contact as their users would ask: engines for triangles get those of a triangulation, whose vertices are not lifted.
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/built_with.h"
+
+#if TOUCHSTONE_HAS_FCL
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/bv/OBBRSS.h>
@@ -97,3 +100,4 @@ void add_fcl(MethodList& list) {
 }
 
 }  // namespace touchstone::methods
+#endif

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/built_with.h"
+
+#if TOUCHSTONE_HAS_LIBCCD
 #include <ccd/ccd.h>
 
 #include <array>
@@ -61,3 +64,4 @@ void add_libccd(MethodList& list) {
 }
 
 }  // namespace touchstone::methods
+#endif

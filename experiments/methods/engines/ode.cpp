@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/built_with.h"
+
+#if TOUCHSTONE_HAS_ODE
 #include <ode/ode.h>
 
 #include <mutex>
@@ -70,3 +73,4 @@ void add_ode(MethodList& list) {
 }
 
 }  // namespace touchstone::methods
+#endif

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/built_with.h"
+
+#if TOUCHSTONE_HAS_EMBREE
 #include <embree3/rtcore.h>
 
 #include <limits>
@@ -86,3 +89,4 @@ std::function<bool(const Eigen::Vector3d&)> inside_by_embree(const std::vector<T
 }
 
 }  // namespace touchstone::bench_scenes
+#endif

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "experiments/built_with.h"
 #include "experiments/methods/ericson.h"
 #include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
@@ -14,7 +15,7 @@ namespace touchstone::bench_scenes {
 
 std::vector<Library> all_libraries() {
   std::vector<Library> libraries{touchstone_library(), touchstone_library_of_objects()};
-#ifdef TOUCHSTONE_EMBREE
+#if TOUCHSTONE_HAS_EMBREE
   libraries.push_back(methods::embree_library());
 #endif
   libraries.push_back(boost_rtree_library());
@@ -22,10 +23,10 @@ std::vector<Library> all_libraries() {
   for (const auto& broad_phase :
        {grid_library, octree_library, kd_tree_library, sphere_tree_library, kdop_tree_library})
     libraries.push_back(broad_phase());
-#ifdef TOUCHSTONE_FCL
+#if TOUCHSTONE_HAS_FCL
   libraries.push_back(methods::fcl_library());
 #endif
-#ifdef TOUCHSTONE_BULLET
+#if TOUCHSTONE_HAS_BULLET
   libraries.push_back(methods::bullet_library());
 #endif
   return libraries;
@@ -33,13 +34,13 @@ std::vector<Library> all_libraries() {
 
 std::vector<std::string> absent_libraries() {
   std::vector<std::string> absent;
-#ifndef TOUCHSTONE_EMBREE
+#if !TOUCHSTONE_HAS_EMBREE
   absent.emplace_back("Embree 3 (libembree-dev)");
 #endif
-#ifndef TOUCHSTONE_FCL
+#if !TOUCHSTONE_HAS_FCL
   absent.emplace_back("FCL (libfcl-dev)");
 #endif
-#ifndef TOUCHSTONE_BULLET
+#if !TOUCHSTONE_HAS_BULLET
   absent.emplace_back("Bullet (libbullet-dev)");
 #endif
   return absent;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "experiments/built_with.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/run/statistics/shares.h"
 #include "experiments/studies/bench_scenes/library.h"
@@ -71,7 +72,7 @@ std::optional<timing::Benchmark> point_benchmark(const std::vector<Triangle>& tr
   };
   benchmark.candidates.push_back(
       candidate("Solid", [solid](const Eigen::Vector3d& p) { return solid->locate(p) == PointLocation::Inside; }));
-#ifdef TOUCHSTONE_EMBREE
+#if TOUCHSTONE_HAS_EMBREE
   const bool about_a_million = std::lround(static_cast<double>(triangles.size()) / 1e6) == 1;
   benchmark.candidates.front().comparison = {methods::kEmbree,
                                              about_a_million ? std::optional(kInsideGoal) : std::nullopt};

@@ -21,13 +21,13 @@
 namespace touchstone::cell {
 namespace {
 
-constexpr double kNear = 4;  // radii
+constexpr double kNearInRadii = 4;  // radii
 constexpr std::size_t kMostVertices = 16;
 
 /// The stop at which the sphere is nearest to the face; none where it never is near.
 std::optional<std::size_t> nearest_stop(const cell::Process& process, const Polygon& polygon) {
   std::optional<std::size_t> nearest;
-  double least = kNear * process.stops.front().sphere.radius;
+  double least = kNearInRadii * process.stops.front().sphere.radius;
   const filtered::PreparedPolygon prepared(polygon);
   for (std::size_t i = 0; i < process.stops.size(); ++i)
     if (const double distance = filtered::answer(process.stops[i].sphere, prepared).distance; distance < least) {

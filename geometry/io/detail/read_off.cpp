@@ -18,7 +18,7 @@ namespace {
 
 constexpr TextSyntax kSyntax{.comments = true};
 
-struct Header {
+struct OffHeader {
   std::int64_t vertices, faces;
   std::vector<int> widths;    ///< how many numbers a vertex may have
   bool ends_its_line = true;  ///< no number follows the counts on their line
@@ -41,9 +41,9 @@ std::vector<int> widths_of(std::string_view word) {
 }
 
 /// Takes the header. The word may be missing; the counts follow it at once, on the same line or on the next ones.
-Header take_header(TextReader& lines) {
+OffHeader take_off_header(TextReader& lines) {
   if (!lines.next_line()) lines.truncated("expected 'OFF'");
-  Header header{.vertices = -1, .faces = 0, .widths = {3}};
+  OffHeader header{.vertices = -1, .faces = 0, .widths = {3}};
   if (!whole_number(lines.peek())) {
     const std::string_view field = lines.take();
     const std::size_t letters = std::min(field.find_first_of("0123456789"), field.size());
@@ -81,7 +81,7 @@ struct Fit {
   bool is_bare = true;  ///< no numbers but coordinates and vertex numbers
 };
 
-Fit fit_of_lines(TextReader lines, const Header& header) {
+Fit fit_of_lines(TextReader lines, const OffHeader& header) {
   Fit fit{.fits = true};
   int width = -1;
   for (std::int64_t i = 0; i < header.vertices; ++i) {
@@ -105,7 +105,7 @@ Fit fit_of_lines(TextReader lines, const Header& header) {
 }
 
 /// Takes the words of a face, if they are one, and returns whether they are.
-bool take_face(TextReader& words, const Header& header) {
+bool take_face(TextReader& words, const OffHeader& header) {
   const std::optional<std::int64_t> corners = words.next_word() ? whole_number(words.take()) : std::nullopt;
   for (std::int64_t i = 0; corners && i < *corners; ++i) {
     const std::optional<std::int64_t> vertex = words.next_word() ? whole_number(words.take()) : std::nullopt;
@@ -116,7 +116,7 @@ bool take_face(TextReader& words, const Header& header) {
 
 /// The vertices end with a line, unless all words are on one: if a face began on the same line, a count would more
 /// likely be wrong.
-Fit fit_of_words(TextReader words, const Header& header, Reading reading) {
+Fit fit_of_words(TextReader words, const OffHeader& header, Reading reading) {
   Fit fit;
   if (!words.next_word()) return {};
   const std::size_t first_line = words.place().number;
@@ -136,7 +136,7 @@ Fit fit_of_words(TextReader words, const Header& header, Reading reading) {
 }
 
 /// Returns the only reading that fits. Reports a fault if several do that differ.
-Reading reading_of(const MeshSource& source, const Header& header, const TextReader& after_header) {
+Reading reading_of(const MeshSource& source, const OffHeader& header, const TextReader& after_header) {
   std::vector<Reading> found;
   const auto most = static_cast<std::int64_t>(source.bytes.size());
   if (header.vertices <= most && header.faces <= most) {
@@ -164,7 +164,7 @@ void need_part(TextReader& lines, const char* part, std::int64_t index, std::int
 }
 
 /// Reads what fits as words, or mixed.
-void read_words(TextReader& words, const Header& header, Reading reading, MeshBuilder& builder) {
+void read_words(TextReader& words, const OffHeader& header, Reading reading, MeshBuilder& builder) {
   words.read_words();
   for (std::int64_t i = 0; i < header.vertices; ++i) {
     (void)words.next_word();
@@ -186,7 +186,7 @@ void read_words(TextReader& words, const Header& header, Reading reading, MeshBu
   }
 }
 
-void read_lines(TextReader& lines, const Header& header, MeshBuilder& builder) {
+void read_lines(TextReader& lines, const OffHeader& header, MeshBuilder& builder) {
   std::optional<int> more_of_first;
   for (std::int64_t i = 0; i < header.vertices; ++i) {
     need_part(lines, "vertex", i, header.vertices);
@@ -218,7 +218,7 @@ void read_lines(TextReader& lines, const Header& header, MeshBuilder& builder) {
 
 void read_off(const MeshSource& source, MeshBuilder& builder) {
   TextReader lines(source, kSyntax);
-  const Header header = take_header(lines);
+  const OffHeader header = take_off_header(lines);
   const Reading reading = reading_of(source, header, lines);
   if (reading.kind == Reading::Lines)
     read_lines(lines, header, builder);

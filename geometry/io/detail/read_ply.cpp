@@ -50,7 +50,7 @@ struct Element {
 
 enum class Encoding { Text, LittleEndian, BigEndian };
 
-struct Header {
+struct PlyHeader {
   Encoding encoding = Encoding::Text;
   std::vector<Element> elements;
 };
@@ -154,7 +154,7 @@ void check_elements(const std::vector<Element>& elements, const TextReader& line
   if (face_elements > 1) lines.broken("expected one element 'face', found " + std::to_string(face_elements));
 }
 
-Header take_header(TextReader& lines) {
+PlyHeader take_ply_header(TextReader& lines) {
   const auto need_line = [&] {
     if (!lines.next_line()) lines.truncated("its header has no 'end_header'");
   };
@@ -167,7 +167,7 @@ Header take_header(TextReader& lines) {
     lines.broken("expected 'ply', found " + TextReader::quoted(word));
   end_line();
 
-  Header header;
+  PlyHeader header;
   bool has_format = false;
   for (;;) {
     need_line();
@@ -199,7 +199,7 @@ Header take_header(TextReader& lines) {
 
 /// Returns whether the values fill the rest of the file as words, but not the lines one by one, so that no element can
 /// be skipped whose values are faulty.
-bool is_words(const MeshSource& source, const Header& header, const TextReader& after_header) {
+bool is_words(const MeshSource& source, const PlyHeader& header, const TextReader& after_header) {
   TextReader lines(after_header), words(after_header);
   const auto most = static_cast<std::int64_t>(source.bytes.size());
   std::int64_t elements = 0;
@@ -358,7 +358,7 @@ void take_corners(const Element& element, Values& values, std::vector<std::int64
 }
 
 template <class Values>
-void read_elements(const Header& header, Values values, MeshBuilder& builder) {
+void read_elements(const PlyHeader& header, Values values, MeshBuilder& builder) {
   std::vector<std::int64_t> corners;
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;  // takes no space in the file, whatever its count
@@ -382,7 +382,7 @@ void read_elements(const Header& header, Values values, MeshBuilder& builder) {
 
 void read_ply(const MeshSource& source, MeshBuilder& builder) {
   TextReader lines(source, {});
-  const Header header = take_header(lines);
+  const PlyHeader header = take_ply_header(lines);
   if (header.encoding == Encoding::Text) {
     read_elements(header, TextValues(lines, is_words(source, header, lines)), builder);
     if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");

@@ -20,7 +20,7 @@ Integer shifted(const Integer& value, long shift) { return shift >= 0 ? shifted_
 
 /// Rounds (integer + t) 2^exponent, where 0 <= t < 1 and `inexact` says t > 0, to the nearest double. Requires an
 /// integer of at least 64 bits.
-double rounded(const Integer& integer, bool inexact, long exponent) {
+double rounded_integer(const Integer& integer, bool inexact, long exponent) {
   constexpr long word_bits = 64, digits = 53, least_exponent = -1074, largest_exponent = 1023 - (digits - 1);
   const long beyond = bits(integer) - word_bits;
   const Integer first_bits = shifted_down(integer, beyond);
@@ -69,7 +69,7 @@ double nearest_double(const Integer& numerator, const Integer& denominator) {
   const long shift = kQuotientBits - (bits(magnitude) - bits(denominator));
   Integer quotient, remainder;
   divide(shifted(magnitude, shift), shifted(denominator, -shift), quotient, remainder);
-  const double result = rounded(quotient, remainder != 0, -shift);
+  const double result = rounded_integer(quotient, remainder != 0, -shift);
   return numerator < 0 ? negated(result) : result;
 }
 
@@ -81,7 +81,7 @@ double nearest_root(const Integer& numerator, const Integer& denominator) {
   Integer quotient, remainder, root, root_remainder;
   divide(shifted(numerator, shift), shifted(denominator, -shift), quotient, remainder);
   take_root(quotient, root, root_remainder);
-  return rounded(root, remainder != 0 || root_remainder != 0, -shift / 2);
+  return rounded_integer(root, remainder != 0 || root_remainder != 0, -shift / 2);
 }
 
 double nearest_sum_with_root(const Integer& term, int sign, const Integer& radicand, const Integer& denominator) {
@@ -99,7 +99,7 @@ double nearest_sum_with_root(const Integer& term, int sign, const Integer& radic
     Integer quotient, remainder;
     divide(sum.floor, shifted(denominator, std::max(-shift, 0L)), quotient, remainder);
     if (bits(quotient) >= kQuotientBits && quotient > 0)
-      return rounded(quotient, sum.inexact || remainder != 0, -shift);
+      return rounded_integer(quotient, sum.inexact || remainder != 0, -shift);
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "robust/exact/motion.h"
@@ -11,11 +10,6 @@
 #include "robust/filtered/motion.h"
 
 namespace touchstone::scene::detail {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 void FirstContactSearch::meet(const Triangle& triangle, std::uint32_t number, const std::optional<Feature>& feature,
                               double earliest, double latest) {
@@ -30,7 +24,7 @@ void FirstContactSearch::start(const MetFace& face) {
 
 // The time was rounded to the nearest double.
 void FirstContactSearch::meet(const MetFace& face, const FirstContact& contact) {
-  meet(Met{face, contact.feature, std::nextafter(contact.time, -kInfinity), std::nextafter(contact.time, kInfinity),
+  meet(Met{face, contact.feature, std::nextafter(contact.time, -HUGE_VAL), std::nextafter(contact.time, HUGE_VAL),
            contact});
 }
 

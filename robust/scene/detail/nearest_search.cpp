@@ -36,7 +36,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kLargestDouble = std::numeric_limits<double>::max();
 
 filtered::NoCounts uncounted;
 
@@ -53,7 +53,7 @@ double feature_distance(const Vector3d& center, const Triangle& triangle, const 
 
 }  // namespace
 
-NearestSearch::NearestSearch(const Ball& given) : given_radius_(given.radius), ball_{given.center, kLargest} {}
+NearestSearch::NearestSearch(const Ball& given) : given_radius_(given.radius), ball_{given.center, kLargestDouble} {}
 
 bool NearestSearch::touched(const Met& met) const {
   if (!has_shrunk()) return true;
@@ -65,7 +65,7 @@ void NearestSearch::shrink_to(double distance) {
   ball_.radius = std::min(ball_.radius, std::nextafter(distance, std::numeric_limits<double>::infinity()));
 }
 
-bool NearestSearch::has_shrunk() const { return ball_.radius < kLargest; }
+bool NearestSearch::has_shrunk() const { return ball_.radius < kLargestDouble; }
 
 void NearestSearch::shrink(const Triangle& triangle) {
   shrink_to(feature_distance(ball_.center, triangle, nearest_feature(ball_.center, triangle)));
@@ -76,7 +76,7 @@ void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
   const Vector3d vertex = parts_of(polygon).polygon.vertex(0);
   const Ball around{ball_.center,
                     (vertex - ball_.center).norm() * (1 + 0x1p-40) + parts_of(polygon).exact_form().bigint.off_plane()};
-  if (around.radius < kLargest && filtered::contact(around, polygon)) ball_.radius = around.radius;
+  if (around.radius < kLargestDouble && filtered::contact(around, polygon)) ball_.radius = around.radius;
 }
 
 void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {

@@ -11,8 +11,6 @@
 namespace touchstone::scene::detail {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// How likely it is that a question comes to a box. The square of this would be nearer to its surface, but it
 /// underflows and overflows, and is not better.
 double size(const Box& box) { return (box.high - box.low).sum(); }
@@ -23,8 +21,8 @@ double size(const Box& box) { return (box.high - box.low).sum(); }
 Box box_around(const Ball& ball) {
   Box box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.low[axis] = std::nextafter(ball.center[axis] - ball.radius, -kInfinity);
-    box.high[axis] = std::nextafter(ball.center[axis] + ball.radius, kInfinity);
+    box.low[axis] = std::nextafter(ball.center[axis] - ball.radius, -HUGE_VAL);
+    box.high[axis] = std::nextafter(ball.center[axis] + ball.radius, HUGE_VAL);
   }
   return box;
 }

@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace touchstone::scene::detail {
 namespace {
 
 using namespace own_frame;
 using filtered::detail::Vector3;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Returns whether the centre is not too far away to be moved into a frame.
 bool sees(const Eigen::Vector3d& center) { return center.lpNorm<Eigen::Infinity>() <= kLargestOfCenters; }
@@ -50,7 +47,7 @@ std::optional<OwnFrame> OwnFrame::of(const Pose& pose, double reach, double thin
 }
 
 SeenBall OwnFrame::seen(const Ball& ball) const {
-  if (!sees(ball.center)) return {{Eigen::Vector3d::Zero(), kInfinity}, -1};
+  if (!sees(ball.center)) return {{Eigen::Vector3d::Zero(), HUGE_VAL}, -1};
   const Vector3<double> center = components(ball.center), t = components(pose_.translation);
   const double far = spread(center, t);
   Ball outer{Eigen::Vector3d::Zero(), outer_radius(ball.radius, lengths_, far)};
@@ -60,14 +57,14 @@ SeenBall OwnFrame::seen(const Ball& ball) const {
 
 SeenMotion OwnFrame::seen(const Motion& motion) const {
   if (!sees(motion.ball.center) || !sees(motion.to))
-    return {{{Eigen::Vector3d::Zero(), kInfinity}, Eigen::Vector3d::Zero()}, -1};
+    return {{{Eigen::Vector3d::Zero(), HUGE_VAL}, Eigen::Vector3d::Zero()}, -1};
   const SeenBall first = seen(motion.ball), last = seen(Ball{motion.to, motion.ball.radius});
   return {{{first.outer.center, std::max(first.outer.radius, last.outer.radius)}, last.outer.center},
           std::min(first.inner, last.inner)};
 }
 
 double OwnFrame::radius_under_pose(const Eigen::Vector3d& center, double radius) const {
-  if (!sees(center)) return kInfinity;
+  if (!sees(center)) return HUGE_VAL;
   const double far = spread(components(center), components(pose_.translation));
   return own_frame::radius_under_pose(radius, lengths_, lost(lengths_, residual_, far));
 }

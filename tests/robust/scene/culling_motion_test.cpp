@@ -52,21 +52,21 @@ double root_rounded_up(const mpq_class& squared) {
   return root;
 }
 
-struct Sample {
+struct MovingSample {
   Box box;
   Motion motion;  ///< touches the box at this time, by a double at most
   int eighths;
 };
 
 /// A motion past a box, along axes too, in ways short and long, and from far away.
-Sample draw_sample(std::uint64_t index) {
+MovingSample draw_moving_sample(std::uint64_t index) {
   Random random(2026, index, 94);
   const double size = std::ldexp(1.0, static_cast<int>(random.integer(-100, 100)));
   const Eigen::Vector3d corner = draw_point(random, size) + draw_point(random, size * draw_size(random));
   Eigen::Vector3d extent = draw_point(random, size).cwiseAbs();
   for (int k = 0; k < 3; ++k)
     if (random.integer(0, 3) == 0) extent[k] = 0;
-  Sample sample{{corner, corner + extent}, {}, static_cast<int>(random.integer(0, 8))};
+  MovingSample sample{{corner, corner + extent}, {}, static_cast<int>(random.integer(0, 8))};
   Eigen::Vector3d way = draw_point(random, size * draw_size(random));
   for (int k = 0; k < 3; ++k)
     if (random.integer(0, 3) == 0) way[k] *= random.coin() ? 0 : 0x1p-31;
@@ -88,7 +88,7 @@ bool keeps(const scene::detail::CullingMotion& culling, const BoxTree& tree, dou
 TEST(CullingMotion, KeepsEveryBoxThatIsTouched) {
   std::uint64_t culled = 0, all = 200 * TOUCHSTONE_SAMPLES;
   for (std::uint64_t index = 0; index < all; ++index) {
-    const Sample sample = draw_sample(index);
+    const MovingSample sample = draw_moving_sample(index);
     if (find_fault(sample.motion)) continue;
     const std::string what = "sample " + std::to_string(index);
     const std::vector<Box> boxes{sample.box};
@@ -110,7 +110,7 @@ TEST(CullingMotion, KeepsEveryBoxThatIsTouched) {
 TEST(CullingBall, KeepsEveryBoxThatIsTouched) {
   std::uint64_t culled = 0, all = 200 * TOUCHSTONE_SAMPLES;
   for (std::uint64_t index = 0; index < all; ++index) {
-    const Sample sample = draw_sample(index);
+    const MovingSample sample = draw_moving_sample(index);
     Ball ball{sample.motion.to, 0};
     ball.radius = root_rounded_up(squared_distance(sample.box, center_at(sample.motion, 8)));
     if (!std::isfinite(ball.radius)) continue;
@@ -181,7 +181,7 @@ TEST(CullingMotion, KnowsWhenItComes) {
 TEST(Swept, MissesNoTriangleThatIsTouched) {
   std::uint64_t missed = 0, all = 200 * TOUCHSTONE_SAMPLES;
   for (std::uint64_t index = 0; index < all; ++index) {
-    const Sample sample = draw_sample(index);
+    const MovingSample sample = draw_moving_sample(index);
     if (find_fault(sample.motion)) continue;
     const std::string what = "sample " + std::to_string(index);
     const Triangle corners{sample.box.low, sample.box.high, sample.box.low};  // with the sample's box

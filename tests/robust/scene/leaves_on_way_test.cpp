@@ -23,7 +23,7 @@ using workloads::Random;
 
 constexpr std::size_t kTriangles = 8;
 
-struct Sample {
+struct WaySample {
   std::vector<Triangle> triangles;
   Motion motion;  ///< touches a vertex of this triangle, by less than one double
   unsigned triangle;
@@ -43,9 +43,9 @@ double least_radius(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int 
 }
 
 /// Triangles a little apart, and a way that is as short as one of them or up to 2^20 times as long.
-Sample draw_sample(std::uint64_t index) {
+WaySample draw_way_sample(std::uint64_t index) {
   Random random(47, index);
-  Sample sample;
+  WaySample sample;
   for (std::size_t i = 0; i < kTriangles; ++i) {
     const Eigen::Vector3d middle = 2 * draw_point(random);
     sample.triangles.push_back({middle + draw_point(random), middle + draw_point(random), middle + draw_point(random)});
@@ -64,7 +64,7 @@ TEST(LeavesOnWay, LeaveOutNoTriangleThatIsTouchedAndMostOthers) {
   constexpr std::uint64_t kSamples = 50 * TOUCHSTONE_SAMPLES;
   std::uint64_t left_out = 0, untouched = 0;
   for (std::uint64_t index = 0; index < kSamples; ++index) {
-    const Sample sample = draw_sample(index);
+    const WaySample sample = draw_way_sample(index);
     const filtered::detail::TriangleGroup group = filtered::detail::group_of(sample.triangles);
     const scene::detail::Leaf leaf{0, 0, kTriangles};
     const unsigned open = scene::detail::TriangleLeaves(&group).on_way(sample.motion, leaf).lanes();

@@ -12,7 +12,7 @@ namespace touchstone::kinematics {
 namespace {
 
 constexpr double kWidest = 4;          // degrees of a piece
-constexpr double kRounding = 0x1p-40;  // of the largest numbers: some thousand times what rounding can do
+constexpr double kRoundingOfArc = 0x1p-40;  // of the largest numbers: some thousand times what rounding can do
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The point at an angle, by the C library: here it may be off by a little.
@@ -56,7 +56,7 @@ ArcPieces::ArcPieces(const Arc& arc, double radius) {
   degrees_ = arc.degrees / static_cast<double>(count);
   const double size = arc.start.cwiseAbs().maxCoeff() + arc.point.cwiseAbs().maxCoeff() + radius;
   const double angle = degrees_ * std::numbers::pi / 180;
-  margin_ = radius + 2 * size * angle * angle / 8 + kRounding * size + std::numeric_limits<double>::min();
+  margin_ = radius + 2 * size * angle * angle / 8 + kRoundingOfArc * size + std::numeric_limits<double>::min();
   if (!(size < 0x1p400)) margin_ = kInfinity;
   Eigen::Vector3d last = arc.start;
   for (std::size_t i = 1; i <= count; ++i) {
@@ -84,7 +84,7 @@ std::optional<ArcPieces::Range> ArcPieces::near(const Box& box) const {
 
 // Whatever the direction, what is further apart in it than the margin is further apart.
 std::optional<ArcPieces::Range> ArcPieces::near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double lift) const {
-  const double margin = margin_ + 2 * lift + kRounding * (a.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
+  const double margin = margin_ + 2 * lift + kRoundingOfArc * (a.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
   return range([&](const Piece& piece) {
     const Eigen::Vector3d direction = between(piece.begin, piece.end, a, b).stableNormalized();
     return !(gap(std::array{a, b}, piece.begin, piece.end, direction) > margin);
@@ -95,7 +95,7 @@ std::optional<ArcPieces::Range> ArcPieces::near(const std::vector<Eigen::Vector3
                                                 const Eigen::Vector3d& normal, double lift) const {
   double size = 0;
   for (const Eigen::Vector3d& point : points) size = std::max(size, point.cwiseAbs().maxCoeff());
-  const double margin = margin_ + 2 * lift + kRounding * size;
+  const double margin = margin_ + 2 * lift + kRoundingOfArc * size;
   const Eigen::Vector3d direction = normal.stableNormalized();
   return range([&](const Piece& piece) { return !(gap(points, piece.begin, piece.end, direction) > margin); });
 }

@@ -164,12 +164,12 @@ std::string missed_table(const MissedStudy& study) {
 namespace touchstone::cell {
 namespace {
 
-struct Options : run::FolderOptions {
+struct MissedOptions : run::FolderOptions {
   std::uint64_t samples = 2000, seed = 1;
   unsigned threads = run::all_threads();
 };
 
-int run_missed(const Options& options) {
+int run_missed(const MissedOptions& options) {
   run::CommandRun run(options);
   const auto study = [&] {
     run::ProgressLine line = run.progress("moves", kinematics::blocks_of(options.samples));
@@ -192,7 +192,7 @@ int run_missed(const Options& options) {
 }  // namespace
 
 run::Command missed_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MissedOptions>();
   options->output = "results/cell-missed";
   run::Command command("missed", "Contacts that stepping misses and the certified search finds");
   command.footer(

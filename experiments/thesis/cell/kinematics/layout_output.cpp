@@ -227,11 +227,11 @@ std::string layout_table(const LayoutStudy& study) {
 namespace touchstone::cell {
 namespace {
 
-struct Options : run::FolderOptions {
+struct LayoutOptions : run::FolderOptions {
   bool quick = false;
 };
 
-int run_layout(const Options& options) {
+int run_layout(const LayoutOptions& options) {
   run::CommandRun run(options);
   const kinematics::HomeSteps homes = options.quick ? kinematics::HomeSteps{30, 15} : kinematics::HomeSteps{};
   const std::uint64_t work = kinematics::layout_work(homes);
@@ -248,7 +248,7 @@ int run_layout(const Options& options) {
 }  // namespace
 
 run::Command layout_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LayoutOptions>();
   options->output = "results/cell-layout";
   run::Command command("layout", "Find the home pose and places that reproduce the thesis's captioned angles");
   command.footer(

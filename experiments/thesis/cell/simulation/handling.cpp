@@ -19,13 +19,13 @@ namespace touchstone::cell {
 namespace {
 
 constexpr int kMostTries = 8;
-constexpr int kMostSteps = 10'000;
-constexpr double kRounding = 1e-13;  // of a height: what angles of that precision are off
+constexpr int kMostDescents = 10'000;
+constexpr double kRoundingOfHeight = 1e-13;  // of a height: what angles of that precision are off
 constexpr double kLanded = 2e-12;    // of the arm's reach: what is let go is no further from what it lies on
-constexpr double kTouching = 1e-9;   // of the arm's reach: so far the sphere sinks into what it comes straight down on
+constexpr double kSinksIn = 1e-9;   // of the arm's reach: so far the sphere sinks into what it comes straight down on
 constexpr double kMostTurn = 10;     // degrees of a joint between two stops straight up or down
 constexpr double kMostParts = 1000;  // of a way straight up or down: more are needed only where the joints jump
-constexpr std::array kShares{1.0, 0.5, 0.25};  // of the clearance, above a place
+constexpr std::array kSharesOfClearance{1.0, 0.5, 0.25};  // of the clearance, above a place
 
 /// Names the part of the open gripper that material at a pose in the flange's frame touches; empty if none does.
 std::string met_by_gripper(const Workcell& workcell, const Pose& in_flange) {
@@ -83,7 +83,7 @@ void Handling::find_to_above(StationSlot slot) {
   kinematics::Angles over = angles_;
   over[kBase] = nearest_base(at.facing);
   std::string why = "no place above the material is within reach";
-  for (const double share : kShares) {
+  for (const double share : kSharesOfClearance) {
     const auto commands = workcell_->plane().inverse({at.out, height_above(at) + share * workcell_->cell().clearance});
     if (!commands) continue;
     over[kShoulder] = commands->shoulder, over[kElbow] = commands->elbow;
@@ -101,10 +101,10 @@ void Handling::find_to_above(StationSlot slot) {
 
 void Handling::come_straight_down(StationSlot slot) {
   target_ = slot;
-  const double touching = kTouching * workcell_->plane().furthest();
+  const double touching = kSinksIn * workcell_->plane().furthest();
   const Ball from = arm_->sphere_at(angles_);
   double way = 0, gap = touching;
-  for (int tries = 0; tries < kMostSteps && gap > 0 && way < from.center.z(); ++tries) {
+  for (int tries = 0; tries < kMostDescents && gap > 0 && way < from.center.z(); ++tries) {
     gap = found_in(slot)->gap({from.center - Eigen::Vector3d(0, 0, way), from.radius});
     way += std::max(gap, touching);
   }
@@ -214,7 +214,7 @@ Landing Handling::land() {
       if (!angles.empty()) go_straight(Until::Landed, -way, angles);
       return {way, left.upper, workcell_->names()[left.other]};
     }
-    way -= left.upper + kRounding * most;
+    way -= left.upper + kRoundingOfHeight * most;
   }
   fail(FailureCause::OutOfReach,
        fmt::format("{}: the arm's angles are too coarse to put the material down", to_string(phase_)));

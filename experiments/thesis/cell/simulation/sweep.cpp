@@ -19,7 +19,7 @@
 namespace touchstone::cell {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of the arm's reach: more than a posed point is off
+constexpr double kRoundingOfReach = 1e-12;  // of the arm's reach: more than a posed point is off
 constexpr double kRests = 1e-9;      // of the arm's reach: what lies so little higher than held material is below it
 
 }  // namespace
@@ -139,7 +139,7 @@ class SweptMove {
   /// The distance at an angle, if it is less than what the parts move, reduced by more than rounding.
   [[nodiscard]] DistanceOfTrees distance_at(const Concern& concern, double degrees, double moved) {
     ++queries_;
-    const double rounding = kRounding * reach_;
+    const double rounding = kRoundingOfReach * reach_;
     Pose at = pose(*concern.part, degrees);
     if (concern.other != nullptr) at = within(inverse(pose(*concern.other, degrees)), at);
     if (concern.to_still) at = within(*concern.to_still, at);
@@ -217,7 +217,7 @@ Sweep::Sweep(const Workcell& workcell, bool sphere_alone)
   const auto frame = [&](const MovingPart& part) {
     return arm.links[part.link].frame ? static_cast<long>(*arm.links[part.link].frame) : -1;
   };
-  const double near = kRounding * workcell.plane().furthest();
+  const double near = kRoundingOfReach * workcell.plane().furthest();
   for (std::size_t i = 0; i < parts_.size(); ++i)
     for (std::size_t j = i + 1; j < parts_.size(); ++j) {
       const MovingPart &one = parts_[i], &other = parts_[j];

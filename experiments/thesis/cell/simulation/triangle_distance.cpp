@@ -212,8 +212,8 @@ DistanceOfTrees distance(const TriangleTree& moving, const Pose& pose, const Tri
 
 namespace {
 
-constexpr double kTouching = 3e-13;  // of coordinates: some roundings of a posed distance
-constexpr int kMostSteps = 10'000;
+constexpr double kRoundingOfDistance = 3e-13;  // of coordinates: some roundings of a posed distance
+constexpr int kMostHalvings = 10'000;
 
 double size_of(const touchstone::Box& box) {
   return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
@@ -223,9 +223,9 @@ double size_of(const touchstone::Box& box) {
 
 StraightWay until_touch(const TriangleTree& moving, const Pose& pose, const Eigen::Vector3d& direction, double most,
                         const TriangleTree& still) {
-  const double near = kTouching * (size_of(moving.whole()) + pose.translation.cwiseAbs().maxCoeff() + most);
+  const double near = kRoundingOfDistance * (size_of(moving.whole()) + pose.translation.cwiseAbs().maxCoeff() + most);
   StraightWay result{0, false, std::numeric_limits<double>::infinity()};
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostHalvings; ++i) {
     const Pose here{pose.rotation, pose.translation + result.way * direction};
     const DistanceOfTrees left = distance(moving, here, still, most - result.way + near);
     if (left.lower > most - result.way) return {most, false, std::numeric_limits<double>::infinity()};

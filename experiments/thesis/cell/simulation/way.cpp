@@ -11,7 +11,7 @@ namespace touchstone::cell {
 namespace {
 
 constexpr std::array kRises{0.0, 1.0 / 8, 1.0 / 4, 3.0 / 8, -1.0 / 8};  // of the arm's reach, above the higher end
-constexpr std::array kShares{0.45, 0.6, 0.3, 0.75, 0.9};                // of that reach, from the base's axis
+constexpr std::array kSharesOfReach{0.45, 0.6, 0.3, 0.75, 0.9};                // of that reach, from the base's axis
 
 class Search {
  public:
@@ -37,7 +37,7 @@ class Search {
     const double reach = plane_.furthest();
     const double high = std::max(arm_.sphere_at(from_).center.z(), arm_.sphere_at(to).center.z());
     for (const double rise : kRises)
-      for (const double share : kShares) {
+      for (const double share : kSharesOfReach) {
         const auto commands = plane_.inverse({share * reach, high + rise * reach});
         if (!commands) continue;
         kinematics::Angles lifted = from_, turned = to;

@@ -97,7 +97,7 @@ BigIntPolygon::Numbers::Numbers(const Polygon& loops) : polygon(loops), planar(t
 namespace {
 
 /// An edge relative to a ball, in the scaled space.
-struct View {
+struct PolygonView {
   Vector to_center_, edge_, normal_;
   Number radius_;
   int axis_;
@@ -110,7 +110,7 @@ struct View {
 };
 
 template <class Numbers>
-View view(const Numbers& numbers, const Ball& ball, std::size_t i, int axis = 0) {
+PolygonView view(const Numbers& numbers, const Ball& ball, std::size_t i, int axis = 0) {
   const Vector start = numbers.vertex(i);
   return {numbers.scale * vector(ball.center) - start, numbers.vertex(numbers.polygon.next(i)) - start, numbers.normal,
           numbers.scale * Number(ball.radius), axis};
@@ -119,7 +119,7 @@ View view(const Numbers& numbers, const Ball& ball, std::size_t i, int axis = 0)
 /// Returns the squared distance of the centre from the feature's plane, line or point.
 template <class Numbers>
 Quotient squared_distance(const Numbers& numbers, const Ball& ball, const Feature& feature) {
-  const View edge = view(numbers, ball, feature.index);
+  const PolygonView edge = view(numbers, ball, feature.index);
   switch (feature.kind) {
     case Feature::Kind::Face: {
       const Number height = dot(edge.normal(), edge.to_center());
@@ -168,7 +168,7 @@ int BigIntPolygon::compare_distances(const Ball& ball, const Feature& first, con
 
 double BigIntPolygon::point(const Ball& ball, const Feature& feature, int axis) const {
   const Number& scale = numbers_->scale;
-  const View edge = view(*numbers_, ball, feature.index);
+  const PolygonView edge = view(*numbers_, ball, feature.index);
   switch (feature.kind) {
     case Feature::Kind::Face: {
       const Number length_squared = dot(edge.normal(), edge.normal());
@@ -196,7 +196,7 @@ double BigIntPolygon::distance(const Ball& ball, const Feature& feature) const {
 }
 
 Eigen::Vector3d BigIntPolygon::contact_normal(const Ball& ball, const Feature& feature) const {
-  const View edge = view(*numbers_, ball, feature.index);
+  const PolygonView edge = view(*numbers_, ball, feature.index);
   const auto unit = [](const Vector& v) { return exact::detail::rounded_unit_vector<Number>(v.x, v.y, v.z); };
   if (feature.kind == Feature::Kind::Face)
     return unit(kernel::is_negative(dot(edge.normal(), edge.to_center())) ? Number(-1) * edge.normal() : edge.normal());

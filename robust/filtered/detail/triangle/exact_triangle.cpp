@@ -21,7 +21,7 @@ Vector3<Number> difference(const double* a, const double* b) {
   return {Number(a[0]) - Number(b[0]), Number(a[1]) - Number(b[1]), Number(a[2]) - Number(b[2])};
 }
 
-struct View {
+struct TriangleView {
   const BallTriangleView& view;
   int i;
 
@@ -75,7 +75,7 @@ bool is_degenerate(const double (*vertex)[3]) {
 }
 
 int bigint_sign(SignKind kind, const BallTriangleView& view, int edge) {
-  return expression_sign(kind, View{view, edge});
+  return expression_sign(kind, TriangleView{view, edge});
 }
 
 int bigint_turn(const double* a, const double* b, const double* p, int axis) {

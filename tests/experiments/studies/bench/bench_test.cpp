@@ -302,12 +302,14 @@ TEST(BenchCommand, CountsTheQueriesOfOnePool) {
 }
 
 TEST(BenchCommand, WrongOptionsAreErrors) {
+  const Scratch scratch;
+  std::ofstream(scratch.path / "not ours") << "kept";
   EXPECT_THROW(run_bench({"--samples", "0"}), run::UsageError);
   EXPECT_THROW(run_bench({"--samples", "10000001"}), run::UsageError);
   EXPECT_THROW(run_bench({"--repetitions", "0"}), run::UsageError);
   EXPECT_THROW(run_bench({"--count", "fast"}), run::UsageError);
   EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), run::UsageError);
-  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--output", "/tmp"}), std::runtime_error);
+  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--output", scratch.path.string()}), std::runtime_error);
   const std::string said = run_tests::message_of<run::UsageError>([] { run_bench({"--family", "circles"}); });
   EXPECT_NE(said.find("there are random-triangles, half-near, "), std::string::npos) << said;
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CMakeLists.txt writes this file from the list of engines.
+#include "experiments/built_with.h"
 #include "experiments/methods/add_methods.h"
 
 namespace touchstone::methods {
 
-@engine_declarations@
+#define DECLARE(name) void add_##name(MethodList& list);
+TOUCHSTONE_ENGINES(DECLARE)
+
 void add_engines(MethodList& list) {
-@engine_calls@}
+#define ADD(name) add_##name(list);
+  TOUCHSTONE_ENGINES(ADD)
+}
 
 }  // namespace touchstone::methods
