@@ -34,8 +34,6 @@ function(touchstone_tests name)
   set_tests_properties(${name}.tests PROPERTIES ENVIRONMENT "${properties_environment}" LABELS "${name};${tests_LABELS}")
 endfunction()
 
-# Tests that take more than five seconds carry the label slow, which ./check --quick leaves out.
-
 # touchstone_script(NAME SCRIPT argument...): a test that Python runs, of a script in the folder of tests.
 function(touchstone_script name script)
   add_test(NAME ${name} COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/${script} ${ARGN})

@@ -165,9 +165,8 @@ def page(model, records):
 The filters rest on {len(records)} claims. From {len(used)} of them follow the {len(signs)} signs on which it depends in lanes whether a ball,
 at rest or moving, touches a triangle, and those that double-doubles decide. What computes and combines these signs records
 itself, as compiled for SSE2 and for AVX2, whose products are fused. The other {len(listed)} claims are about parts of other bounds.
-`./check` has Gappa prove all from the record. It passes only if Coq checks half of them as well, drawn by the commit, the
-rules of the error calculus and the lemmas of parity and of own frames; `./check --full` only if Coq checks all {len(records)}, and each step of the
-calculus that the tests carry out. `./check --quick` leaves all of this out. See [the proofs](README.md) for how.
+`./check` has Gappa prove all from the record. Its stage `coq` has Coq check all {len(records)}, the rules of the error
+calculus, the lemmas of parity and of own frames, and each step of the calculus that the tests carry out. See [the proofs](README.md) for how.
 
 A claim says: for inputs whose magnitudes are at most 1 and whose errors are those that `bounds.h` states, the computed
 value differs from the exact one by at most `proved`, if each operation has a relative error of at most one unit. The

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Usage: python3 prove_in_coq.py RECORD GAPPA COQC FOLDER [--calculus TESTS] [--slice HASH/N] [--jobs N] [NAME...]
+"""Usage: python3 prove_in_coq.py RECORD GAPPA COQC FOLDER [--calculus TESTS] [--jobs N] [NAME...]
 
 Has Coq check every claim that prove.py has Gappa prove, from Gappa's proof; the theories of coq/; the error-free
 transformations, as recorded; and each step of the error calculus that the program TESTS carries out (error_bound.h). All must rest on nothing but the axioms of Coq's
-library. FOLDER, which is made anew, keeps the theories. NAME: only what begins so. --slice: only every N-th claim, from
-one that the hash of the commit selects. Exit status 1 if anything is not proved; an interruption stops at once.
+library. FOLDER, which is made anew, keeps the theories. NAME: only what begins so. Exit status 1 if anything is not proved; an interruption stops at once.
 """
 
 import argparse
@@ -141,12 +140,6 @@ def check_all(check, proofs, jobs):
     return faults, right, assumed
 
 
-def in_slice(claims, given):
-    """Every N-th of the claims, from "HASH/N"."""
-    number, count = given.split("/")
-    return claims[int(number, 16) % int(count)::int(count)]
-
-
 def arguments():
     parser = argparse.ArgumentParser(usage=__doc__.splitlines()[0].removeprefix("Usage: "))
     for name in ("record", "gappa", "coqc"):
@@ -154,7 +147,6 @@ def arguments():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("names", nargs="*")
     parser.add_argument("--calculus")
-    parser.add_argument("--slice")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     return parser.parse_intermixed_args()
 
@@ -174,9 +166,6 @@ def main():
         faults += [f"{name}.v: {fault}" for fault in found]
         assumed |= names
     proofs = [ProofOfClaim(claim) for claim in claims.of_records(*prove.read(given.record))]
-    if given.slice:
-        print(f"Of {len(proofs)} claims, slice {given.slice}")
-        proofs = in_slice(proofs, given.slice)
     proofs += [ProofOfTransformation(each) for each in error_free.transformations(prove.recorded(given.record))]
     if given.calculus:
         proofs += proofs_of_steps(given.calculus, given.folder.resolve() / "steps.txt")

@@ -120,12 +120,12 @@ class ErrorFree(InFolder):
                 self.assertNotEqual(self.faults(each.theory().replace(line, other)), [], f"{each.name}: {other}")
 
 
-class Slice(InFolder):
-    """The first claim alone, as `prove_in_coq.py` checks it."""
+class Program(InFolder):
+    """One claim alone, as `prove_in_coq.py` checks it."""
 
     def checked(self, gappa_program):
         command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, gappa_program, COQC,
-                   str(self.folder / "slice"), "--slice", "0/1000"]
+                   str(self.folder / "one"), NAME_OF_ONE]
         return subprocess.run(command, capture_output=True, text=True)
 
     def test_checks_a_claim(self):
@@ -140,10 +140,6 @@ class Slice(InFolder):
         done = self.checked(str(program))
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("Coq refuses it", done.stdout)
-
-    def test_slices_are_all_claims(self):
-        slices = [prove_in_coq.in_slice(list(range(61)), f"{number}/7") for number in ("1c", "8", "9", "11", "4", "c", "d")]
-        self.assertEqual(sorted(sum(slices, [])), list(range(61)))
 
 
 class Stage(InFolder):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: python3 run.py [--corpus] [--one-in N | --part I/N] SOURCE BUILD [NAME...]
+"""Usage: python3 run.py [--corpus] [--part I/N] SOURCE BUILD [NAME...]
 
 A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file; translation
 units that see it are compiled again, with those that CMake compiles together with them, and linked before the
@@ -9,8 +9,7 @@ passes with the unchanged file compiled and linked the same way. Exit status 1 i
 planted, exit status 2 if the text of one, asked for or not, is not found exactly once in its file, or one of its files
 is missing.
 
-With --one-in N only about one mutant in N is planted; the hash of the commit draws them, so that every commit plants
-others, and the same commit the same ones. --part I/N plants the I-th of N parts, which together are all.
+--part I/N plants the I-th of N parts, which together are all.
 
 With --corpus nothing but the cases of tests/corpus may tell of the bug, and the case that does is named. Those planted
 in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out, those planted in
@@ -22,7 +21,6 @@ the filtered path, come in.
 import argparse
 import concurrent.futures
 import functools
-import hashlib
 import json
 import os
 import pathlib
@@ -235,19 +233,6 @@ def read_mutants(source, corpus):
     return [dict(mutant, program="corpus_tests", suites="Corpus.*") for mutant in mutants]
 
 
-def commit_of(source):
-    """The hash of the commit, or nothing outside a repository."""
-    done = subprocess.run(["git", "-C", source, "rev-parse", "HEAD"], capture_output=True, text=True)
-    return done.stdout.strip()
-
-
-def drawn(mutants, one_in, commit):
-    """The mutants with the lowest hashes of commit and name: one in so many, rounded up."""
-    by_hash = sorted(mutants, key=lambda mutant: hashlib.sha256(f"{commit} {mutant['name']}".encode()).digest())
-    chosen = {mutant["name"] for mutant in by_hash[:-(-len(mutants) // one_in)]}
-    return [mutant for mutant in mutants if mutant["name"] in chosen]
-
-
 def part_of(mutants, part):
     """The I-th part of N, from "I/N": every N-th mutant, because neighbours take about as long as each other."""
     i, n = map(int, part.split("/"))
@@ -259,9 +244,7 @@ def part_of(mutants, part):
 def parsed(arguments):
     parser = argparse.ArgumentParser()
     parser.add_argument("--corpus", action="store_true")
-    some = parser.add_mutually_exclusive_group()
-    some.add_argument("--one-in", type=int, default=1)
-    some.add_argument("--part", default="1/1")
+    parser.add_argument("--part", default="1/1")
     parser.add_argument("source")
     parser.add_argument("build")
     parser.add_argument("names", nargs="*")
@@ -278,10 +261,6 @@ def main(*arguments):
         print("\n".join(faults))
         return 2
     mutants = [mutant for mutant in known if not options.names or mutant["name"] in options.names]
-    if options.one_in > 1:
-        commit = commit_of(source)
-        print(f"One in {options.one_in} of {len(mutants)}, drawn by commit {commit or '(none)'}")
-        mutants = drawn(mutants, options.one_in, commit)
     mutants = part_of(mutants, options.part)
     workshop = Workshop(source, build, sorted({program_of(mutant) for mutant in mutants}))
     programs = sorted({(program_of(mutant), suites_of(mutant)) for mutant in mutants})
