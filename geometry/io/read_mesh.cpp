@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readers of our own, after a look at others. assimp holds coordinates as floats, and its reader of glTF drops faces
-// with a warning; experiments/cases/workloads/other_meshes.cpp uses it for formats that are not ours. tinyply reads a
+// Readers of our own, after a look at others. assimp holds coordinates as floats, and returns other geometry for some valid
+// files without an error. tinyply reads a
 // text number as the type that the header declares, so that a decimal of a `float` becomes a float. rply reads numbers
 // in the caller's locale, and compares only the first letters of a keyword. We found none that names the line of a
 // fault and can leave out one face.
@@ -37,6 +37,8 @@ constexpr std::array<Format, 4> kFormats{{
     {"ply", io::read_ply, 0},
 }};
 
+constexpr const char* kConvert = "a modelling program, such as Blender, exports other files as these";
+
 /// Returns nothing if there is no format of that name.
 const Format* find_format(std::string name) {
   for (char& c : name)
@@ -51,7 +53,7 @@ const Format& format_of(const std::filesystem::path& file) {
   const Format* const format = extension.empty() ? nullptr : find_format(extension.substr(1));
   if (format != nullptr) return *format;
   throw BrokenMesh(io::all_legible(file.string()) + ": unknown extension '" + io::legible(extension) +
-                   "'; expected .obj, .off, .stl or .ply");
+                   "'; expected .obj, .off, .stl or .ply: " + kConvert);
 }
 
 io::MeshSource load(const std::filesystem::path& file) {
@@ -109,7 +111,7 @@ ReadMesh read_mesh(std::string content, std::string_view format, const std::stri
   const Format* const known = find_format(std::string(format));
   if (known == nullptr)
     throw BrokenMesh(io::all_legible(name) + ": unknown format '" + io::legible(format) +
-                     "'; expected obj, off, stl or ply");
+                     "'; expected obj, off, stl or ply: " + kConvert);
   return with_faces(content_of({name, std::move(content)}, *known, on_fault), name);
 }
 

@@ -55,10 +55,6 @@ bool is_own_format(const std::filesystem::path& file) {
   return extension == ".obj" || extension == ".off" || extension == ".stl" || extension == ".ply";
 }
 
-ReadMesh read_any_mesh(const std::filesystem::path& file, OnFault on_fault) {
-  return is_own_format(file) ? read_mesh(file, on_fault) : read_other_mesh(file, on_fault);
-}
-
 std::string sentence_of_face(const std::string& file, const ReadMesh& content, const mesh::RejectedFace& rejected) {
   const auto& [face, rejection] = rejected;
   const std::string reason = fmt::format("face {}: {}: {}", face, to_string(rejection.code), rejection.message);
@@ -67,7 +63,7 @@ std::string sentence_of_face(const std::string& file, const ReadMesh& content, c
 }
 
 ReadMesh read_with_warnings(const std::filesystem::path& file, OnFault on_fault) {
-  ReadMesh mesh = read_any_mesh(file, on_fault);
+  ReadMesh mesh = read_mesh(file, on_fault);
   for (const std::string& warning : mesh.warnings) fmt::print(stderr, "touchstone: warning: {}\n", warning);
   return mesh;
 }

@@ -34,23 +34,11 @@ struct NamedFiles {
 /// Returns whether `read_mesh` knows the extension of the file.
 [[nodiscard]] bool is_own_format(const std::filesystem::path& file);
 
-/// Reads a file of another format by assimp, if the program was built with it, without `ReadMesh::places`. Throws
-/// BrokenMesh, as `read_mesh` does; what assimp reports as an error, or as dropped, is a fault of a part.
-///
-/// Coordinates are floats, to which assimp rounds, and are transformed in doubles by the nodes that place a mesh; a
-/// mesh is there as often as it is placed. Numbers keep the unit and the axes of the file. Points and lines are left
-/// out; nothing is joined, split or repaired. Warnings say which numbers are rounded, which unit a DAE file gives, and
-/// what assimp warns of. assimp is not made for files of unknown origin.
-[[nodiscard]] ReadMesh read_other_mesh(const std::filesystem::path& file, OnFault on_fault);
-
-/// Reads a file of either kind.
-[[nodiscard]] ReadMesh read_any_mesh(const std::filesystem::path& file, OnFault on_fault);
-
 /// Returns the sentence about a face of a file, which begins with the file and, if it is known, the place.
 [[nodiscard]] std::string sentence_of_face(const std::string& file, const ReadMesh& content,
                                            const mesh::RejectedFace& rejected);
 
-/// Reads a file of either kind. Prints what it warns of on standard error.
+/// Reads a file by `read_mesh`. Prints what it warns of on standard error.
 [[nodiscard]] ReadMesh read_with_warnings(const std::filesystem::path& file, OnFault on_fault);
 
 /// Reads all readable files. Reports on standard error the files that cannot be read, what is odd, and the first parts

@@ -34,7 +34,7 @@ struct Bounds {
   }
 
   Eigen::AlignedBox3d operator()(const MeshFile& file) const {
-    Mesh mesh = workloads::read_any_mesh(file.file, OnFault::Refuse).mesh;
+    Mesh mesh = read_mesh(file.file, OnFault::Refuse).mesh;
     workloads::convert(mesh, file.unit, file.cell_unit);
     Eigen::AlignedBox3d bounds;
     for (const auto& face : mesh.faces)
