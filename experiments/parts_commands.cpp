@@ -208,8 +208,7 @@ Command merge_command(const std::vector<Command>& commands) {
   run::declare_printing(merging, *merged);
   merging.footer(
       "A part is a run of a study with --part, such as `soak --part 1/2 --output one`. The data are the same bytes as "
-      "those of one run, times aside. What is not a sum over samples, such as times and maps, is done here; `merging` "
-      "alone measures its times in its parts.\n"
+      "those of one run, times aside. What is not a sum over samples, such as times and maps, is done here.\n"
       "Of parts of `judge`, it tells what one run tells, with the same exit status.");
   merging.example("merge one two --output all");
   merging.runs([merged, commands] { return merge(*merged, commands); });

@@ -94,10 +94,6 @@ def engines_by_family_table(touchstone):
     return of_engines(*by_family(outcomes(touchstone)[0]))
 
 
-def columns_page(touchstone):
-    return "\n" + subprocess.run([touchstone, "columns", "--markdown"], check=True, capture_output=True, text=True).stdout
-
-
 def moving_engines_table(touchstone):
     present = [engine for engine in ENGINES if engine not in absent_engines(touchstone) and engine not in NO_SWEEP]
     with results_of(touchstone, "motions", "--methods", ",".join(present), "--samples", str(MOTION_SAMPLES), "--no-pictures") as study:
@@ -106,7 +102,6 @@ def moving_engines_table(touchstone):
 
 TABLES = [  # page, name in its markers, what makes it
     ("docs/methods.md", "near-edge", near_edge_table),
-    ("docs/tables.md", "columns", columns_page),
     ("docs/judging.md", "engines", engines_table),
     ("docs/judging.md", "moving engines", moving_engines_table),
     ("tests/experiments/judge/regress/README.md", "engines by family", engines_by_family_table),

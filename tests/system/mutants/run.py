@@ -44,7 +44,7 @@ SUITES = {
     "geometry_tests": "*",
     "lattice_tests": "*",
     "scene_tests": "*",
-    "mesh_tests": "-MergeStudy.*",
+    "mesh_tests": "*",
     "motion_tests": "*",
     "touchstone_record": "",
 }
