@@ -48,9 +48,7 @@ while(public_headers)
 endwhile()
 write_public_header(touchstone "All of Touchstone." ${everything})
 
-# Not part of <touchstone/touchstone.h>: users bring Boost or CGAL.
-write_public_header(boost_geometry "touchstone::boost_geometry: the polygons of Boost.Geometry."
-                    bindings/boost/boost_geometry.h)
+# Not part of <touchstone/touchstone.h>: users bring CGAL.
 write_public_header(cgal "touchstone::cgal: the shapes and face graphs of CGAL, and balls with a squared radius."
                     bindings/cgal/cgal.h)
-install_headers(bindings/boost/boost_geometry.h bindings/cgal/cgal.h)
+install_headers(bindings/cgal/cgal.h)
