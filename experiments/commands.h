@@ -27,9 +27,5 @@ namespace touchstone::commands {
 [[nodiscard]] run::Command merge_command(const std::vector<run::Command>& commands);
 /// Returns the command that plans the parts of those studies that have them.
 [[nodiscard]] run::Command plan_command(const std::vector<run::Command>& commands);
-/// Returns the command that prints a completion script for a shell and the one that writes the manual pages. Both cover
-/// these commands and themselves. `about`: the text of the program; `heading`: under which it lists the two.
-[[nodiscard]] std::vector<run::Command> help_commands(const std::string& about, const std::string& heading,
-                                                      std::vector<run::Command> commands);
 
 }  // namespace touchstone::commands

@@ -96,7 +96,8 @@ const Command& find_study(const std::vector<Command>& commands, const std::strin
   throw run::UsageError("STUDY", "\"" + name + "\" is not one of " + run::joined(known));
 }
 
-struct MergeOptions : run::Printing {
+struct MergeOptions {
+  bool json = false, quiet = false;
   std::vector<std::string> folders;
   std::string output;
   unsigned threads = run::all_threads();
@@ -179,7 +180,7 @@ int plan(const PlanOptions& options, const std::vector<Command>& commands) {
     const Command& study = find_study(commands, name);
     if (studies.contains(name)) throw run::UsageError("STUDY", "\"" + name + "\" is given twice");
     words.erase(words.begin());
-    for (const char* word : {"--part", "--output", "--threads", "--resume", "--force", "--quiet", "--json"})
+    for (const char* word : {"--part", "--output", "--threads", "--resume", "--force", "--quiet"})
       if (std::ranges::find(words, word) != words.end())
         throw run::UsageError("STUDY", std::string("the plan sets ") + word + " of " + name + " itself");
     study.check(words);
@@ -205,7 +206,8 @@ Command merge_command(const std::vector<Command>& commands) {
   merging.output(merged->output, "The folder for tables and pictures").required();
   merging.force(merged->force);
   merging.no_pictures(merged->no_pictures);
-  run::declare_printing(merging, *merged);
+  merging.quiet(merged->quiet);
+  merging.json(merged->json, "Of parts of `judge`: print the summary as one JSON object").excludes("--quiet");
   merging.footer(
       "A part is a run of a study with --part, such as `soak --part 1/2 --output one`. The data are the same bytes as "
       "those of one run, times aside. What is not a sum over samples, such as times and maps, is done here.\n"

@@ -31,7 +31,6 @@ std::vector<touchstone::run::Command> all_commands() {
   add("Studies", {plan_command(commands)});
 #endif
   add("Tools", {merge_command(commands), columns_command(commands)});
-  add("Tools", help_commands(kAbout, "Tools", commands));
   return commands;
 }
 

@@ -109,7 +109,6 @@ struct CommandParts {
   std::vector<std::shared_ptr<Declared>> options;
   std::function<int()> run;
   std::string* kept_line = nullptr;
-  std::vector<TableDescription>* kept_tables = nullptr;
   std::function<std::vector<std::pair<std::string, std::string>>()>* kept_result_options = nullptr;
   std::vector<std::filesystem::path>* merged_parts = nullptr;
   std::vector<TableDescription> tables;
@@ -240,7 +239,6 @@ Command::Command(const std::string& name, const std::string& about) : parts_(std
     parts->check_groups();
     parts->replace_defaults();
     if (parts->kept_line != nullptr) *parts->kept_line = parts->line();
-    if (parts->kept_tables != nullptr) *parts->kept_tables = parts->tables;
     if (parts->kept_result_options != nullptr)
       *parts->kept_result_options = [parts] { return parts->result_options(); };
     if (!parts->run) return;
@@ -406,7 +404,6 @@ void Command::keep_result_options(std::function<std::vector<std::pair<std::strin
   parts_->kept_result_options = &options;
 }
 
-void Command::keep_tables(std::vector<TableDescription>& tables) { parts_->kept_tables = &tables; }
 
 void Command::writes(const std::vector<TableDescription>& tables) {
   parts_->tables.insert(parts_->tables.end(), tables.begin(), tables.end());

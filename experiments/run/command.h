@@ -130,8 +130,7 @@ class Command {
   Option no_pictures(bool& value);
   Option resume(bool& value);
   Option force(bool& value);
-  Option json(bool& value,
-              const std::string& about = "Print the tables as one JSON object, by the names of their files");
+  Option json(bool& value, const std::string& about);
   Option quiet(bool& value, const std::string& about = "Print neither tables nor progress");
 
   /// Sets the heading under which the help of the program lists the command.
@@ -150,8 +149,6 @@ class Command {
   /// Sets a variable that receives, before the command runs, a function: it returns the options that change results by
   /// their names without dashes, with their values.
   void keep_result_options(std::function<std::vector<std::pair<std::string, std::string>>()>& options);
-  /// Sets a variable that receives, before the command runs, the tables that it writes.
-  void keep_tables(std::vector<TableDescription>& tables);
   /// Adds tables to the description of what the command writes.
   void writes(const std::vector<TableDescription>& tables);
 

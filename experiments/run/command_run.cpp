@@ -53,7 +53,7 @@ int CommandRun::draw(const std::string& script) const {
 
 int CommandRun::finish(Run record, const std::string& text, const std::string& script) const {
   write_record(std::move(record));
-  options_.print(text, folder());
+  print_result(text, options_.quiet);
   return script.empty() ? 0 : draw(script);
 }
 

@@ -18,9 +18,9 @@
 namespace touchstone::run {
 
 /// The options of every command that writes a folder.
-struct FolderOptions : Printing {
+struct FolderOptions {
   std::string output;
-  bool force = false, no_pictures = false;
+  bool force = false, no_pictures = false, quiet = false;
   bool needs_folder = false;  ///< whether there is no run without a folder; set by declare_output
   std::string line;           ///< repeats the run; set by the command before it runs
 };
@@ -51,7 +51,7 @@ class CommandRun {
   /// Draws the pictures of the folder, unless the command line forbids that. Returns the exit status, as draw_pictures
   /// does. Requires has_folder().
   [[nodiscard]] int draw(const std::string& script) const;
-  /// Writes run.json, prints the text or, with --json, the tables, and draws the pictures, if a script is named.
+  /// Writes run.json, prints the text and draws the pictures, if a script is named.
   /// Returns the exit status of `draw`.
   int finish(Run record, const std::string& text, const std::string& script = "") const;
   /// Reports an interrupted run that writes nothing. Returns its exit status.

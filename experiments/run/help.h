@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -51,18 +50,5 @@ struct CommandDescription {
 /// Returns the number of columns for help: the environment variable COLUMNS or, without it, the width of the terminal
 /// to which standard output goes; otherwise 80.
 [[nodiscard]] std::size_t help_width();
-
-/// Returns a script that completes commands, options and their listed values in bash (4 or later). Other words are
-/// completed as names of files.
-[[nodiscard]] std::string bash_completion(const CommandDescription& program);
-
-/// Returns the same for zsh, with the meanings of commands and options: the file `_touchstone` of a folder of $fpath.
-[[nodiscard]] std::string zsh_completion(const CommandDescription& program);
-
-/// Returns the manual pages of the program and of each of its commands, in the language of man(7), by the names of
-/// their files: `touchstone.1`, `touchstone-near-edge.1`. The same texts as those of the help. `version`: one line for
-/// the foot of each page. Equal arguments give equal bytes.
-[[nodiscard]] std::map<std::string, std::string> manual_pages(const CommandDescription& program,
-                                                              const std::string& version);
 
 }  // namespace touchstone::run

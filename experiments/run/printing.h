@@ -2,13 +2,7 @@
 #pragma once
 
 #include <exception>
-#include <filesystem>
-#include <functional>
 #include <string>
-#include <vector>
-
-#include "experiments/run/command.h"
-#include "experiments/run/table.h"
 
 namespace touchstone::run {
 
@@ -26,21 +20,7 @@ void require_standard_output();
 /// output.
 [[nodiscard]] std::string message_of(const std::exception& error);
 
-/// The output of a command: its text or, with --json, its tables or, with --quiet, nothing.
-struct Printing {
-  bool json = false, quiet = false;
-  std::vector<TableDescription> tables;  ///< that the run writes; set by the command before it runs
-
-  [[nodiscard]] bool prints_text() const { return !json && !quiet; }
-  /// Prints the result of a run whose tables lie in the folder, and flushes standard output. Throws as tables_json and
-  /// flush_standard_output do.
-  void print(const std::string& text, const std::filesystem::path& folder) const;
-  /// The same for a run that keeps no tables unless asked: with --json, write(folder) writes them to a folder that
-  /// exists until then. Throws what `write` throws, too.
-  void print(const std::string& text, const std::function<void(const std::filesystem::path&)>& write) const;
-};
-
-/// Declares --quiet and --json, after the other options.
-void declare_printing(Command& command, Printing& printing);
+/// Prints the text unless the command is to be quiet, and flushes standard output.
+void print_result(const std::string& text, bool quiet);
 
 }  // namespace touchstone::run

@@ -25,7 +25,7 @@ void declare_parts(Command& command, StudyOptions& options) {
       command, options,
       options.has_pictures ? "The folder for tables and pictures" : "The folder for tables and the checkpoint",
       options.has_pictures);
-  declare_printing(command, options);
+  command.quiet(options.quiet);
   declare_part(command, options);
 }
 
@@ -39,8 +39,7 @@ Option declare_part(Command& command, std::string& part, const std::string& abou
 Option declare_part(Command& command, StudyOptions& options) {
   Option part = declare_part(command, options.part,
                              "Run only part I of N, for `touchstone merge`, which adds the parts up to the results of "
-                             "one run")
-                    .excludes("--json");
+                             "one run");
   command.merges(options.merged);
   command.keep_result_options(options.result_options);
   return part;

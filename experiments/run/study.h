@@ -39,7 +39,7 @@ inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
 Option declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about);
 /// Declares those of a study of given items: of threads, checkpoints, the folder and parts.
 void declare_parts(Command& command, StudyOptions& options);
-/// Declares --part alone, after --json.
+/// Declares --part alone.
 Option declare_part(Command& command, StudyOptions& options);
 /// Declares --part of a command whose parts nothing merges.
 Option declare_part(Command& command, std::string& part, const std::string& about);
@@ -103,7 +103,7 @@ class StudyRun : public CommandRun {
     int status = 0;                        ///< the exit status of a complete run
     bool pictures = true;                  ///< whether a complete run has pictures
   };
-  /// Writes run.json, prints the text, the time and the folder, or with --json the tables, or with --quiet nothing;
+  /// Writes run.json, prints the text, the time and the folder, or with --quiet nothing;
   /// reports an interruption and draws the pictures. Returns the exit status: that of the study or, if that is 0, that
   /// of draw_pictures.
   int finish(const End& end);

@@ -153,7 +153,7 @@ int run(const Options& options) {
   auto methods = options.methods.methods();
   std::erase_if(methods, [&](const cases::Method* method) {
     if (answers(*method)) return false;
-    if (options.prints_text()) fmt::print("{}: does not decide contact; left out\n", method->name());
+    if (!options.quiet) fmt::print("{}: does not decide contact; left out\n", method->name());
     return true;
   });
   std::optional<Baseline> baseline;
@@ -172,15 +172,15 @@ int run(const Options& options) {
     table = find_outcomes(settings, methods, options.threads, run.stop(), std::ref(line));
   }
   if (!table) return run.finish_unwritten();
-  options.print(
+  run::print_result(
       table_of(*table, settings, Numbers::Doubles) + "\n" + table_of(*table, settings, Numbers::Floats) + "\n",
-      [&](const std::filesystem::path& folder) { outcomes_csv().write(folder, rows_of(*table)); });
+      options.quiet);
 
   std::vector<Change> changed;
   if (baseline) {
-    if (options.prints_text()) tell_missing(*baseline, *table);
+    if (!options.quiet) tell_missing(*baseline, *table);
     changed = changes(baseline->table, *table);
-    if (options.prints_text()) tell_changes(changed);
+    if (!options.quiet) tell_changes(changed);
   }
   const bool worse = std::ranges::any_of(changed, [](const Change& change) { return !change.worse.empty(); });
   if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *table}), options.force);
@@ -224,8 +224,6 @@ run::Command regress_command() {
   run::declare_output(command, *options,
                       "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
   command.quiet(options->quiet, "Print no table, no changes and no progress; the exit status tells");
-  command.json(options->json).excludes("--quiet");
-  command.keep_tables(options->tables);
   command.writes({outcomes_csv().description()});
   command.example("regress --baseline tests/experiments/judge/regress/baseline.json --methods fast,thesis");
   command.runs([options] { return run(*options); });

@@ -72,7 +72,7 @@ class Runner {
 
   void measure_family(const Family& family) {
     std::vector<Result> results;
-    if (options_.prints_text()) fmt::print("\n== {}: {}\n", family.name, family.summary);
+    if (!options_.quiet) fmt::print("\n== {}: {}\n", family.name, family.summary);
     for (const auto& draw : family.benchmarks) {
       if (run_.stop()) return;
       const Benchmark benchmark = draw(options_.settings);
@@ -88,7 +88,7 @@ class Runner {
 
  private:
   void keep(const Result& result) {
-    if (options_.prints_text()) fmt::print("{}", table(result));
+    if (!options_.quiet) fmt::print("{}", table(result));
     run::flush_standard_output();
     results_.push_back(result);
   }
@@ -103,8 +103,8 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path) {
   return nlohmann::ordered_json::parse(file);
 }
 
-/// Writes the results, and the record of the run, which also stands beside. Returns the text of the results.
-std::string write(const run::CommandRun& run, const Options& options, const std::vector<Result>& results) {
+/// Writes the results, and the record of the run, which also stands beside.
+void write(const run::CommandRun& run, const Options& options, const std::vector<Result>& results) {
   run.write_record({.seed = options.settings.seed,
                     .samples_asked = options.settings.samples,
                     .samples_done = run.stopped() ? 0 : options.settings.samples});
@@ -113,9 +113,8 @@ std::string write(const run::CommandRun& run, const Options& options, const std:
                                       {"samples", options.settings.samples},
                                       {"repetitions", options.repetitions},
                                       {"contests", json(results)}};
-  std::string text = all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  run::write_file(run.folder() / "bench.json", text);
-  return text;
+  run::write_file(run.folder() / "bench.json",
+                  all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 int measure_all(const Options& options) {
@@ -124,10 +123,9 @@ int measure_all(const Options& options) {
   Runner runner(run, options);
   for (const Family* family : families)
     if (!run.stop()) runner.measure_family(*family);
-  const std::string all = write(run, options, runner.results());
+  write(run, options, runner.results());
 
-  if (options.json) fmt::print("{}", all);
-  if (options.prints_text()) {
+  if (!options.quiet) {
     fmt::print("{}\n{}", legend(), goals(runner.results()));
     constexpr std::uint64_t kEnough = 100'000;
     if (options.settings.samples < kEnough)
@@ -199,7 +197,6 @@ run::Command bench_command() {
                "Do not time: run this candidate of one family on all queries, for a profiler");
   run::declare_output(command, *options, "The folder for bench.json, which has all numbers, and run.json");
   command.quiet(options->quiet);
-  command.json(options->json, "Print what bench.json holds").excludes("--quiet");
   command.example("bench --family near --samples 100");
   command.runs([options] { return options->count.empty() ? measure_all(*options) : count(*options); });
   return command;

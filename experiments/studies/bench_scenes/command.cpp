@@ -64,11 +64,7 @@ int measure_scenes(const SceneOptions& options) {
   const auto scenes = all_scenes(options);
   const auto& stop = run.stop();
   const std::vector<Library> libraries = all_libraries();
-  const auto print = [&](const std::string& text) {
-    if (!options.prints_text()) return;
-    fmt::print("{}", text);
-    run::flush_standard_output();
-  };
+  const auto print = [&](const std::string& text) { run::print_result(text, options.quiet); };
 
   std::vector<SceneResult> results;
   for (const auto& make : scenes) {
@@ -90,7 +86,7 @@ int measure_scenes(const SceneOptions& options) {
   text += fmt::format("{}, {}, seed {}, in {:.0f} s. Everything: {}\n", run::counted(options.settings.samples, "ball"),
                       run::counted(options.settings.repetitions, "repetition"), options.settings.seed, run.seconds(),
                       options.output);
-  options.print(text, options.output);
+  run::print_result(text, options.quiet);
   const int drawn = stop ? 0 : run.draw("bench_scenes");
   const int status = exit_status(options, results, stop);
   return status != 0 ? status : drawn;
@@ -111,7 +107,7 @@ run::Command bench_scenes_command() {
                 "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)", kFewest, kMost);
   command.text("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated").takes("FOLDER");
   run::declare_output(command, *options, "The folder for tables and pictures", true);
-  run::declare_printing(command, *options);
+  command.quiet(options->quiet);
   command.writes(tables());
   command.example("bench-scenes --max-faces 10000");
   command.runs([options] { return measure_scenes(*options); });

@@ -166,7 +166,7 @@ run::Command area_command() {
   command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
   command.threads(options->threads);
   run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
-  run::declare_printing(command, *options);
+  command.quiet(options->quiet);
   command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
   command.example("cell area experiments/thesis/cell/cells/aristo.json --angle-step 90 --length-step 2000");
   command.runs([options] { return run(*options); });

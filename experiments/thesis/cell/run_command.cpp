@@ -99,18 +99,6 @@ std::vector<std::size_t> pieces_of(const Plant& plant, const RunCommandOptions& 
   return pieces;
 }
 
-/// The tables of several pieces, which lie in a folder of each.
-std::vector<run::TableDescription> tables_of(const std::vector<std::string>& pieces,
-                                             const std::vector<run::TableDescription>& tables) {
-  std::vector<run::TableDescription> all;
-  for (const std::string& piece : pieces)
-    for (run::TableDescription table : tables) {
-      table.file = piece + "/" + table.file;
-      all.push_back(std::move(table));
-    }
-  return all;
-}
-
 int run(const RunCommandOptions& options) {
   run::CommandRun run(options);
   const Plant plant = plant_of(options);
@@ -142,9 +130,7 @@ int run(const RunCommandOptions& options) {
     text += fmt::format("moves, trajectory, distances, methods and {} disagreements: {}\n", disagreements,
                         io::all_legible(options.output));
   }
-  run::Printing printing = options;
-  if (pieces.size() > 1) printing.tables = tables_of(names, options.tables);
-  printing.print(text, write);
+  run::print_result(text, options.quiet);
   return runs.back()->completed() ? 0 : 1;
 }
 
@@ -162,7 +148,7 @@ run::Command run_command() {
   run::declare_output(command, *options,
                       "A folder for moves, trajectory, distances, methods and disagreements; of each piece a folder if "
                       "there are several");
-  run::declare_printing(command, *options);
+  command.quiet(options->quiet);
   command.writes(run_tables());
   command.example("cell run experiments/thesis/cell/cells/aristo.json --methods fast,thesis");
   command.runs([options] { return run(*options); });

@@ -171,7 +171,7 @@ int run(const ShowOptions& options) {
   }
   std::string text = summary(cell, parts);
   const auto print = [&] {
-    options.print(text, [&](const std::filesystem::path& to) { write_faces(to, parts); });
+    run::print_result(text, options.quiet);
     return 0;
   };
   if (!run.has_folder()) return print();
@@ -192,7 +192,7 @@ run::Command show_command() {
   command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's").takes("FOLDER");
   run::declare_output(command, *options,
                       "A folder for faces.csv, one line per face, and models/, one model file (.txt) per link");
-  run::declare_printing(command, *options);
+  command.quiet(options->quiet);
   command.writes({faces_csv().description()});
   command.example("cell show experiments/thesis/cell/cells/aristo.json");
   command.runs([options] { return run(*options); });

@@ -55,7 +55,7 @@ int run_thesis(const Options& options) {
                                  .samples_done = settings.samples,
                                  .threads = options.threads},
                                 table(entries), "thesis");
-  if (status == 0 && options.prints_text() && !options.no_pictures)
+  if (status == 0 && !options.quiet && !options.no_pictures)
     fmt::print("all of them on one page: {}\n", (run.folder() / "index.html").string());
   return status;
 }
@@ -76,7 +76,7 @@ run::Command thesis_command() {
   command.seed(options->seed);
   command.threads(options->threads);
   run::declare_output(command, *options, "Folder for all files", true);
-  run::declare_printing(command, *options);
+  command.quiet(options->quiet);
   command.writes(tables());
   command.example("thesis --quick");
   command.runs([options] { return run_thesis(*options); });

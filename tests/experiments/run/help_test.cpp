@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program says of itself: suggestions, completion, manual pages, colours; and tables as JSON.
+// What the program says of itself: suggestions and colours.
 #include "experiments/run/help.h"
 
 #include <gtest/gtest.h>
@@ -185,134 +185,12 @@ TEST(Help, KeepsItsWidthAndAllWords) {
   EXPECT_TRUE(has(help_text(command, 60), "touchstone measure --engine './it --has =spaces' \\\n    --a-rather"));
 }
 
-/// A program with a command of every kind.
-CommandDescription program() {
-  const OptionDescription samples{.name = "--samples",
-                                  .value = "N",
-                                  .about = "How many",
-                                  .fallback = "7",
-                                  .words = {},
-                                  .limits = {"Not with --all"}};
-  const OptionDescription oracle{.name = "--oracle",
-                                 .value = "WORD",
-                                 .about = "It's [the] truth: a\\b",
-                                 .fallback = "exact,filtered",
-                                 .words = {"exact", "filtered"},
-                                 .limits = {}};
-  const OptionDescription file{
-      .name = "FILE", .value = "TEXT", .about = "A file", .fallback = {}, .words = {}, .limits = {}, .required = true};
-  const OptionDescription letter{
-      .name = "LETTER", .value = "TEXT", .about = "A letter", .fallback = {}, .words = {"b", "c"}, .limits = {}};
-  const CommandDescription measure{.name = "measure",
-                                   .heading = "Studies",
-                                   .about = "Measures",
-                                   .footer = ".A note\n'and another",
-                                   .options = {samples, oracle, file},
-                                   .examples = {"measure --samples 3"},
-                                   .subcommands = {}};
-  const CommandDescription shrink{.name = "corpus shrink",
-                                  .heading = {},
-                                  .about = "Shrinks",
-                                  .footer = {},
-                                  .options = {letter},
-                                  .examples = {},
-                                  .subcommands = {}};
-  const CommandDescription corpus{.name = "corpus",
-                                  .heading = "Tools",
-                                  .about = "Cases",
-                                  .footer = {},
-                                  .options = {},
-                                  .examples = {},
-                                  .subcommands = {shrink}};
-  const OptionDescription version{
-      .name = "--version", .value = {}, .about = "Its version", .fallback = {}, .words = {}, .limits = {}};
-  return {.name = {},
-          .heading = {},
-          .about = "About",
-          .footer = {},
-          .options = {version},
-          .examples = {},
-          .subcommands = {measure, corpus}};
-}
-
-/// Returns what bash offers after these words, the last of which is not finished.
-std::string completed(const std::string& words) {
-  const run_tests::Scratch scratch;
-  std::ofstream(scratch.path / "script") << bash_completion(program());
-  const std::string command = "bash -c '. " + (scratch.path / "script").string() + "; COMP_WORDS=(" + words +
-                              "); COMP_CWORD=$((${#COMP_WORDS[@]}-1)); _touchstone; echo \"${COMPREPLY[*]}\"' > " +
-                              (scratch.path / "out").string();
-  EXPECT_EQ(std::system(command.c_str()), 0);
-  std::string line;
-  std::getline(std::ifstream(scratch.path / "out"), line);
-  return line;
-}
-
-TEST(Completion, OffersCommandsOptionsAndValuesInBash) {
-  EXPECT_EQ(completed("touchstone m"), "measure");
-  EXPECT_EQ(completed("touchstone \"\""), "measure corpus help --version --help");
-  EXPECT_EQ(completed("touchstone --v"), "--version");
-  EXPECT_EQ(completed("touchstone help m"), "measure");
-  EXPECT_EQ(completed("touchstone help corpus s"), "shrink");
-  EXPECT_EQ(completed("touchstone corpus s"), "shrink");
-  EXPECT_EQ(completed("touchstone measure --s"), "--samples");
-  EXPECT_EQ(completed("touchstone measure --oracle f"), "filtered");
-  EXPECT_EQ(completed("touchstone corpus shrink --"), "--help");
-  EXPECT_EQ(completed("touchstone corpus shrink \"\""), "b c --help");
-  // Files: after an option with a value, and where the command takes them.
-  EXPECT_EQ(completed("touchstone measure --samples \"\""), "");
-  EXPECT_EQ(completed("touchstone measure --samples -"), "");
-  EXPECT_EQ(completed("touchstone measure \"\""), "");
-}
-
-TEST(Completion, DescribesEverythingForZsh) {
-  const std::string script = zsh_completion(program());
-  EXPECT_TRUE(script.starts_with("#compdef touchstone\n"));
-  for (const char* part :
-       {"'measure:Measures'", "corpus) _touchstone_corpus ;;", "_touchstone_corpus_shrink() {",
-        "'*--samples[How many]:N:_files'", "'*--oracle[It'\\''s \\[the\\] truth\\: a\\\\b]:WORD:(exact filtered)'"})
-    EXPECT_TRUE(has(script, part)) << part << "\n" << script;
-}
-
-TEST(Manual, HasAPageForEachCommand) {
-  const auto pages = manual_pages(program(), "touchstone 1.2");
-  ASSERT_EQ(pages.size(), 4U);
-  EXPECT_TRUE(has(pages.at("touchstone.1"), ".BR touchstone\\-measure (1)\nMeasures\n"));
-  EXPECT_TRUE(has(pages.at("touchstone.1"), ".SS Studies\n.TP\n.BR touchstone\\-measure"));
-  EXPECT_TRUE(has(pages.at("touchstone.1"), "\\fB\\-\\-version\\fR\nIts version.\n"));
-  const std::string& page = pages.at("touchstone-measure.1");
-  for (const char* part : {".TH \"touchstone\\-measure\" 1", "touchstone\\-measure \\- Measures", "\\fIFILE\\fR\n",
-                           "\\fB\\-\\-samples\\fR \\fIN\\fR\nHow many. Not with \\-\\-all. Default: 7.\n",
-                           "One of: exact, filtered. Default: exact,filtered.\n", "a\\eb",
-                           "touchstone measure \\-\\-samples 3\n", "\\&.A note\n.br\n\\&'and another"})
-    EXPECT_TRUE(has(page, part)) << part << "\n" << page;
-  EXPECT_TRUE(pages.contains("touchstone-corpus-shrink.1"));
-}
-
 TEST(Colour, IsForTerminalsOnly) {
   std::FILE* file = std::tmpfile();
   ASSERT_NE(file, nullptr);
   EXPECT_FALSE(takes_colours(file));
   EXPECT_EQ(coloured("text", Colour::Red, file), "text");
   std::fclose(file);
-}
-
-TEST(TablesAsJson, HaveNumbersNullsAndTexts) {
-  const std::string json = json_of_csv("name,\"a,b\",c\n\"x \"\"y\"\"\",1.50,\n-,-2e-3,0x1\n1,nan,007\n");
-  EXPECT_EQ(nlohmann::json::parse(json),
-            nlohmann::json::parse(R"([{"name":"x \"y\"","a,b":1.5,"c":null},{"name":"-","a,b":-2e-3,"c":"0x1"},
-                                      {"name":1,"a,b":"nan","c":"007"}])"));
-  EXPECT_NE(json.find("1.50"), std::string::npos);  // as it stands
-  EXPECT_EQ(json_of_csv("a\n"), "[]");
-  EXPECT_THROW((void)json_of_csv("a,b\n1\n"), std::runtime_error);
-}
-
-TEST(TablesAsJson, AreThoseOfTheFolder) {
-  const run_tests::Scratch scratch;
-  std::ofstream(scratch.path / "a.csv") << "x\n1\n";
-  const std::string json =
-      tables_json(scratch.path, {{"a.csv", "", {}}, {"missing.csv", "", {}}, {"map-<spot>.csv", "", {}}});
-  EXPECT_EQ(nlohmann::json::parse(json), nlohmann::json::parse(R"({"a.csv":[{"x":1}]})"));
 }
 
 TEST(XmlText, HasNoMarkupAndNoControlBytes) {

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/run/command.h"
@@ -50,9 +52,42 @@ inline std::filesystem::path run_into(const std::filesystem::path& folder, MakeC
   return folder;
 }
 
+/// Returns the fields of the next line of CSV, and takes it from the text.
+inline std::vector<std::string> take_fields(std::string_view& csv) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  std::size_t i = 0;
+  for (; i < csv.size() && (quoted || csv[i] != '\n'); ++i) {
+    if (csv[i] == '"') {
+      const bool doubled = quoted && i + 1 < csv.size() && csv[i + 1] == '"';
+      if (doubled) fields.back() += csv[++i];
+      if (!doubled) quoted = !quoted;
+    } else if (csv[i] == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += csv[i];
+    }
+  }
+  csv.remove_prefix(std::min(i + 1, csv.size()));
+  return fields;
+}
+
 /// Returns the rows of a table, each by the names of its columns: numbers as such, empty fields as null.
 inline nlohmann::json rows_of(const std::filesystem::path& table) {
-  return nlohmann::json::parse(run::json_of_csv(text_of(table)));
+  const std::string text = text_of(table);
+  std::string_view csv = text;
+  const std::vector<std::string> names = take_fields(csv);
+  nlohmann::json rows = nlohmann::json::array();
+  while (!csv.empty()) {
+    const std::vector<std::string> fields = take_fields(csv);
+    EXPECT_EQ(fields.size(), names.size()) << table;
+    nlohmann::json& row = rows.emplace_back(nlohmann::json::object());
+    for (std::size_t i = 0; i < std::min(names.size(), fields.size()); ++i) {
+      const nlohmann::json number = nlohmann::json::parse(fields[i], nullptr, false);
+      row[names[i]] = fields[i].empty() ? nlohmann::json() : number.is_number() ? number : nlohmann::json(fields[i]);
+    }
+  }
+  return rows;
 }
 
 /// Expects the same files of a run on one thread and of a run of fewer samples that is resumed, both on two threads.

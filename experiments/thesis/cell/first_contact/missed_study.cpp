@@ -202,7 +202,7 @@ run::Command missed_command() {
   command.seed(options->seed);
   command.threads(options->threads);
   run::declare_output(command, *options, "Folder for missed.csv, run.json and the picture", true);
-  run::declare_printing(command, *options);
+  command.quiet(options->quiet);
   command.writes(kinematics::missed_tables());
   command.example("cell missed --samples 100");
   command.runs([options] { return run_missed(*options); });

@@ -257,7 +257,7 @@ run::Command layout_command() {
   command.flag("--quick", options->quick,
                "Coarser steps between the home poses of the family; the chosen layout is the same");
   run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
-  run::declare_printing(command, *options);
+  command.quiet(options->quiet);
   command.writes(kinematics::layout_tables());
   command.example("cell layout --quick");
   command.runs([options] { return run_layout(*options); });
