@@ -25,7 +25,5 @@ namespace touchstone::commands {
 [[nodiscard]] run::Command columns_command(const std::vector<run::Command>& commands);
 /// Returns the command that merges parts of any of these commands.
 [[nodiscard]] run::Command merge_command(const std::vector<run::Command>& commands);
-/// Returns the command that plans the parts of those studies that have them.
-[[nodiscard]] run::Command plan_command(const std::vector<run::Command>& commands);
 
 }  // namespace touchstone::commands

@@ -28,7 +28,6 @@ std::vector<touchstone::run::Command> all_commands() {
 #ifndef TOUCHSTONE_WITHOUT_STUDIES
   add("Studies", study_commands());
   add("The cell and the thesis", {cell_command(), thesis_command()});
-  add("Studies", {plan_command(commands)});
 #endif
   add("Tools", {merge_command(commands), columns_command(commands)});
   return commands;

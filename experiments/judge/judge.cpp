@@ -51,20 +51,6 @@ bool leaves_out(const Order& order, const cases::AnyShapes& shapes) {
   return order.triangles && !std::ranges::all_of(faces_of(shapes), is_triangle);
 }
 
-/// Returns the last line before line `first` about which the order asks engines; nothing if there is none.
-std::optional<cases::Line> last_asked_before(const Order& order, std::uint64_t first) {
-  std::optional<cases::Line> found;
-  for (std::uint64_t back = 0; !found && back < first;) {
-    back = std::min(2 * back + 1, first);  // it is one of the last, unless many are left out
-    const auto take = [&](cases::Line&& line) {
-      if (is_valid(line) && !leaves_out(order, line.read->shapes())) found = std::move(line);
-      return true;
-    };
-    cases::read_lines(order.files, take, {first - back, back});
-  }
-  return found;
-}
-
 /// Returns the case without a comparison. `fault`: why there is no answer; else empty.
 Judged not_compared(const Order& order, const cases::Line& line, std::string_view method, const std::string& fault) {
   Judged judged;
@@ -188,13 +174,6 @@ class JudgedEngine {
            .judged = compared(order_, line, engine_.name, answer, reason)});
   }
 
-  /// Asks again about a case that was asked, and takes nothing. An engine that ends after it, with an error, then does
-  /// so before the next case, as in a run that asked both.
-  void repeat(const cases::Line& line) {
-    (void)process_.ask(*line.read->id, text_for_engines(line));
-    (void)process_.has_surplus();
-  }
-
   /// `last`: the last case that it got.
   void complain_of_surplus(const cases::Line& last) {
     if (process_.has_surplus())
@@ -239,9 +218,6 @@ std::uint64_t ask(const Order& order, const Take& take, const std::function<bool
         ++lines;
         const bool valid = is_valid(line);
         if (valid && leaves_out(order, line.read->shapes())) return true;
-        if (valid && !last && !engines.empty())
-          if (const auto before = last_asked_before(order, order.lines.first))
-            for (JudgedEngine& engine : engines) engine.repeat(*before);
         if (line.read && line.read->id) take({.place = line.place, .id = *line.read->id});
         if (!line.read)
           take(complaint(InputRejected, "touchstone: " + line.complaint));

@@ -58,8 +58,7 @@ struct Order {
 [[nodiscard]] Status judge(const Order& order);
 
 /// Asks as `judge` does, and calls take(entry) with what is to be told. Before each line calls proceeds(lines) with the
-/// number of lines whose entries are complete, and ends if that returns false. Returns that number at the end. If lines
-/// precede those of the order, each engine first gets the last case among them again.
+/// number of lines whose entries are complete, and ends if that returns false. Returns that number at the end.
 std::uint64_t ask(const Order& order, const std::function<void(Entry&&)>& take,
                   const std::function<bool(std::uint64_t lines)>& proceeds);
 

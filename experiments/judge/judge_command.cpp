@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
-#include <tuple>
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/key.h"
@@ -35,7 +34,7 @@
 namespace touchstone::commands {
 namespace {
 
-constexpr int kVersion = 2;  // raised whenever the form or the meaning of an entry changes
+constexpr int kVersion = 3;  // raised whenever the form or the meaning of an entry changes
 
 struct JudgeOptions : run::StudyOptions {
   methods::Selection methods{{}};
@@ -47,14 +46,6 @@ struct JudgeOptions : run::StudyOptions {
 
   [[nodiscard]] bool reads_standard_input() const { return files.empty() || files == std::vector<std::string>{"-"}; }
 };
-
-/// How much of a judgement its file holds.
-struct Kept {
-  std::uint64_t lines = 0, bytes = 0;
-  auto members() { return std::tie(lines, bytes); }
-};
-
-std::uint64_t items_done(const Kept& kept) { return kept.lines; }
 
 std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
   std::vector<std::string> known;
@@ -117,52 +108,33 @@ std::optional<std::uint64_t> size_of(const std::vector<std::string>& files) {
   return files.empty() ? std::nullopt : std::optional(sum);
 }
 
-/// Judges into a file in the folder of the run, unless parts are merged. Then tells its entries or theirs, unless this
-/// is a part. Returns the exit status.
-int judge_in_folder(judge::Order order, JudgeOptions& options) {
+/// Judges a part, or tells what the merged parts found. Returns the exit status.
+int judge_parts(judge::Order order, JudgeOptions& options) {
+  if (options.part.empty() && options.merged.empty())
+    throw run::UsageError("--output", "only a part has a folder: see --part");
   if (options.reads_standard_input())
-    throw run::UsageError("--output", "cases on standard input cannot be read again; name their files");
+    throw run::UsageError("--part", "cases on standard input cannot be counted; name their files");
   for (const std::string& file : options.files)
     if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
-      throw run::UsageError("--output", io::legible(file) + " is not a file that can be read again");
+      throw run::UsageError("--part", io::legible(file) + " is not a file that can be read again");
   run::StudyRun study("judge", kVersion, options);
-  const auto file_in = [](const std::filesystem::path& folder) { return folder / "judgement"; };
   options.counted = cases::count_lines(order.files);
   const std::uint64_t lines = options.counted.lines;
-  const auto judge = [&](const run::RunControl<Kept>& control, Kept& kept) {
-    if (!options.merged.empty()) return;
-    using Clock = std::chrono::steady_clock;
-    judge::Judgement judgement(file_in(study.folder()), kept.bytes);
-    const std::uint64_t before = kept.lines;
-    order.lines = {control.part.first(lines) + before, control.part.size(lines) - before};
-    Clock::time_point saved = Clock::now();
-    const auto save = [&](std::uint64_t judged) {
-      kept = {before + judged, judgement.save()};
-      control.save(kept);
-      saved = Clock::now();
-    };
-    save(judge::ask(
-        order, [&](judge::Entry&& entry) { judgement.add(entry); },
-        [&](std::uint64_t judged) {
-          control.progress(before + judged);
-          if (Clock::now() - saved > std::chrono::seconds(3)) save(judged);
-          return !control.stop;
-        }));
-  };
-  const Kept kept = study.phase("cases", "checkpoint.json", lines, Kept(), judge);
-  if (study.is_part() || study.stopped()) return study.finish({.done = kept.lines, .items = lines});
+  judge::Judgement judgement =
+      study.phase("cases", "part.json", lines, judge::Judgement(),
+                  [&](const run::RunControl& control, judge::Judgement& found) {
+                    order.lines = {control.part.first(lines), control.part.size(lines)};
+                    found.lines = judge::ask(
+                        order, [&](judge::Entry&& entry) { found.entries.push_back(std::move(entry)); },
+                        [&](std::uint64_t judged) {
+                          control.progress(judged);
+                          return !control.stop;
+                        });
+                  });
+  if (study.is_part()) return study.finish({.done = judgement.lines, .items = lines});
   judge::Teller teller(order);
-  std::vector<std::filesystem::path> folders = options.merged;
-  if (folders.empty()) folders = {study.folder()};
-  std::uint64_t bytes = 0;
-  for (const auto& folder : folders) bytes += std::filesystem::file_size(file_in(folder));
-  if (bytes != kept.bytes)
-    throw std::runtime_error(fmt::format("{}: the judgements have {} bytes, their checkpoints name {}",
-                                         folders.front().string(), bytes, kept.bytes));
-  for (const auto& folder : folders)
-    judge::read_judgement(file_in(folder), [&](judge::Entry&& entry) { teller.tell(std::move(entry)); });
-  study.write_record(
-      {.samples_asked = lines, .samples_done = lines, .parts = std::max<std::uint64_t>(options.merged.size(), 1)});
+  for (judge::Entry& entry : judgement.entries) teller.tell(std::move(entry));
+  study.write_record({.samples_asked = lines, .samples_done = lines, .parts = options.merged.size()});
   return teller.finish();
 }
 
@@ -199,7 +171,7 @@ int run_judge(JudgeOptions& options) {
     if (!options.junit.empty()) junit.add(judged);
     if (!options.report.empty()) report.add(judged);
   };
-  const int status = options.output.empty() ? judge_at_once(order, options) : judge_in_folder(order, options);
+  const int status = options.output.empty() ? judge_at_once(order, options) : judge_parts(order, options);
   if (!options.part.empty() || status == run::kInterrupted) return status;
   if (options.json)
     fmt::print("{}", judge::summary_json(tally));
@@ -281,9 +253,7 @@ run::Command judge_command() {
       .takes("FILE")
       .changes_results([options] { return std::string(run::yes_or_no(!options->report.empty())); });
   command.force(options->force);
-  command.output(options->output,
-                 "Keep the judgement in this folder as it grows, so that --resume continues it; it is told at the end");
-  command.resume(options->resume).needs("--output");
+  command.output(options->output, "The folder of the part; `touchstone merge` tells the judgement");
   command.texts("FILE", options->files, "Files of cases; none, or -: standard input").changes_results([options] {
     const cases::LineCount& counted = options->counted;
     const std::string meshes = counted.meshes.empty() ? "" : ", meshes " + workloads::with_hashes(counted.meshes);

@@ -2,9 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -12,7 +9,7 @@
 
 #include "experiments/cases/comparison.h"
 
-// What the judge finds out, as data: told at once, or kept in a file and told later.
+// What the judge finds out, as data: told at once, or of a part, and told where parts are merged.
 namespace touchstone::judge {
 
 /// Exit status of the judge: the worst one that occurred.
@@ -55,25 +52,19 @@ struct Entry {
   auto members() { return std::tie(place, id, complaint, status, ending, verdict, judged); }
 };
 
-/// A file of entries, to which more are added.
-class Judgement {
- public:
-  /// Opens the file to add entries after its first `bytes`, and cuts off what follows them: it was not complete when a
-  /// run was killed. Throws std::runtime_error, which names the file, if it is shorter or cannot be written.
-  Judgement(std::filesystem::path file, std::uint64_t bytes);
+/// The findings about some lines of cases.
+struct Judgement {
+  std::uint64_t lines = 0;
+  std::vector<Entry> entries;  ///< in the order of the lines
 
-  void add(const Entry& entry);
-  /// Returns the size of the file, when all of it is on the disk. Throws std::runtime_error, which names the file, if
-  /// it could not be written.
-  std::uint64_t save();
-
- private:
-  std::filesystem::path file_;
-  std::ofstream stream_;
+  Judgement& operator+=(const Judgement& next) {
+    lines += next.lines;
+    entries.insert(entries.end(), next.entries.begin(), next.entries.end());
+    return *this;
+  }
+  auto members() { return std::tie(lines, entries); }
 };
 
-/// Calls take(entry) with each entry of the file, in their order. Throws std::runtime_error, which names the file, if
-/// it is damaged or cannot be read.
-void read_judgement(const std::filesystem::path& file, const std::function<void(Entry&&)>& take);
+[[nodiscard]] inline std::uint64_t items_done(const Judgement& judgement) { return judgement.lines; }
 
 }  // namespace touchstone::judge

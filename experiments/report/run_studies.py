@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the studies of studies/, each in its folder of RESULTS; called from the project's folder. Skips studies that the same
-program has finished with the same arguments, and continues interrupted ones if the study can.
+program has finished with the same arguments.
 """
 import argparse
 import fcntl
@@ -56,12 +56,9 @@ class Folder:
         """Not made here: nothing may be removed or written over."""
         return not self.mark and self.path.exists() and any(self.path.iterdir())
 
-    def resumes(self, mode):
-        return self.study.resumes and self.begun(mode) and (self.path / "checkpoint.json").exists()
-
     def begin(self, mode):
         """Nothing of another run is left among the results."""
-        if self.mark and not self.resumes(mode):
+        if self.mark:
             shutil.rmtree(self.path)
         self.path.mkdir(parents=True, exist_ok=True)
         self.write(self.settings(mode) | {"done": False})
@@ -98,10 +95,9 @@ def run(program, study, path, mode, lock):
         print(f"run_studies.py: {path}: has files that ./reproduce did not make; move it away, or give ./reproduce another --output",
               file=sys.stderr)
         return 2
-    existing = "--resume" if folder.resumes(mode) else "--force"  # the folder holds the mark
     folder.begin(mode)
     for call in study.calls(mode):
-        options = [existing] if "--output" in call else []
+        options = ["--force"] if "--output" in call else []  # the folder holds the mark
         words = [word for each in call for word in (meshes() if each == MESHES else [each.replace(OUTPUT, str(path))])]
         status = status_of([program, *words, *options], lock)
         if status and not (status == 1 and DRIVE in call):

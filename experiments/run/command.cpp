@@ -372,18 +372,11 @@ Option Command::output(std::string& folder, const std::string& about) {
 
 Option Command::no_pictures(bool& value) { return flag("--no-pictures", value, "Write the data only"); }
 
-Option Command::resume(bool& value) {
-  return flag("--resume", value, "Continue an interrupted run in the output folder");
-}
-
 Option Command::force(bool& value) {
   const auto has = [&](const std::string& name) { return app().get_option_no_throw(name) != nullptr; };
-  Option option =
-      flag("--force", value,
-           has("--output") || has("FOLDER") ? "Overwrite what is there; without it, a folder must be empty or new"
-                                            : "Overwrite existing files");
-  if (has("--resume")) option.excludes("--resume");
-  return option;
+  return flag("--force", value,
+              has("--output") || has("FOLDER") ? "Overwrite what is there; without it, a folder must be empty or new"
+                                               : "Overwrite existing files");
 }
 
 Option Command::json(bool& value, const std::string& about) { return flag("--json", value, about); }
@@ -465,12 +458,6 @@ int Command::operator()(std::vector<std::string> arguments) const {
 int Command::merge(const std::vector<std::filesystem::path>& parts, const std::vector<std::string>& arguments) const {
   *parts_->merged_parts = parts;
   return (*this)(arguments);
-}
-
-void Command::check(const std::vector<std::string>& arguments) const {
-  const auto run = std::exchange(parts_->run, {});
-  (*this)(arguments);
-  parts_->run = run;
 }
 
 CommandDescription description_of(const std::string& about, const std::vector<Command>& commands) {

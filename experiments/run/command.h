@@ -49,8 +49,7 @@ class Option {
   Option& excludes(const std::string& other);
   /// Excludes every option that was declared before, except these.
   Option& excludes_all_but(const std::vector<std::string>& others);
-  /// Declares that results depend on this option, so that runs with other values do not continue each other's
-  /// checkpoints. `canonical` returns the value in its canonical form, without it, the value itself is compared.
+  /// Declares that results depend on this option, so that parts with other values are not merged. `canonical` returns the value in its canonical form, without it, the value itself is compared.
   Option& changes_results(std::function<std::string()> canonical = {});
   /// Sets what the help calls the value, such as `FILE`.
   Option& takes(const std::string& word);
@@ -128,7 +127,6 @@ class Command {
   Option meshes(std::vector<std::string>& files, const std::string& about = "Mesh files");
   Option output(std::string& folder, const std::string& about);
   Option no_pictures(bool& value);
-  Option resume(bool& value);
   Option force(bool& value);
   Option json(bool& value, const std::string& about);
   Option quiet(bool& value, const std::string& about = "Print neither tables nor progress");
@@ -162,7 +160,7 @@ class Command {
   /// Returns the tables of the command, or of its subcommand.
   [[nodiscard]] const std::vector<TableDescription>& tables() const;
   [[nodiscard]] const std::vector<Command>& subcommands() const;
-  /// Returns what the help says, for completion and manual pages.
+  /// Returns what the help says.
   [[nodiscard]] CommandDescription description() const;
 
   /// Parses the arguments after the name of the command and runs it. Returns the exit status. Throws UsageError, and
@@ -170,8 +168,6 @@ class Command {
   int operator()(std::vector<std::string> arguments) const;
   /// Parses the arguments as above, and adds the parts in these folders up. Requires has_parts().
   int merge(const std::vector<std::filesystem::path>& parts, const std::vector<std::string>& arguments) const;
-  /// Throws UsageError if the command does not take these arguments.
-  void check(const std::vector<std::string>& arguments) const;
 
  private:
   friend int run_program(const ProgramText& text, const std::vector<Command>& commands, int argc, char** argv);

@@ -17,15 +17,8 @@ void declare_output(Command& command, FolderOptions& options, const std::string&
   command.keep_line(options.line);
 }
 
-CommandRun::CommandRun(const FolderOptions& options) : options_(options) { lock(false); }
-
-CommandRun::CommandRun(const FolderOptions& options, bool resume) : options_(options), stop_signal_(std::in_place) {
-  lock(resume);
-}
-
-void CommandRun::lock(bool resume) {
-  if (options_.needs_folder || !options_.output.empty())
-    held_.emplace(options_.output, options_.line, Existing{.force = options_.force, .resume = resume});
+CommandRun::CommandRun(const FolderOptions& options) : options_(options) {
+  if (options_.needs_folder || !options_.output.empty()) held_.emplace(options_.output, options_.force);
 }
 
 const std::atomic<bool>& CommandRun::stop() {
@@ -37,8 +30,8 @@ double CommandRun::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-ProgressLine CommandRun::progress(const std::string& what, std::uint64_t total, std::uint64_t before) const {
-  return ProgressLine(what, total, before, !options_.quiet);
+ProgressLine CommandRun::progress(const std::string& what, std::uint64_t total) const {
+  return ProgressLine(what, total, !options_.quiet);
 }
 
 void CommandRun::write_record(Run record) const {

@@ -44,7 +44,7 @@ class CommandRun {
   /// Returns the seconds since this run began.
   [[nodiscard]] double seconds() const;
   /// Returns a line of progress, unless the run is quiet.
-  [[nodiscard]] ProgressLine progress(const std::string& what, std::uint64_t total, std::uint64_t before = 0) const;
+  [[nodiscard]] ProgressLine progress(const std::string& what, std::uint64_t total) const;
 
   /// Writes run.json with the command line and the seconds. Requires has_folder(). Throws as write_run_record does.
   void write_record(Run record) const;
@@ -57,13 +57,7 @@ class CommandRun {
   /// Reports an interrupted run that writes nothing. Returns its exit status.
   [[nodiscard]] static int finish_unwritten();
 
- protected:
-  /// The same for a run that may resume and that stops itself from its beginning on, before its folder is there.
-  CommandRun(const FolderOptions& options, bool resume);
-
  private:
-  void lock(bool resume);
-
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   const FolderOptions& options_;
   std::optional<OutputFolder> held_;

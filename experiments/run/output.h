@@ -3,25 +3,20 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace touchstone::run {
 
 /// Writes the text, byte for byte, to a new file beside the target, which then takes its name. Readers thus find the
 /// earlier file or the complete new one, also after the machine has failed: the text is on the disk before the file
-/// takes its name, and the name before this returns. A symbolic link of that name is replaced, not followed.
+/// takes its name. A symbolic link of that name is replaced, not followed.
 ///
 /// Throws std::runtime_error, which names the file and the reason, if it cannot be written; an earlier file is then
 /// unchanged.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 /// The same for a command that writes one file. Without `force`, throws like refuse_overwrite if the file exists by
-/// now: if two commands write the same file, one succeeds. Removes what killed processes left of earlier attempts.
+/// now.
 void write_file(const std::filesystem::path& path, const std::string& text, bool force);
-
-/// Returns whether this is the name of a file that write_file (or experiments/report/replacing.py) writes, before the
-/// file takes its own: NAME.new- and the number of the process. A killed process leaves such a file.
-[[nodiscard]] bool is_unfinished(std::string_view name);
 
 /// Checks the target of a command that writes one file, before the command computes its content.
 ///
@@ -33,26 +28,19 @@ void refuse_overwrite(const std::filesystem::path& file, bool force);
 /// the work begins. Returns whether it did not exist. Throws std::runtime_error, which names the folder.
 bool make_folder(const std::filesystem::path& folder);
 
-/// The permissions of a run in a folder that is not empty. Without any, the run is refused.
-struct Existing {
-  bool force = false;   ///< overwrite existing files
-  bool resume = false;  ///< continue from the existing checkpoint
-};
-
 /// The output folder of a run, locked during the lifetime of this object. Removed at its end if it made the folder and
 /// nothing was written.
 ///
-/// The lock is a lock of the operating system (flock) on the file `.lock` in the folder; the file names the holder. The
-/// lock ends with the process, however the process ends. Child processes do not hold it, unless `share` is called.
-/// Files that a killed run did not finish (see is_unfinished) are removed, and a folder that has nothing else is empty.
+/// The lock is a lock of the operating system (flock) on the empty file `.lock` in the folder. It ends with the
+/// process, however the process ends. Child processes do not hold it, unless `share` is called.
 class OutputFolder {
  public:
-  /// Creates the folder if it does not exist. `command`: the description of this run for other runs.
+  /// Creates the folder if it does not exist. With `force`, the run may overwrite what is there.
   ///
   /// Throws std::runtime_error, which names the folder and the reason: it cannot be created or written to; another run
-  /// holds it; it has a file `.lock` that is not a lock; it is not empty, and `existing` does not allow that. An
-  /// existing folder is then unchanged. On a file system without locks, prints a warning to stderr and continues.
-  OutputFolder(std::filesystem::path folder, const std::string& command, Existing existing);
+  /// holds it; it is not empty, and not to be overwritten. An existing folder is then unchanged. On a file system
+  /// without locks, prints a warning to stderr and continues.
+  OutputFolder(std::filesystem::path folder, bool force);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
   ~OutputFolder();
@@ -65,9 +53,7 @@ class OutputFolder {
 
  private:
   void lock();
-  void sign(const std::string& command);
-  void refuse_content(Existing existing) const;
-  void remove_unfinished() const;
+  void refuse_content() const;
   void release();
   [[noreturn]] void refuse(const std::string& why) const;
 

@@ -20,10 +20,9 @@ Option declare_study(Command& command, StudyOptions& options, const std::string&
 
 void declare_parts(Command& command, StudyOptions& options) {
   command.threads(options.threads);
-  command.resume(options.resume);
   declare_output(
       command, options,
-      options.has_pictures ? "The folder for tables and pictures" : "The folder for tables and the checkpoint",
+      options.has_pictures ? "The folder for tables and pictures" : "The folder for tables",
       options.has_pictures);
   command.quiet(options.quiet);
   declare_part(command, options);
@@ -46,15 +45,17 @@ Option declare_part(Command& command, StudyOptions& options) {
 }
 
 StudyRun::StudyRun(std::string study, int version, const StudyOptions& options)
-    : CommandRun(options, options.resume),
+    : CommandRun(options),
       study_(std::move(study)),
       version_(version),
       options_(options),
-      part_(Part::read(options.part)) {}
+      part_(Part::read(options.part)) {
+  (void)stop();
+}
 
-ResultSettings StudyRun::settings(const std::optional<Part>& part, std::uint64_t items) const {
+ResultSettings StudyRun::settings(const Part& part, std::uint64_t items) const {
   if (!result_options_) result_options_ = options_.result_options();
-  return {version_, *result_options_, part ? fmt::format("{} of {}", to_string(*part), counted(items, "item")) : ""};
+  return {version_, *result_options_, fmt::format("{} of {}", to_string(part), counted(items, "item"))};
 }
 
 void StudyRun::remove_files(const std::vector<std::string>& beginnings) const {
@@ -82,9 +83,9 @@ int StudyRun::finish(const End& end) {
        .interrupted = interrupted},
       fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), io::all_legible(options_.output)), script);
   if (interrupted)
-    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {}; {}--resume continues\n",
+    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {}{}\n",
                io::all_legible(options_.output), end.done, counted(asked, end.items ? "item" : "sample"),
-               options_.has_pictures ? "no pictures; " : "");
+               options_.has_pictures ? "; no pictures" : "");
   if (end.status != 0) return end.status;
   return interrupted ? kInterrupted : drawn;
 }

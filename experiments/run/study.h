@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/checkpoint.h"
 #include "experiments/run/command_run.h"
+#include "experiments/run/part_file.h"
 #include "experiments/run/sweep.h"
 
 namespace touchstone::run {
@@ -22,7 +22,6 @@ struct StudyOptions : FolderOptions {
   std::uint64_t seed = 1;
   unsigned threads = all_threads();
   std::string part;
-  bool resume = false;
   bool has_pictures = true;  ///< whether the study draws pictures at all
 
   // Set by the command before it runs.
@@ -37,7 +36,7 @@ inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
 /// Declares these options, after those of the study itself. `samples`: the name and the meaning of the number of
 /// samples. Returns the option of that name.
 Option declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about);
-/// Declares those of a study of given items: of threads, checkpoints, the folder and parts.
+/// Declares those of a study of given items: of threads, the folder and parts.
 void declare_parts(Command& command, StudyOptions& options);
 /// Declares --part alone.
 Option declare_part(Command& command, StudyOptions& options);
@@ -46,9 +45,9 @@ Option declare_part(Command& command, std::string& part, const std::string& abou
 
 /// One run of a study: its phases and its end.
 ///
-/// A run of a part runs its share of each phase that a checkpoint continues, and writes nothing but the checkpoints and
-/// run.json. A run that merges parts begins each of these phases with the sum of the parts', which are complete. So
-/// only whole runs and merging ones have something to write, and run other phases.
+/// A run of a part runs its share of each phase that has a file of parts, and writes nothing but these files and
+/// run.json. A run that merges parts takes the sum of the parts' instead of running such a phase. So only whole runs and
+/// merging ones have something to write, and run other phases.
 class StudyRun : public CommandRun {
  public:
   /// Locks the folder of the results. `study`: the name of the command. `version`: see ResultSettings. Throws as
@@ -58,38 +57,23 @@ class StudyRun : public CommandRun {
   /// Returns whether this is the run of a part.
   [[nodiscard]] bool is_part() const { return part_.has_value(); }
 
-  /// Runs a phase that a checkpoint continues: run(control, state) processes the items of the part from
-  /// items_done(state) on, of `items`. Returns the state at the end. `what`: the items, for the line of progress.
-  /// `check`: of states that are read. Requires that states may be added in any order (see `add`). Throws as Checkpoint
-  /// does.
-  template <class State, class Run>
-  State phase(const std::string& what, const std::string& checkpoint, std::uint64_t items, State zero, const Run& run,
-              const StateCheck<State>& check = NoCheck()) {
-    const Checkpoint file(folder() / checkpoint, settings(part_, items));
-    const std::uint64_t size = share().size(items);
-    State state = begin(file, options_.resume, size, beginning(checkpoint, items, std::move(zero), check), check);
-    ProgressLine line = progress(study_ + ": " + what, size, items_done(state));
-    run(RunControl<State>{.stop = stop(),
-                          .progress = [&line](std::uint64_t done) { line(done); },
-                          .save = [&file](const State& now) { file.write(now); },
-                          .part = share()},
-        state);
-    return state;
+  /// Runs a phase of `items` that may be divided into parts: run(control, sum) adds those of the part. Returns the sum.
+  /// `what`: the items, for the line of progress; `file`: that of a part. Requires that sums may be added in any order
+  /// (see `add`), or in that of parts. Throws as PartFile does.
+  template <class Sum, class Run>
+  Sum phase(const std::string& what, const std::string& file, std::uint64_t items, Sum zero, const Run& run) {
+    if (!options_.merged.empty()) return sum_of_parts(file, items, zero);
+    Sum sum = std::move(zero);
+    ProgressLine line = progress(study_ + ": " + what, share().size(items));
+    run(RunControl{stop(), [&line](std::uint64_t done) { line(done); }, share()}, sum);
+    if (is_part() && !stopped()) PartFile(folder() / file, settings(*part_, items)).write(sum);
+    return sum;
   }
-  /// Throws as that phase would when it begins, if it cannot continue its checkpoint or add up the parts. For phases
-  /// that come late.
-  template <class State>
-  void require_resumable(const std::string& checkpoint, std::uint64_t items, State zero) const {
-    (void)beginning(checkpoint, items, zero);
-    if (!options_.resume) return;
-    const Checkpoint file(folder() / checkpoint, settings(part_, items));
-    if (const auto held = file.read(std::move(zero))) file.refuse_more(items_done(*held), share().size(items));
-  }
-  /// Runs a short phase without a checkpoint: run(control). Returns its result.
-  template <class State, class Run>
+  /// Runs another phase: run(control). Returns its result.
+  template <class Run>
   auto phase(const std::string& what, std::uint64_t items, const Run& run) {
     ProgressLine line = progress(study_ + ": " + what, items);
-    return run(RunControl<State>{stop(), [&line](std::uint64_t done) { line(done); }});
+    return run(RunControl{stop(), [&line](std::uint64_t done) { line(done); }});
   }
 
   /// Removes the files of an earlier run whose names begin so, because they would belong to other data.
@@ -110,16 +94,13 @@ class StudyRun : public CommandRun {
 
  private:
   [[nodiscard]] Part share() const { return part_.value_or(Part()); }
-  [[nodiscard]] ResultSettings settings(const std::optional<Part>& part, std::uint64_t items) const;
-  /// Returns the state with which a phase begins: the sum of the parts, if they are merged. Throws as Checkpoint does.
-  template <class State>
-  State beginning(const std::string& checkpoint, std::uint64_t items, State zero,
-                  const StateCheck<State>& check = NoCheck()) const {
-    State sum = zero;
+  [[nodiscard]] ResultSettings settings(const Part& part, std::uint64_t items) const;
+  template <class Sum>
+  Sum sum_of_parts(const std::string& file, std::uint64_t items, const Sum& zero) const {
+    Sum sum = zero;
     for (std::uint64_t i = 0; i < options_.merged.size(); ++i) {
       const Part part{i + 1, options_.merged.size()};
-      add(sum, Checkpoint(options_.merged[i] / checkpoint, settings(part, items))
-                   .read_complete(zero, part.size(items), check));
+      add(sum, PartFile(options_.merged[i] / file, settings(part, items)).read(zero, part.size(items)));
     }
     return sum;
   }

@@ -3,9 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <chrono>
-
 #include "experiments/run/numbers.h"
 
 #ifndef TOUCHSTONE_WITHOUT_TBB
@@ -63,22 +60,17 @@ std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atom
 
 #endif
 
-std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, std::uint64_t& blocks,
-                      const std::function<void(unsigned thread, std::uint64_t item)>& work) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  const std::uint64_t left = sweep.items - begin, whole = left / sweep.block;
-  const auto item = [&](std::uint64_t block) { return block > whole ? sweep.items : begin + block * sweep.block; };
+std::uint64_t run_items(std::uint64_t items, std::uint64_t block, unsigned threads, const RunControl& control,
+                        const std::function<void(unsigned thread, std::uint64_t item)>& work) {
+  const std::uint64_t first = control.part.first(items), size = control.part.size(items);
+  const std::uint64_t blocks = size / block + (size % block > 0 ? 1 : 0);
+  const auto begin = [&](std::uint64_t number) { return number == blocks ? size : number * block; };
   const std::uint64_t done = run_blocks(
-      std::min(blocks, whole + (left % sweep.block > 0 ? 1 : 0)), sweep.threads, sweep.stop,
-      [&](std::uint64_t finished) { sweep.progress(item(finished)); },
-      [&](unsigned thread, std::uint64_t block) {
-        for (std::uint64_t n = item(block); n < item(block + 1); ++n) work(thread, n);
+      blocks, threads, control.stop, [&](std::uint64_t finished) { control.progress(begin(finished)); },
+      [&](unsigned thread, std::uint64_t number) {
+        for (std::uint64_t n = begin(number); n < begin(number + 1); ++n) work(thread, first + n);
       });
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (seconds < sweep.seconds / 2) blocks *= 2;
-  if (seconds > sweep.seconds * 2) blocks = std::max<std::uint64_t>(blocks / 2, 1);
-  return item(done);
+  return begin(done);
 }
 
 std::optional<Part> Part::read(const std::string& text) {

@@ -26,38 +26,6 @@ std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atom
                          const Progress& progress,
                          const std::function<void(unsigned thread, std::uint64_t block)>& work);
 
-/// A study of many independent items, and how it is run.
-struct Sweep {
-  std::uint64_t items = 1;  ///< 0, 1, ..., items - 1
-  std::uint64_t block = 1;  ///< items that one thread processes at once: at least a millisecond of work
-  unsigned threads = 1;     ///< the sum does not depend on them
-  const std::atomic<bool>& stop;
-  Progress progress;   ///< receives the number of finished items
-  double seconds = 3;  ///< between checkpoints; more if a checkpoint is large
-};
-
-/// Runs one leg of at most `blocks` blocks from item `begin` on, and adapts `blocks` so that the next leg takes about
-/// as long as requested. Returns the end of the finished items, which are the first ones even if the sweep is stopped.
-std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, std::uint64_t& blocks,
-                      const std::function<void(unsigned thread, std::uint64_t item)>& work);
-
-/// Calls work(item, part) for the items from `done` on, until all are done or the sweep is stopped. Each part starts as
-/// `zero` and is added to `sum`. Returns the number of items in the sum; they are always the first ones.
-///
-/// After each leg save(done, sum) is called. Requires that parts may be added in any order (see `add`).
-template <class Sum, class Work, class Save>
-std::uint64_t run_sweep(const Sweep& sweep, const Work& work, const Save& save, const Sum& zero, std::uint64_t done,
-                        Sum& sum) {
-  std::uint64_t blocks = sweep.threads;
-  while (done < sweep.items && !sweep.stop) {
-    std::vector<Sum> parts(sweep.threads, zero);
-    done = run_leg(sweep, done, blocks, [&](unsigned thread, std::uint64_t item) { work(item, parts[thread]); });
-    for (const Sum& part : parts) add(sum, part);
-    save(done, sum);
-  }
-  return done;
-}
-
 /// The share of one of several runs in the items of a study: part `number`, from 1, of `of` parts.
 struct Part {
   std::uint64_t number = 1, of = 1;
@@ -79,24 +47,28 @@ inline constexpr std::uint64_t kMostParts = 1'000'000;
 [[nodiscard]] std::string to_string(const Part& part);
 
 /// The control of a run. Except for its part, it does not affect the results.
-template <class State>
 struct RunControl {
   const std::atomic<bool>& stop;
-  Progress progress;                                             ///< receives the number of finished items
-  std::function<void(const State&)> save = [](const State&) {};  ///< every few seconds
-  Part part{};                                                   ///< whose items are run
+  Progress progress;  ///< receives the number of finished items
+  Part part{};        ///< whose items are run
 };
 
-/// Runs the items of the part from items_done(state) on, as run_sweep does, and saves the state now and then. Returns
-/// the number of items of the part in the state. `block`, `seconds`: see Sweep.
-template <class State, class Work>
-std::uint64_t run_sweep(std::uint64_t items, unsigned threads, const RunControl<State>& control, const State& zero,
-                        State& state, const Work& work, std::uint64_t block = 1, double seconds = 3) {
-  const std::uint64_t first = control.part.first(items);
-  return run_sweep(
-      Sweep{control.part.size(items), block, threads, control.stop, control.progress, seconds},
-      [&](std::uint64_t item, State& part) { work(first + item, part); },
-      [&](std::uint64_t, const State& now) { control.save(now); }, zero, items_done(state), state);
+/// Calls work(thread, item) for the items of the part, `block` of them at once on one thread: at least a millisecond of
+/// work. Returns the number of finished items, which are the first ones even if the run is stopped.
+std::uint64_t run_items(std::uint64_t items, std::uint64_t block, unsigned threads, const RunControl& control,
+                        const std::function<void(unsigned thread, std::uint64_t item)>& work);
+
+/// Calls work(item, part) likewise. Each thread's part starts as `zero` and is added to `sum` at the end. Requires that
+/// parts may be added in any order (see `add`): then threads do not change the sum.
+template <class Sum, class Work>
+std::uint64_t run_sweep(std::uint64_t items, unsigned threads, const RunControl& control, const Sum& zero, Sum& sum,
+                        const Work& work, std::uint64_t block = 1) {
+  std::vector<Sum> parts(threads, zero);
+  const std::uint64_t done = run_items(items, block, threads, control, [&](unsigned thread, std::uint64_t item) {
+    work(item, parts[thread]);
+  });
+  for (const Sum& part : parts) add(sum, part);
+  return done;
 }
 
 }  // namespace touchstone::run

@@ -50,20 +50,18 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string progress_text(const std::string& what, std::uint64_t before, std::uint64_t done, std::uint64_t total,
-                          double seconds) {
+std::string progress_text(const std::string& what, std::uint64_t done, std::uint64_t total, double seconds) {
   std::string text = what + ": " + statistics::percent_to_places(statistics::share_of(done, total), 0) + " %";
-  if (done > before) {
-    const double pace = seconds / static_cast<double>(done - before);
+  if (done > 0) {
+    const double pace = seconds / static_cast<double>(done);
     text += fmt::format(", {} left", duration_text(pace * static_cast<double>(total - done)));
   }
   return text;
 }
 
-ProgressLine::ProgressLine(std::string what, std::uint64_t total, std::uint64_t before, bool wanted)
+ProgressLine::ProgressLine(std::string what, std::uint64_t total, bool wanted)
     : what_(std::move(what)),
       total_(total),
-      before_(before),
       shown_(wanted && isatty(STDERR_FILENO) == 1),
       begin_(Clock::now()),
       last_(begin_) {}
@@ -80,7 +78,7 @@ void ProgressLine::operator()(std::uint64_t done) {
   if (!shown_ || now - last_ < kInterval) return;
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - begin_).count();
-  fmt::print(stderr, "\r{} \033[K", progress_text(what_, before_, done, total_, seconds));
+  fmt::print(stderr, "\r{} \033[K", progress_text(what_, done, total_, seconds));
   std::fflush(stderr);
 }
 

@@ -17,22 +17,21 @@ enum class Colour { Red, Green, Bold };
 /// Returns the text in that colour if the stream takes colours, else the text.
 [[nodiscard]] std::string coloured(const std::string& text, Colour colour, std::FILE* stream);
 
-/// Returns the text of the line after `seconds` of work, which raised the finished items from `before` to `done` of
-/// `total`: the share of the whole that is done, and the time left at this pace. Work done before does not count
-/// towards the pace.
-[[nodiscard]] std::string progress_text(const std::string& what, std::uint64_t before, std::uint64_t done,
-                                        std::uint64_t total, double seconds);
+/// Returns the text of the line after `seconds` of work, which finished `done` items of `total`: the share that is done,
+/// and the time left at this pace.
+[[nodiscard]] std::string progress_text(const std::string& what, std::uint64_t done, std::uint64_t total,
+                                        double seconds);
 
 /// A line on standard error, if that is a terminal: the task, percentage and time left. The line is erased at the end.
 class ProgressLine {
  public:
-  /// `before`: the items that an earlier run finished. `wanted`: whether there is a line at all.
-  ProgressLine(std::string what, std::uint64_t total, std::uint64_t before = 0, bool wanted = true);
+  /// `wanted`: whether there is a line at all.
+  ProgressLine(std::string what, std::uint64_t total, bool wanted = true);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  /// `done`: the finished items, including those of an earlier run.
+  /// `done`: the finished items.
   void operator()(std::uint64_t done);
   /// Erases the line, before another is printed to standard error.
   void erase() const;
@@ -40,7 +39,7 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
   std::string what_;
-  std::uint64_t total_, before_;
+  std::uint64_t total_;
   bool shown_;
   Clock::time_point begin_, last_;
 };

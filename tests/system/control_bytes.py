@@ -205,23 +205,23 @@ def check_baselines(checks):
         checks.run(("baseline", what), "regress", "--baseline", "other.json")
 
 
-def check_checkpoints(checks):
-    soak = ("soak", "--samples", "3", "--output", "soak")
+def check_parts(checks):
+    soak = ("soak", "--samples", "3", "--part", "1/1", "--output", "soak")
     checks.run("soak", *soak, status=(0,))
-    path = os.path.join(checks.folder, "soak", "checkpoint.json")
+    path = os.path.join(checks.folder, "soak", "part.json")
     with open(path) as file:
         sound = json.load(file)
     for what, content in (("seed", json.dumps({**sound, "seed": TEXT}).encode()),
                           ("word that is no JSON", b"{" + WORD)):
         with open(path, "wb") as file:
             file.write(content)
-        checks.run(("checkpoint", what), *soak, "--resume", echoes=(b"checkpoint.json",))
+        checks.run(("part", what), "merge", "soak", "--output", "all", echoes=(b"part.json",))
 
 
 def main(program):
     with tempfile.TemporaryDirectory() as folder:
         checks = Checks(os.path.abspath(program), folder)
-        for check in check_meshes, check_names, check_cases, check_balls, check_baselines, check_checkpoints:
+        for check in check_meshes, check_names, check_cases, check_balls, check_baselines, check_parts:
             check(checks)
         if checks.faults:
             sys.exit("\n".join(checks.faults))

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: same_bytes.py TOUCHSTONE
 
-Data files depend on the settings alone. Runs each study at once; interrupted (SIGINT) or killed (SIGKILL) behind a
-checkpoint and resumed; and by parts, one of which is interrupted and one killed before they are moved and merged. All
-data files must be the same. Parts that do not belong together are an error that names their folder and the reason. Exit
-status 1 otherwise.
+Data files depend on the settings alone. Runs each study at once and by parts, which are moved and merged: all data files
+must be the same. Parts that are missing, interrupted, edited or of other settings are an error that names their folder and
+the reason. Exit status 1 otherwise.
 """
 
 import json
@@ -14,13 +13,12 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 
 from running import expect, run
 
 STUDIES = {
     "near-edge": ["near-edge", "--methods", "fast,thesis", "--families", "u", "--seed", "5", "--search", "4",
-                  "--oracle", "filtered", "--no-pictures", "--threads", "1", "--samples", "201"],
+                  "--no-pictures", "--threads", "1", "--samples", "21"],
     "soak": ["soak", "--seed", "5", "--threads", "1", "--samples", "20000"],
     "motions": ["motions", "--methods", "fast,cgal-double-distance", "--vertices", "6", "--seed", "5", "--no-pictures",
                 "--threads", "1", "--samples", "20"],
@@ -32,7 +30,6 @@ STUDIES = {
                   "--no-pictures", "--threads", "1", "--samples", "60"],
 }
 TIMES = {"timings.csv", "front.csv", "cost.csv"}
-WHOLE = {"front.csv", "cost.csv"}  # of times that an interrupted run has not taken
 PATIENCE = 60  # seconds, for what takes one or two
 
 
@@ -49,65 +46,34 @@ def compare(what, wanted, folder):
         expect(found[name] == content, f"{what}: {name} differs")
 
 
-def end_behind_a_checkpoint(command, folder, end):
-    """Sends a signal to the run as soon as there is a checkpoint with something in it.
-
-    Returns the exit status and how much the checkpoint then holds."""
-    checkpoint = pathlib.Path(folder) / "checkpoint.json"
-    running = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    deadline = time.monotonic() + PATIENCE
-    while not (checkpoint.exists() and json.loads(checkpoint.read_text())["done"] > 0):
-        expect(running.poll() is None, f"{' '.join(command)}: ended by itself")
-        if time.monotonic() > deadline:
-            running.kill()
-            expect(False, f"{' '.join(command)}: no checkpoint after {PATIENCE} s")
-        os.sched_yield()
-    os.kill(running.pid, end)
-    running.wait(PATIENCE)
-    return running.returncode, json.loads(checkpoint.read_text())["done"]
-
-
-def require_interrupted(what, folder, wanted):
-    told = json.loads(pathlib.Path(f"{folder}/run.json").read_text()).get("interrupted")
-    expect(told == wanted, f"{what}: run.json says interrupted: {told}")
-
-
-def end_and_resume(what, command, folder, end, share):
-    """Ends the run, which has so many items, by a signal, and resumes it."""
-    status, done = end_behind_a_checkpoint(command + ["--output", folder], folder, end)
-    what = f"{what}, ended by {end.name}"
-    expect(status == (130 if end == signal.SIGINT else -end), f"{what}: exit status {status}")
-    expect(0 < done < share, f"{what}: when {done} of {share} were done")
-    if end == signal.SIGINT:
-        require_interrupted(what, folder, True)
-        expect(not WHOLE.intersection(os.listdir(folder)), f"{what}: it has a table of whole runs")
-    run(*command, "--output", folder, "--resume")
-    require_interrupted(f"{what} and resumed", folder, False)
-    print(f"{what} at {done} of {share}: resumed")
-
-
 def check(study, program, folder):
     command = [program] + STUDIES[study]
-    items = int(command[-1]) * (3 if study == "stability" else 1)  # blocks of three axes
     alone = run(*command, "--output", f"{folder}/alone")
     expect(not alone.stderr, f"{study} says: {alone.stderr}")
-    wanted = data(f"{folder}/alone")
-    for end in (signal.SIGINT, signal.SIGKILL):
-        end_and_resume(study, command, f"{folder}/{end.name}", end, items)
-        compare(f"{study}, ended by {end.name} and resumed", wanted, f"{folder}/{end.name}")
     parts = [f"{folder}/part-{number}" for number in (1, 2, 3)]
-    for number, (part, end) in enumerate(zip(parts, (signal.SIGINT, signal.SIGKILL, None)), 1):
-        of_part = command + ["--part", f"{number}/3"]
-        if end:
-            end_and_resume(f"part {number} of {study}", of_part, part, end, items // 3)
-        else:
-            run(*of_part, "--output", part)
+    for number, part in enumerate(parts, 1):
+        run(*command, "--part", f"{number}/3", "--output", part)
     pathlib.Path(f"{folder}/elsewhere").mkdir()
     os.rename(parts[0], f"{folder}/elsewhere/one")
     run(program, "merge", parts[2], f"{folder}/elsewhere/one", parts[1], "--output", f"{folder}/merged", "--threads", "2")
-    compare(f"{study}, merged", wanted, f"{folder}/merged")
+    compare(f"{study}, merged", data(f"{folder}/alone"), f"{folder}/merged")
     record = json.loads(pathlib.Path(f"{folder}/merged/run.json").read_text())
     expect(record["parts"] == 3 and record["samples_done"] == record["samples_asked"], f"{study}, merged: run.json says {record}")
+
+
+def check_interruption(program, folder):
+    """An interrupted run ends with status 130, keeps what it found, and says so; an interrupted part keeps nothing."""
+    soak = [program, "soak", "--samples", "100000000", "--threads", "1"]
+    for name, options, kept in (("whole", [], True), ("part", ["--part", "1/2"], False)):
+        running = subprocess.Popen([*soak, *options, "--output", f"{folder}/{name}"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        while not pathlib.Path(f"{folder}/{name}/.lock").exists():
+            os.sched_yield()
+        running.send_signal(signal.SIGINT)
+        expect(b"interrupted" in running.communicate(timeout=PATIENCE)[1] and running.returncode == 130, f"{name}: status {running.returncode}")
+        record = json.loads(pathlib.Path(f"{folder}/{name}/run.json").read_text())
+        expect(record["interrupted"] and record["samples_done"] < record["samples_asked"], f"{name}: run.json says {record}")
+        expect(pathlib.Path(f"{folder}/{name}/soak.csv").exists() == kept, f"{name}: tables")
+        expect(not pathlib.Path(f"{folder}/{name}/part.json").exists(), f"{name}: it has the sum of a part")
 
 
 def check_refusals(program, folder):
@@ -131,18 +97,18 @@ def check_refusals(program, folder):
     refused("FOLDER/one: is part 1/2, as FOLDER/one is", "one", "two", "one")
     refused("FOLDER/three: is part 3/3, unlike FOLDER/one, which is part 1/2", "three", "one")
     refused("FOLDER/whole: is not of a part: its run.json names none", "one", "whole")
-    refused("FOLDER/none: has no run.json, so its part has not ended; --resume continues it", "one", "none")
-    refused("FOLDER/moving/checkpoint.json: is of --moving yes, not of --moving no", "one", "moving")
-    refused("FOLDER/fewer/checkpoint.json: is of --part 2/2 of 800 items, not of --part 2/2 of 900 items", "one", "fewer")
+    refused("FOLDER/none: has no run.json: its part has not ended, so run it again", "one", "none")
+    refused("FOLDER/moving/part.json: is of --moving yes, not of --moving no", "one", "moving")
+    refused("FOLDER/fewer/part.json: is of --part 2/2 of 800 items, not of --part 2/2 of 900 items", "one", "fewer")
     refused("FOLDER/other: is of tunnelling, unlike FOLDER/one, which is of soak", "one", "other")
     refused("FOLDER/two: is a part, so it cannot be the output", "one", "two", output="two")
-    state = pathlib.Path(f"{folder}/two/checkpoint.json")
+    state = pathlib.Path(f"{folder}/two/part.json")
     whole = state.read_text()
     for text, reason in ((whole.replace('"version":', '"version":1'), "is of another version of this program"),
-                         (whole[:-9], "is not a checkpoint of this program: ")):
+                         (whole[:-9], "is not of a part of this program: ")):
         state.write_text(text)
         said = run(program, "merge", f"{folder}/one", f"{folder}/two", "--output", f"{folder}/merged", expected=2).stderr
-        expect(f"{folder}/two/checkpoint.json: {reason}" in said, f"merge of another checkpoint says: {said}")
+        expect(f"{folder}/two/part.json: {reason}" in said, f"merge of another sum says: {said}")
     state.write_text(whole)
     run(program, "merge", f"{folder}/one", f"{folder}/two", "--output", f"{folder}/merged")
     compare("soak, merged", data(f"{folder}/whole"), f"{folder}/merged")
@@ -152,6 +118,7 @@ def main(program):
     signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background of a shell it is ignored, also by children
     with tempfile.TemporaryDirectory() as folder:
         check_refusals(program, f"{folder}/refusals")
+        check_interruption(program, f"{folder}/interrupted")
         for study in STUDIES:
             check(study, program, f"{folder}/{study}")
 

@@ -22,7 +22,6 @@ class Run:
     full: list  # calls of the program, each a list of arguments
     quick: list | None = None  # None: with --full alone, or for the paper
     paper: list | None = None  # what the paper needs of it, if that is more than the quick calls
-    resumes: bool = False  # continues after an interruption, with --resume
     first: bool = False  # ./reproduce builds the program first_study for it, and runs it first
     tiny: list | None = None  # a call that takes a moment, without --output, by which tests see what the program writes
 

@@ -6,7 +6,7 @@ from asked import by_method
 from results import distinct, natural
 from studies import MESHES, OUTPUT, Run, same
 
-RUN = Run(1, "every face of real meshes", resumes=True, **same([
+RUN = Run(1, "every face of real meshes", **same([
     "meshes", MESHES, "--skip-bad", "--methods", "exact,filtered,fast,fast-float,fast-long-double,fast-double-double,cgal-double,cgal-epick,"
     "thesis,thesis-float,thesis-signed,thesis-newell,thesis-closed", "--output", OUTPUT]),
           tiny=["meshes", MESHES, "--methods", "exact,filtered,fast,cgal-double,thesis"])

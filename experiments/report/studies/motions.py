@@ -18,7 +18,7 @@ from studies import OUTPUT, Run
 from studies.regress import ENGINES
 from style import curve, plt, rows_of, save
 
-RUN = Run(10, "moving balls near their thresholds", resumes=True,
+RUN = Run(10, "moving balls near their thresholds",
           full=[["motions", "--output", OUTPUT]], quick=[["motions", "--samples", "8", "--output", OUTPUT]],
           tiny=["motions", "--methods", "exact,filtered,fast,cgal-epeck-distance", "--vertices", "6", "--samples", "1", "--no-pictures"])
 TITLE = "Moving balls: contact on the way"

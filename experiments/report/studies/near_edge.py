@@ -16,7 +16,7 @@ from results import distinct, finite, maybe, natural, share
 from studies import NEAR_EDGE, OUTPUT, Run
 from style import curve, draw, plt, rows_of, save
 
-RUN = Run(2, "random polygons, double by double", resumes=True, first=True,
+RUN = Run(2, "random polygons, double by double", first=True,
           full=[[*NEAR_EDGE, "--output", OUTPUT]], quick=[[*NEAR_EDGE, "--samples", "60", "--search", "8", "--output", OUTPUT]],
           tiny=["near-edge", "--methods", "filtered,fast,thesis", "--families", "u", "--samples", "4", "--search", "2", "--no-pictures"])
 TITLE = "Random polygons, double by double"

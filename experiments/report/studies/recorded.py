@@ -5,7 +5,7 @@ from page import code, count, percent, power, share_of_size
 from results import distinct, finite, natural, share
 from studies import OUTPUT, Run
 
-RUN = Run(8, "questions of a third-party simulation", resumes=True,
+RUN = Run(8, "questions of a third-party simulation",
           full=[["recorded", "--output", OUTPUT]], paper=[["recorded", "--samples", "40", "--output", OUTPUT]],
           tiny=["recorded", "--methods", "fast,filtered", "--samples", "1", "--balls", "6", "--steps", "90"])
 TITLE = "Questions recorded from a simulation"

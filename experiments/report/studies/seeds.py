@@ -11,5 +11,5 @@ def of_seed(seed, *samples):
     return [*NEAR_EDGE, *samples, "--search", "0", "--no-maps", "--no-pictures", "--seed", str(seed), "--output", folder]
 
 
-RUN = Run(3, "random polygons, with other seeds", resumes=True, full=[of_seed(seed) for seed in SEEDS],
+RUN = Run(3, "random polygons, with other seeds", full=[of_seed(seed) for seed in SEEDS],
           paper=[of_seed(seed, "--samples", "60") for seed in SEEDS])

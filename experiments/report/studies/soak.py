@@ -5,7 +5,7 @@ from page import count, escaped, stacked
 from results import distinct, natural
 from studies import OUTPUT, Run
 
-RUN = Run(9, "the certified path under attack", resumes=True,
+RUN = Run(9, "the certified path under attack",
           full=[["soak", "--output", OUTPUT]], quick=[["soak", "--samples", "100000", "--output", OUTPUT]],
           tiny=["soak", "--samples", "200"])
 TITLE = "The certified path under attack"

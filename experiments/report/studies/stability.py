@@ -12,7 +12,7 @@ from shares import unless_whole
 from studies import OUTPUT, Run
 from style import GREY, curve, draw, plt, rows_of, save
 
-RUN = Run(4, "polygons under stress", resumes=True,
+RUN = Run(4, "polygons under stress",
           full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]],
           tiny=["stability", "--methods", "filtered,fast", "--axes", "aspect,origin,small,rounding", "--samples", "2", "--no-pictures"])
 TITLE = "Polygons under stress"

@@ -20,7 +20,7 @@ from studies import OUTPUT, Run
 from studies.near_edge import EVEN_STEPS, place, shade_even_steps
 from style import curve, draw, plt, rows_of, save
 
-RUN = Run(5, "run time against error", resumes=True, full=[["tradeoff", "--output", OUTPUT]],
+RUN = Run(5, "run time against error", full=[["tradeoff", "--output", OUTPUT]],
           quick=[["tradeoff", "--samples", "12", "--queries", "300", "--repetitions", "11", "--output", OUTPUT]],
           tiny=["tradeoff", "--methods", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
                 "--repetitions", "1", "--no-pictures"])

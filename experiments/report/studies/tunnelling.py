@@ -9,7 +9,7 @@ from results import distinct, finite, maybe, natural, share
 from studies import OUTPUT, Run
 from style import STYLES, plt, rows_of, save, whiskers
 
-RUN = Run(11, "what steps miss", resumes=True,
+RUN = Run(11, "what steps miss",
           full=[["tunnelling", "--output", OUTPUT]], quick=[["tunnelling", "--samples", "2000", "--output", OUTPUT]],
           tiny=["tunnelling", "--samples", "100", "--repetitions", "1", "--no-pictures"])
 TITLE = "Steps that pass through: tunnelling"

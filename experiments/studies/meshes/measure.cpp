@@ -26,16 +26,6 @@ bool is_worse(const Failure& a, const Failure& b) {
   return rank(a) < rank(b);
 }
 
-bool has_ball(const Settings& settings, const NamedMesh& mesh, std::uint64_t face, std::size_t ball) {
-  try {
-    const Polygon polygon = mesh::face_polygon(mesh.mesh, face);
-    const exact::PreparedPolygon exact(polygon);
-    return ball < draw_mesh_balls(polygon, exact, settings.seed, mesh.name, face).balls.size();
-  } catch (const Rejected&) {
-    return false;
-  }
-}
-
 /// Keeps the worst of each method, in order.
 void keep_worst(std::vector<Failure>& failures) {
   std::sort(failures.begin(), failures.end(), is_worse);
@@ -151,27 +141,7 @@ Result no_result(const Settings& settings, const std::vector<NamedMesh>& meshes)
   return result;
 }
 
-void require_possible(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result) {
-  const auto require = [](bool holds, const char* otherwise) {
-    if (!holds) throw run::DamagedArchive(otherwise);
-  };
-  const auto require_face = [&](std::size_t mesh, std::uint64_t face) {
-    require(mesh < meshes.size() && face < face_count(settings, meshes[mesh]), "it names a face that there is not");
-  };
-  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh)
-    require(result.meshes[mesh].faces <= face_count(settings, meshes[mesh]), "it counts more faces than there are");
-  for (const RejectedFace& rejected : result.rejected) {
-    require_face(rejected.mesh, rejected.face);
-    require(!to_string(rejected.rejection.code).empty(), "it names a rejection that there is not");
-  }
-  for (const Failure& failure : result.failures) {
-    require_face(failure.mesh, failure.face);
-    require(failure.method < settings.methods.size(), "it names a method that there is not");
-    require(has_ball(settings, meshes[failure.mesh], failure.face, failure.ball), "it names a ball that there is not");
-  }
-}
-
-void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl<Result>& control,
+void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl& control,
              Result& result) {
   constexpr std::uint64_t kBlock = 32;
   const Study study(settings, meshes);

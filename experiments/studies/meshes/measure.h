@@ -100,16 +100,11 @@ struct Result {
 /// Returns the result about no faces.
 [[nodiscard]] Result no_result(const Settings& settings, const std::vector<NamedMesh>& meshes);
 
-/// Throws run::DamagedArchive for a result that counts more faces than the meshes have, or names a mesh, face, method
-/// or ball that there is not.
-void require_possible(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result);
-
-/// Asks every method about every ball of the faces from items_done(result) on, in the order of the meshes, and compares
-/// the answers with `exact` as cases::compare does.
+/// Asks every method about every ball of the faces of the part, in the order of the meshes, and compares the answers with `exact` as cases::compare does.
 ///
 /// A function of settings and meshes. `threads` does not change it, and the counts of one mesh and method do not depend
 /// on the others.
-void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl<Result>& control,
+void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl& control,
              Result& result);
 
 // Results only: byte for byte the same for the same settings and meshes, whatever the number of threads. Faces are

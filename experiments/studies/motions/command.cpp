@@ -24,7 +24,7 @@ constexpr int kVersion = 2;
 int run_motions(run::StudyRun& run, const Options& options) {
   const Settings settings{find_moving_methods(options.methods), options.vertices, options.samples, options.seed,
                           options.threads};
-  const Errors errors = run.phase("motions", "checkpoint.json", settings.samples, no_errors(settings),
+  const Errors errors = run.phase("motions", "part.json", settings.samples, no_errors(settings),
                                   [&](const auto& control, Errors& sum) { measure_errors(settings, control, sum); });
   if (run.is_part()) return run.finish({.done = errors.samples, .missing = errors.missing});
   run.remove_files({"pass", "pass-scene"});

@@ -246,7 +246,7 @@ Errors no_errors(const Settings& settings) {
   return {.at = {all_kinds().size(), std::vector<MethodErrors>(settings.methods.size())}};
 }
 
-void measure_errors(const Settings& settings, const run::RunControl<Errors>& control, Errors& errors) {
+void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors) {
   run::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
                  [&](std::uint64_t n, Errors& part) { ask_all(settings, n, part); });
 }

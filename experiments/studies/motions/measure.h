@@ -142,7 +142,7 @@ struct Errors {
 ///
 /// The result is a function of the settings and the number of samples done; threads, stops and the other methods do not
 /// change it.
-void measure_errors(const Settings& settings, const run::RunControl<Errors>& control, Errors& errors);
+void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors);
 
 template <class Wanted>
 MethodErrors Errors::sum(std::size_t method, const Wanted& wanted) const {

@@ -27,8 +27,6 @@ struct Options : run::StudyOptions {
 // Raised when sample n of a seed changes, or the form of what is kept.
 constexpr int kVersion = 3;
 
-constexpr const char* kSearchCheckpoint = "search-checkpoint.json";
-
 /// The phases of one run.
 class Run {
  public:
@@ -46,7 +44,6 @@ class Run {
   }
 
   int operator()() {
-    if (options_.search > 0) run_.require_resumable(kSearchCheckpoint, options_.search, no_onsets(settings_));
     const std::string pace = sample();
     if (!options_.no_maps && !run_.is_part()) draw();
     if (options_.search > 0) search();
@@ -67,12 +64,9 @@ class Run {
  private:
   /// Returns a sentence on the samples and their pace.
   std::string sample() {
-    std::uint64_t before = 0;
-    result_ = run_.phase("samples", "checkpoint.json", settings_.samples, no_result(settings_),
-                         [&](const auto& control, Result& result) {
-                           before = result.samples;
-                           run_study(settings_, control, result);
-                         });
+    result_ =
+        run_.phase("samples", "part.json", settings_.samples, no_result(settings_),
+                   [&](const auto& control, Result& result) { run_study(settings_, control, result); });
     const double seconds = run_.seconds();
     if (!run_.is_part()) {
       run_.remove_files({"map-", "maps", "rates-", "onset", "worst"});
@@ -82,15 +76,14 @@ class Run {
     }
     const std::uint64_t strata =
         cases::all_strata().size() / workloads::all_families().size() * settings_.families.size();
-    const std::uint64_t drawn = result_.samples - before;
     return fmt::format(
-        "\n{} samples of each family, placement and threshold; {} of all were not found. {} of these in {:.0f} s"
-        " ({:.0f} a second of all).\n",
-        result_.samples, result_.missing, drawn, seconds, static_cast<double>(drawn * strata) / seconds);
+        "\n{} samples of each family, placement and threshold; {} of all were not found. {:.0f} s ({:.0f} a second of "
+        "all).\n",
+        result_.samples, result_.missing, seconds, static_cast<double>(result_.samples * strata) / seconds);
   }
 
   void draw() {
-    const auto maps = run_.phase<Map>("maps", map_rows(), [&](const auto& control) {
+    const auto maps = run_.phase("maps", map_rows(), [&](const auto& control) {
       return draw_maps(settings_.methods, settings_.seed, settings_.threads, control.stop, control.progress);
     });
     write_maps(run_.folder(), settings_, maps);
@@ -98,10 +91,10 @@ class Run {
 
   void search() {
     onsets_ = run_.phase(
-        "search", kSearchCheckpoint, options_.search, no_onsets(settings_),
+        "search", "search-part.json", options_.search, no_onsets(settings_),
         [&](const auto& control, Onsets& onsets) { run_onsets(settings_, options_.search, control, onsets); });
     if (run_.is_part()) return;
-    run_.phase<WorstCases>("climbs", climb_count(settings_),
+    run_.phase("climbs", climb_count(settings_),
                            [&](const auto& control) { run_climbs(settings_, control, onsets_, worst_); });
     write_onsets(run_.folder(), settings_, onsets_);
     write_worst(run_.folder(), settings_, onsets_, worst_);

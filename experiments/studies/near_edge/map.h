@@ -52,7 +52,7 @@ inline constexpr double kOriginDistances[] = {0, 1e3, 1e6};
 
 /// Draws a map of either test at each spot and distance, a function of (methods, seed) alone. If stopped, returns the
 /// completed maps. `progress` receives the number of rows done, of map_rows(). Cost: about 30 us per pixel and four
-/// methods, so checkpoints are not needed.
+/// methods.
 [[nodiscard]] std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed,
                                          unsigned threads, const std::atomic<bool>& stop,
                                          const run::Progress& progress);

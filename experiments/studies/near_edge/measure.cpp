@@ -140,7 +140,7 @@ Result no_result(const Settings& settings) {
   return result;
 }
 
-void run_study(const Settings& settings, const run::RunControl<Result>& control, Result& result) {
+void run_study(const Settings& settings, const run::RunControl& control, Result& result) {
   const Study study(settings);
   run::run_sweep(settings.samples, settings.threads, control, no_result(settings), result,
                  [&](std::uint64_t n, Result& part) { study.ask_all(n, part); });

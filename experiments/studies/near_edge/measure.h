@@ -112,7 +112,7 @@ struct Result {
 /// The result is a function of settings and the number of samples done. Threads, stops
 /// and the other families and methods do not change the counts of one family and method. A run stopped after m samples
 /// equals a run of m samples.
-void run_study(const Settings& settings, const run::RunControl<Result>& control, Result& result);
+void run_study(const Settings& settings, const run::RunControl& control, Result& result);
 
 // Results only: byte for byte the same for the same settings, whatever the number of threads. Each throws
 // std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.

@@ -207,7 +207,7 @@ Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
 
-void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl<Onsets>& control,
+void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl& control,
                 Onsets& onsets) {
   const Search search(settings);
   run::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
@@ -218,18 +218,17 @@ std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-void run_climbs(const Settings& settings, const run::RunControl<WorstCases>& control, const Onsets& onsets,
+void run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets,
                 WorstCases& worst) {
   const Search search(settings);
   worst = no_worst_cases(settings);
-  run::run_sweep(
-      {climb_count(settings), 1, settings.threads, control.stop, control.progress},
-      [&](std::uint64_t i, WorstCases& part) {
-        const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept, rank = i % Onset::kMostKept;
-        const std::vector<Find>& furthest = onsets.all[where].furthest;
-        if (rank < furthest.size()) search.climb_from(where, furthest[rank], part);
-      },
-      [](std::uint64_t, const WorstCases&) {}, no_worst_cases(settings), 0, worst);
+  run::run_sweep(climb_count(settings), settings.threads, control, no_worst_cases(settings), worst,
+                 [&](std::uint64_t i, WorstCases& part) {
+                   const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept,
+                                     rank = i % Onset::kMostKept;
+                   const std::vector<Find>& furthest = onsets.all[where].furthest;
+                   if (rank < furthest.size()) search.climb_from(where, furthest[rank], part);
+                 });
 }
 
 Climbed climb(AtThreshold start, const cases::Method& method, Random random) {

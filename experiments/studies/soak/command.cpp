@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include "experiments/cases/output_lines.h"
@@ -23,36 +24,20 @@ struct Options : run::StudyOptions {
   [[nodiscard]] Asked asked() const { return moving ? Asked::Motion : crowds ? Asked::Crowd : Asked::Rest; }
 };
 
-/// Prints differences as they are found, so that an endless run reports them at once.
-class Announcer {
- public:
-  explicit Announcer(std::size_t known) : announced_(known) {}
-
-  void operator()(const Tally& tally) {
-    for (; announced_ < tally.kept().size(); ++announced_) fmt::print("{}", tally.kept()[announced_].line);
-    run::flush_standard_output();
-  }
-
- private:
-  std::size_t announced_;
-};
-
 // Raised when case i of a seed changes, or the form of the tally.
 constexpr int kVersion = 5;
 
 int run_cases(run::StudyRun& run, const Options& options) {
   const Settings settings{options.samples, options.seed, options.from, options.threads, options.asked()};
-  std::uint64_t before = 0;
-  const Tally tally = run.phase("cases", "checkpoint.json", settings.cases, Tally(), [&](auto control, Tally& sum) {
-    before = sum.cases();
-    Announcer announce(sum.kept().size());
-    const auto save = control.save;
-    control.save = [&](const Tally& now) {
-      save(now);
-      announce(now);
-    };
-    run_campaign(settings, SystemUnderTest(), control, sum);
-  });
+  const Tally tally =
+      run.phase("cases", "part.json", settings.cases, Tally(), [&](const auto& control, Tally& sum) {
+        std::mutex turn;
+        run_campaign(settings, SystemUnderTest(), control, sum, [&](const Difference& difference) {
+          const std::lock_guard lock(turn);  // an endless run tells of differences at once
+          fmt::print("{}", difference.line);
+          run::flush_standard_output();
+        });
+      });
   if (run.is_part()) return run.finish({.done = tally.cases()});
   write_counts(run.folder(), tally);
   write_differences(run.folder(), tally);
@@ -68,8 +53,8 @@ int run_cases(run::StudyRun& run, const Options& options) {
                settings.seed);
   return run.finish(
       {.done = tally.cases(),
-       .text = table(tally) + fmt::format("{} of these cases in {:.0f} s: {:.0f} a second.\n", tally.cases() - before,
-                                          seconds, static_cast<double>(tally.cases() - before) / seconds),
+       .text = table(tally) + fmt::format("{} cases in {:.0f} s: {:.0f} a second.\n", tally.cases(), seconds,
+                                          static_cast<double>(tally.cases()) / seconds),
        .status = tally.differing() > 0 ? 1 : 0});
 }
 

@@ -313,15 +313,21 @@ void Tally::keep_first() {
   if (kept_.size() > kMostKept) kept_.resize(kMostKept);
 }
 
-std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
-                           const run::RunControl<Tally>& control, Tally& tally) {
+std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested, const run::RunControl& control,
+                           Tally& tally, const std::function<void(const Difference&)>& tell) {
   const auto ask = settings.asked == Asked::Rest     ? compare
                    : settings.asked == Asked::Motion ? compare_moving
                                                      : compare_crowd;
   const std::uint64_t block = settings.asked == Asked::Crowd ? 2 : 256;  // 10 to 40 ms on one core
   return run::run_sweep(
       settings.cases, settings.threads, control, Tally(), tally,
-      [&](std::uint64_t i, Tally& part) { ask(tested, settings.seed, settings.from + i, part); }, block);
+      [&](std::uint64_t i, Tally& part) {
+        Tally one;
+        ask(tested, settings.seed, settings.from + i, one);
+        for (const Difference& difference : one.kept()) tell(difference);
+        part += one;
+      },
+      block);
 }
 
 }  // namespace touchstone::soak

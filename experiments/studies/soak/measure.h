@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -130,12 +131,14 @@ struct Settings {
   Asked asked = Asked::Rest;
 };
 
-/// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.
+/// Runs the cases from, from + 1, ..., and adds them to the tally in order. Calls tell(difference) for each difference
+/// at once, on the thread that finds it.
 ///
-/// The tally is a function of the system under test, seed, from and the number of cases that it contains; threads,
-/// pauses and stops do not change it. Returns the number of cases done.
-std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
-                           const run::RunControl<Tally>& control, Tally& tally);
+/// The tally is a function of the system under test, seed, from and the number of cases that it contains; threads and
+/// stops do not change it. Returns the number of cases done.
+std::uint64_t run_campaign(
+    const Settings& settings, const SystemUnderTest& tested, const run::RunControl& control, Tally& tally,
+    const std::function<void(const Difference&)>& tell = [](const Difference&) {});
 
 // Results only: byte for byte the same for the same seed, first case and number of cases, whatever the number of
 // threads and interruptions. Each throws std::runtime_error, which names the file, if it cannot be written.

@@ -54,10 +54,10 @@ constexpr int kVersion = 6;
 int run_stability(run::StudyRun& run, const Options& options) {
   const Settings settings{options.methods.methods(), select_axes(options.axes), options.samples, options.seed,
                           options.threads};
-  const Summary summary = run.phase("samples", "checkpoint.json", block_count(settings), no_summary(settings),
+  const Summary summary = run.phase("samples", "part.json", block_count(settings), no_summary(settings),
                                     [&](const auto& control, Summary& sum) { run_study(settings, control, sum); });
   const std::uint64_t triangles = 10 * settings.samples;
-  Known known{.onset = run.phase("known results", "onset-checkpoint.json", triangles, no_onset(settings.methods),
+  Known known{.onset = run.phase("known results", "onset-part.json", triangles, no_onset(settings.methods),
                                  [&](const auto& control, Onset& onset) {
                                    find_onset(settings.methods, triangles, settings.seed, settings.threads, control,
                                               onset);

@@ -121,7 +121,7 @@ int Onset::first(std::size_t distance, std::size_t method, double share) const {
 Onset no_onset(const std::vector<const cases::Method*>& methods) { return Onset(names_of(methods)); }
 
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const run::RunControl<Onset>& control, Onset& onset) {
+                unsigned threads, const run::RunControl& control, Onset& onset) {
   const auto ask_all = [&](std::uint64_t index, Onset& part) {
     for (std::size_t distance = 0; distance < std::size(kOnsetDistances); ++distance) {
       const Above above = draw_above(seed, index, distance);

@@ -70,7 +70,7 @@ class Onset {
 /// Measures the random triangles that the onset does not contain yet. The result is a function of
 /// (methods, triangles done, seed), independent of threads and stops.
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const run::RunControl<Onset>& control, Onset& onset);
+                unsigned threads, const run::RunControl& control, Onset& onset);
 
 /// The effect of contracting products and sums to fused multiply-adds on the sign of an expression in doubles: the same
 /// expressions of signs.h, with and without std::fma, independently of the compiler's flags.

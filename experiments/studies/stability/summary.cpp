@@ -72,12 +72,10 @@ Summary no_summary(const Settings& settings) {
   return summary;
 }
 
-void run_study(const Settings& settings, const run::RunControl<Summary>& control, Summary& summary) {
-  constexpr double kSecondsBetweenCheckpoints = 15;  // one of all axes has some 10 MB
+void run_study(const Settings& settings, const run::RunControl& control, Summary& summary) {
   run::run_sweep(
       block_count(settings), settings.threads, control, no_summary(settings), summary,
-      [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); }, 1,
-      kSecondsBetweenCheckpoints);
+      [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); });
 }
 
 const SampledFailures* Summary::at(std::size_t axis, Nearness nearness, Test test, std::size_t method,

@@ -88,7 +88,7 @@ struct Summary {
 /// Computes the blocks that the summary does not contain yet and adds them. The result is a
 /// function of the settings and the number of its blocks, which are the first ones, independent of threads
 /// and stops.
-void run_study(const Settings& settings, const run::RunControl<Summary>& control, Summary& summary);
+void run_study(const Settings& settings, const run::RunControl& control, Summary& summary);
 
 // Results only: byte for byte the same for the same settings, whatever the threads. Each throws std::runtime_error,
 // which names the file, if it cannot be written. tables() says what the tables hold.

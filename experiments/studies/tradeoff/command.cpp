@@ -48,7 +48,7 @@ int run_tradeoff(run::StudyRun& run, const Options& options) {
                           options.seed, options.threads};
   const TimingSettings timed{settings.methods, groups_of(settings.families), options.seed, options.queries,
                              options.repetitions};
-  const Errors errors = run.phase("errors", "checkpoint.json", settings.samples, no_errors(settings),
+  const Errors errors = run.phase("errors", "part.json", settings.samples, no_errors(settings),
                                   [&](const auto& control, Errors& sum) { measure_errors(settings, control, sum); });
   if (run.is_part()) return run.finish({.done = errors.samples, .missing = errors.missing});
   // Files of an earlier run would belong to other data.
@@ -57,7 +57,7 @@ int run_tradeoff(run::StudyRun& run, const Options& options) {
   write_bands(run.folder(), settings, errors);
   write_points(run.folder(), settings, errors);
   write_worst(run.folder(), settings, errors);
-  const auto timings = run.phase<Timing>("times", list_count(timed), [&](const auto& control) {
+  const auto timings = run.phase("times", list_count(timed), [&](const auto& control) {
     return measure_timings(timed, control.stop, control.progress);
   });
   write_timings(run.folder(), timings);

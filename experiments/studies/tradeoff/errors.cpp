@@ -134,7 +134,7 @@ Errors no_errors(const Settings& settings) {
   return errors;
 }
 
-void measure_errors(const Settings& settings, const run::RunControl<Errors>& control, Errors& errors) {
+void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors) {
   const Study study(settings);
   run::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
                  [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); });

@@ -97,7 +97,7 @@ struct Errors {
 ///
 /// The result is a function of the settings and the number of samples done; threads,
 /// stops and the other families and methods do not change it. A run stopped after m samples equals a run of m samples.
-void measure_errors(const Settings& settings, const run::RunControl<Errors>& control, Errors& errors);
+void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors);
 
 // Results only: byte for byte the same for the same settings, whatever the threads. Each throws
 // std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.

@@ -23,7 +23,7 @@ constexpr int kVersion = 1;
 /// One run. Parts count misses; times are measured where the parts are merged.
 int run_tunnelling(run::StudyRun& run, const Options& options) {
   const Settings settings{options.vertices, options.samples, options.seed, options.threads};
-  const Misses misses = run.phase("passes", "checkpoint.json", settings.samples, Misses(),
+  const Misses misses = run.phase("passes", "part.json", settings.samples, Misses(),
                                   [&](const auto& control, Misses& sum) { count_misses(settings, control, sum); });
   if (run.is_part()) return run.finish({.done = misses.samples, .missing = misses.missing});
   run.remove_files({"cost.csv", "tunnelling"});
@@ -31,7 +31,7 @@ int run_tunnelling(run::StudyRun& run, const Options& options) {
   std::string text = table(misses);
   if (!run.stopped()) {
     const CostSettings timed{.vertices = options.vertices, .seed = options.seed, .repetitions = options.repetitions};
-    const auto cost = run.phase<timing::Result>("times", timed.repetitions, [&](const auto& control) {
+    const auto cost = run.phase("times", timed.repetitions, [&](const auto& control) {
       return measure_cost(timed, control.stop, control.progress);
     });
     write_cost(run.folder(), cost);

@@ -125,7 +125,7 @@ std::optional<std::size_t> first_level_that_touches(const Motion& motion, const 
   return std::nullopt;
 }
 
-void count_misses(const Settings& settings, const run::RunControl<Misses>& control, Misses& misses) {
+void count_misses(const Settings& settings, const run::RunControl& control, Misses& misses) {
   run::run_sweep(
       settings.samples, settings.threads, control, Misses(), misses,
       [&](std::uint64_t n, Misses& part) {

@@ -81,7 +81,7 @@ struct Misses {
 
 /// Counts the passes that `misses` does not contain yet. The result is a function of the settings and the
 /// number of samples done.
-void count_misses(const Settings& settings, const run::RunControl<Misses>& control, Misses& misses);
+void count_misses(const Settings& settings, const run::RunControl& control, Misses& misses);
 
 struct CostSettings {
   std::size_t vertices = 12;

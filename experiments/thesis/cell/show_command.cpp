@@ -165,7 +165,7 @@ int run(const ShowOptions& options) {
   {
     std::optional<run::ProgressLine> line;
     parts = build_model(cell, [&](std::size_t done, std::size_t total) {
-      if (!line) line.emplace("cell: parts", total, 0, !options.quiet);
+      if (!line) line.emplace("cell: parts", total, !options.quiet);
       (*line)(done);
     });
   }

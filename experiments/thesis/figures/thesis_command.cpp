@@ -42,7 +42,7 @@ int run_thesis(const Options& options) {
   const auto study = [&] {
     std::optional<run::ProgressLine> line;
     return run_study(settings, options.threads, run.stop(), [&](std::uint64_t done, std::uint64_t total) {
-      if (!line) line.emplace("thesis: parts", total, 0, !options.quiet);
+      if (!line) line.emplace("thesis: parts", total, !options.quiet);
       (*line)(done);
     });
   }();

@@ -135,21 +135,14 @@ class Studies(unittest.TestCase):
         process.communicate()
         (self.folder / "waits").unlink()
 
-    def test_what_was_killed_halfway_goes_on(self):
-        for study, resumes in (("stability", True), ("thesis", False)):
-            shutil.rmtree(self.folder / "results", ignore_errors=True)
-            self.kill_in(study)
-            self.assertTrue((self.folder / f"results/{study}/checkpoint.json").exists())
-            calls = self.run_all()
-            self.assertEqual(calls[0].split()[0], study)
-            self.assertTrue(calls[0].endswith("--resume" if resumes else "--force"))
-            # Of what cannot go on, nothing is left.
-            self.assertEqual((self.folder / f"results/{study}/checkpoint.json").exists(), resumes)
+    def test_what_was_killed_halfway_runs_again(self):
+        self.kill_in("stability")
+        self.assertEqual(self.run_all()[0].split()[0], "stability")
 
     def test_quick_does_not_destroy_what_full_has_begun(self):
         self.kill_in("stability", "--full")
         self.assertFalse(any(call.startswith("stability") for call in self.run_all()))
-        self.assertTrue(any(call.startswith("stability") and call.endswith("--resume") for call in self.run_all("--full")))
+        self.assertTrue(any(call.startswith("stability") for call in self.run_all("--full")))
 
     def test_two_runs_in_one_folder_are_refused_while_the_first_ones_study_lives(self):
         (self.folder / "waits").write_text("meshes")
@@ -185,7 +178,6 @@ class Commands(unittest.TestCase):
                         self.assertIn(option, asked.stdout)
                     if "--output" in options:
                         self.assertIn("--force", asked.stdout)
-                    self.assertEqual("--resume" in asked.stdout, study.resumes)
 
     def test_have_an_order(self):
         self.assertEqual(len({study.place for study in RUNS}), len(RUNS))

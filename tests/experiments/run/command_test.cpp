@@ -21,7 +21,7 @@ struct Declared {
   std::string truth = "exact", folder = "results/it", file, mesh = "a.obj";
   Light colour = Light::Green;
   std::vector<std::string> methods{"all"}, meshes, changes;
-  bool quick = false, force = false, resume = false;
+  bool quick = false, force = false;
   std::string line;
   int runs = 0;
 
@@ -43,7 +43,6 @@ struct Declared {
     command.text("--file", file, "A file").needs("--step");
     command.flag("--quick", quick, "Quickly");
     command.output(folder, "The folder");
-    command.resume(resume);
     command.force(force);
     command.runs([this] { return ++runs; });
     return command(arguments);
@@ -82,7 +81,6 @@ TEST(Command, ItsLineRepeatsTheRun) {
       {{"--output", "elsewhere"}, "--output elsewhere"},
       {{"--output", ""}, "--output ''"},
       {{"--set", "", "--quick"}, "--set '' --quick"},
-      {{"--resume"}, "--resume"},
       {{"m.obj", "my mesh.obj"}, "measure m.obj 'my mesh.obj' --seed"}};
   for (const auto& [arguments, expected] : given) {
     Declared declared;
@@ -127,7 +125,6 @@ TEST(Command, RefusesWhatIsNotInTheRange) {
                                                     {"--oracle", "thesis"},
                                                     {"--colour", "blue"},
                                                     {"--file", "without"},
-                                                    {"--resume", "--force"},
                                                     {"--unknown"},
                                                     {"--seed"}};
   for (const auto& arguments : wrong) {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/run/output.h"
 #include "experiments/run/quoting.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
@@ -65,7 +64,7 @@ std::uint64_t items_done(const Numbers& numbers) { return numbers.count; }
 Numbers run_numbers(const StudyOptions& options) {
   StudyRun run("numbers", 1, options);
   const auto numbers =
-      run.phase("items", "checkpoint.json", options.samples, Numbers(), [&](const auto& control, Numbers& state) {
+      run.phase("items", "part.json", options.samples, Numbers(), [&](const auto& control, Numbers& state) {
         run_sweep(options.samples, 2, control, Numbers(), state, [](std::uint64_t n, Numbers& part) {
           part.sum += n;
           ++part.count;
@@ -102,8 +101,7 @@ TEST(StudyRun, AddsPartsUpToAllItems) {
     const Numbers merged = run_numbers(all), whole = run_numbers(numbers_options(scratch.path / "one", samples, ""));
     EXPECT_EQ(merged.sum, samples * (samples - 1) / 2);
     EXPECT_EQ(archived(merged), archived(whole));
-    EXPECT_EQ(run_tests::text_of(scratch.path / "all" / "checkpoint.json"),
-              run_tests::text_of(scratch.path / "one" / "checkpoint.json"));
+    EXPECT_FALSE(std::filesystem::exists(scratch.path / "one" / "part.json")) << "a whole run is no part";
   }
 }
 
@@ -118,34 +116,11 @@ TEST(StudyRun, NamesTheFolderOfAPartThatIsNotOfTheStudy) {
   (void)run_numbers(numbers_options(folder("two"), 11, "2/2"));
   StudyOptions all = numbers_options(folder("all"), 10, "");
   all.merged = {folder("one"), folder("two")};
-  EXPECT_EQ(fault_of(all), (folder("two") / "checkpoint.json").string() +
+  EXPECT_EQ(fault_of(all), (folder("two") / "part.json").string() +
                                ": is of --part 2/2 of 11 items, not of --part 2/2 of 10 items");
-  make_folder(folder("three"));
-  write_file(
-      folder("three") / "checkpoint.json",
-      "{\"version\":1,\"seed\":\"1\",\"part\":\"2/2 of 10 items\",\"state\":\"" + archived(Numbers{11, 4}) + "\"}");
-  all.merged = {folder("one"), folder("three")};
-  EXPECT_EQ(fault_of(all),
-            (folder("three") / "checkpoint.json").string() + ": holds 4 of 5 items; --resume continues its run");
   all.merged = {folder("one"), folder("none")};
-  EXPECT_EQ(fault_of(all), (folder("none") / "checkpoint.json").string() + ": does not exist");
+  EXPECT_EQ(fault_of(all), (folder("none") / "part.json").string() + ": is missing: its part has not ended, so run it again");
   EXPECT_FALSE(std::filesystem::exists(folder("all"))) << "nothing is written";
-}
-
-// Neither continues the other: their checkpoints cover other items.
-TEST(StudyRun, KeepsPartsAndWholeRunsApart) {
-  const Scratch scratch;
-  (void)run_numbers(numbers_options(scratch.path / "part", 10, "1/2"));
-  (void)run_numbers(numbers_options(scratch.path / "whole", 10, ""));
-  StudyOptions options = numbers_options(scratch.path / "part", 10, "");
-  options.resume = true;
-  EXPECT_EQ(fault_of(options),
-            (scratch.path / "part" / "checkpoint.json").string() + ": is of --part 1/2 of 10 items, not of all items");
-  options.output = (scratch.path / "whole").string();
-  EXPECT_EQ(fault_of(options), "");
-  options.part = "2/2";
-  EXPECT_EQ(fault_of(options),
-            (scratch.path / "whole" / "checkpoint.json").string() + ": is of all items, not of --part 2/2 of 10 items");
 }
 
 // What a shell would make of the line.

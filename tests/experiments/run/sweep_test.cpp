@@ -92,61 +92,52 @@ Items first_items(std::uint64_t count) {
   return items;
 }
 
-// The last block may be short; a sweep may begin within a block, if an earlier one was stopped or had fewer items.
-TEST(Sweep, TakesEveryItemOnce) {
+// The last block may be short.
+TEST(Sweep, TakesEveryItemOfItsPartOnce) {
   for (const std::uint64_t block : {1U, 7U, 64U})
-    for (const std::uint64_t before : {0U, 1U, 99U, 100U}) {
-      Items items = first_items(before);
-      const std::uint64_t done = run_sweep(
-          {100, block, 3, kNeverStop, [](std::uint64_t) {}}, [](std::uint64_t item, Items& part) { part.insert(item); },
-          [](std::uint64_t, const Items&) {}, Items(), before, items);
-      EXPECT_EQ(done, 100U);
-      EXPECT_EQ(items.all, first_items(100).all) << block << " " << before;
+    for (const std::uint64_t of : {1U, 3U}) {
+      Items items;
+      for (std::uint64_t number = 1; number <= of; ++number) {
+        const RunControl control{kNeverStop, [](std::uint64_t) {}, {number, of}};
+        const std::uint64_t done = run_sweep(
+            100, 3, control, Items(), items, [](std::uint64_t item, Items& part) { part.insert(item); }, block);
+        EXPECT_EQ(done, control.part.size(100));
+      }
+      EXPECT_EQ(items.all, first_items(100).all) << block << " " << of;
     }
 }
 
-// Three threads wait for each other within the first leg, so that each contributes a part.
+// Three threads wait for each other, so that each contributes a part.
 TEST(Sweep, AddsWhatEveryThreadFound) {
   constexpr unsigned kThreads = 3;
   std::atomic<unsigned> here = 0;
   Items items;
-  run_sweep(
-      {kThreads, 1, kThreads, kNeverStop, [](std::uint64_t) {}},
-      [&](std::uint64_t item, Items& part) {
-        part.insert(item);
-        ++here;
-        while (here < kThreads) std::this_thread::yield();
-      },
-      [](std::uint64_t, const Items&) {}, Items(), 0, items);
+  run_sweep(kThreads, kThreads, {kNeverStop, [](std::uint64_t) {}}, Items(), items,
+            [&](std::uint64_t item, Items& part) {
+              part.insert(item);
+              ++here;
+              while (here < kThreads) std::this_thread::yield();
+            });
   EXPECT_EQ(items.all, first_items(kThreads).all);
 }
 
-// Every saved sum, and that of a stopped sweep, covers exactly the first items.
+// The sum of a stopped sweep covers exactly the first items.
 TEST(Sweep, AlwaysHoldsTheFirstItems) {
   std::atomic<bool> stop = false;
   Items items;
-  int saves = 0;
   const std::uint64_t done = run_sweep(
-      {10'000, 3, 2, stop, [&](std::uint64_t now) { stop = now >= 500; }},
-      [](std::uint64_t item, Items& part) { part.insert(item); },
-      [&](std::uint64_t now, const Items& sum) {
-        EXPECT_EQ(sum.all, first_items(now).all);
-        ++saves;
-      },
-      Items(), 0, items);
+      10'000, 2, {stop, [&](std::uint64_t now) { stop = now >= 500; }}, Items(), items,
+      [](std::uint64_t item, Items& part) { part.insert(item); }, 3);
   EXPECT_GE(done, 500U);
   EXPECT_LT(done, 600U);
-  EXPECT_GT(saves, 2);
   EXPECT_EQ(items.all, first_items(done).all);
 }
 
-// The pace is that of this run alone: 30 of 40 items left, 5 done in 2 s; earlier items do not count.
-TEST(Progress, TimeLeftDoesNotCountAnEarlierRun) {
-  EXPECT_EQ(progress_text("samples", 0, 10, 40, 4), "samples: 25 %, 12 s left");
-  EXPECT_EQ(progress_text("samples", 5, 10, 40, 2), "samples: 25 %, 12 s left");
-  EXPECT_EQ(progress_text("samples", 10, 10, 40, 2), "samples: 25 %");
-  EXPECT_EQ(progress_text("samples", 0, 1, 1001, 3), "samples: <1 %, 50 min left");
-  EXPECT_EQ(progress_text("samples", 0, 1, 10'001, 3), "samples: <1 %, 8.3 h left");
+TEST(Progress, SaysTheShareAndTheTimeLeft) {
+  EXPECT_EQ(progress_text("samples", 10, 40, 4), "samples: 25 %, 12 s left");
+  EXPECT_EQ(progress_text("samples", 0, 40, 2), "samples: 0 %");
+  EXPECT_EQ(progress_text("samples", 1, 1001, 3), "samples: <1 %, 50 min left");
+  EXPECT_EQ(progress_text("samples", 1, 10'001, 3), "samples: <1 %, 8.3 h left");
 }
 
 }  // namespace

@@ -7,8 +7,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,9 +16,6 @@
 
 namespace {
 
-/// What a call of fsync below does besides counting.
-enum class OnSync { Nothing, Kill };
-OnSync on_sync = OnSync::Nothing;
 std::vector<std::string> synced;  // the names under which what was put on the disk lay then
 
 }  // namespace
@@ -28,7 +23,6 @@ std::vector<std::string> synced;  // the names under which what was put on the d
 /// In place of the system's.
 extern "C" int fsync(int descriptor) {
   synced.push_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor)).string());
-  if (on_sync == OnSync::Kill) ::kill(::getpid(), SIGKILL);
   return 0;
 }
 
@@ -103,94 +97,12 @@ TEST(WriteFile, KeepsTheEarlierFileWhereTheNewOneDoesNotFit) {
   EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"checkpoint.json"});
 }
 
-/// Runs the function in a process that is killed where it first puts something on the disk. Returns that process.
-pid_t killed_in(const std::function<void()>& function) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    on_sync = OnSync::Kill;
-    function();
-    ::_exit(0);
-  }
-  int status = 0;
-  EXPECT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFSIGNALED(status)) << "nothing was put on the disk";
-  return child;
-}
-
-TEST(WriteFile, PutsTheTextOnTheDiskBeforeTheFileTakesItsNameAndTheNameBehind) {
+TEST(WriteFile, PutsTheTextOnTheDiskBeforeTheFileTakesItsName) {
   const Scratch scratch;
   const fs::path file = scratch.path / "a.csv";
-  const std::vector<std::string> wanted{file.string() + ".new-" + std::to_string(::getpid()), scratch.path};
   synced.clear();
   write_file(file, "first\n");
-  EXPECT_EQ(synced, wanted);
-  synced.clear();
-  write_file(scratch.path / "a.csv", "second\n", true);
-  EXPECT_EQ(synced, wanted);
-  fs::remove(file);
-  synced.clear();
-  write_file(file, "third\n", false);
-  EXPECT_EQ(synced, wanted);
-}
-
-TEST(WriteFile, PutsTheNameOfAFileInTheCurrentFolderOnTheDisk) {
-  const Scratch scratch;
-  const fs::path before = fs::current_path();
-  fs::current_path(scratch.path);
-  synced.clear();
-  write_file("a.csv", "first\n");
-  fs::current_path(before);
-  ASSERT_EQ(synced.size(), 2U);
-  EXPECT_EQ(synced[1], scratch.path);
-}
-
-// Only what no living process writes, and only of the file that is written.
-TEST(WriteFile, RemovesWhatAKilledProcessLeftOfAFileThatIsWrittenAgain) {
-  const Scratch scratch;
-  const fs::path file = scratch.path / "cell.glb";
-  for (const bool force : {false, true}) {
-    const pid_t killed = killed_in([&] { write_file(file, "first\n", force); });
-    ASSERT_EQ(names_in(scratch.path), std::vector<std::string>{"cell.glb.new-" + std::to_string(killed)});
-    write_file(file, "second\n", force);
-    EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"cell.glb"});
-    fs::remove(file);
-  }
-  const std::set<std::string> kept{"cell.glb.new-" + std::to_string(::getppid()),
-                                   "cell.glb.new-",
-                                   "cell.glb.new-a",
-                                   "cell.glb.new-1x",
-                                   "cell.glb.new-999999998.new-999999999",
-                                   "other.glb.new-999999999",
-                                   "cell.glb.new-9999999999"};
-  for (const std::string& name : kept) write_file(scratch.path / name, "");
-  write_file(file, "third\n", false);
-  fs::remove(file);
-  const auto names = names_in(scratch.path);
-  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), kept);
-}
-
-// The run can be made again, with and without --resume.
-TEST(WriteFile, LeavesAFolderEmptyForTheNextRunWhereTheFirstIsKilledBeforeItsFirstCheckpoint) {
-  const Scratch scratch;
-  for (const Existing existing : {Existing{}, Existing{.resume = true}}) {
-    const pid_t killed = killed_in([&] {
-      const OutputFolder folder(scratch.path, "touchstone first", {});
-      write_file(scratch.path / "checkpoint.json", "{}\n");
-    });
-    ASSERT_TRUE(fs::exists(scratch.path / ("checkpoint.json.new-" + std::to_string(killed))));
-    EXPECT_EQ(message_of([&] { const OutputFolder folder(scratch.path, "touchstone second", existing); }), "");
-    EXPECT_TRUE(fs::is_empty(scratch.path));
-  }
-}
-
-TEST(WriteFile, LeavesAnUnfinishedFileOfAFolderThatIsRefused) {
-  const Scratch scratch;
-  write_file(scratch.path / "rates.csv", "precious\n");
-  write_file(scratch.path / "notes.new-1", "precious\n");
-  EXPECT_NE(message_of([&] { const OutputFolder folder(scratch.path, "touchstone", {}); }), "");
-  EXPECT_TRUE(fs::exists(scratch.path / "notes.new-1"));
-  EXPECT_EQ(message_of([&] { const OutputFolder folder(scratch.path, "touchstone", {.force = true}); }), "");
-  EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"rates.csv"});
+  EXPECT_EQ(synced, std::vector<std::string>{file.string() + ".new-" + std::to_string(::getpid())});
 }
 
 TEST(RefuseOverwrite, AllowsWhatIsNotThere) {

@@ -90,23 +90,19 @@ inline nlohmann::json rows_of(const std::filesystem::path& table) {
   return rows;
 }
 
-/// Expects the same files of a run on one thread and of a run of fewer samples that is resumed, both on two threads.
-inline void expect_that_threads_and_a_pause_change_nothing(MakeCommand make, const std::vector<std::string>& arguments,
-                                                           const std::string& samples, const std::string& fewer,
-                                                           const std::vector<std::string>& files) {
+/// Expects the same files of a run on one thread and of one on two.
+inline void expect_that_threads_change_nothing(MakeCommand make, const std::vector<std::string>& arguments,
+                                               const std::vector<std::string>& files) {
   const Scratch scratch;
-  const auto run = [&](const char* folder, const std::string& count, const char* threads, bool resume) {
+  const auto run = [&](const char* threads) {
     std::vector<std::string> all = arguments;
-    all.insert(all.end(), {"--samples", count, "--threads", threads});
-    if (resume) all.emplace_back("--resume");
-    return run_into(scratch.path / folder, make, all);
+    all.insert(all.end(), {"--threads", threads});
+    return run_into(scratch.path / threads, make, all);
   };
-  const auto whole = run("whole", samples, "1", false);
-  run("parts", fewer, "2", false);
-  const auto parts = run("parts", samples, "2", true);
+  const auto one = run("1"), two = run("2");
   for (const std::string& file : files) {
-    EXPECT_EQ(text_of(parts / file), text_of(whole / file)) << file;
-    EXPECT_FALSE(text_of(whole / file).empty()) << file;
+    EXPECT_EQ(text_of(two / file), text_of(one / file)) << file;
+    EXPECT_FALSE(text_of(one / file).empty()) << file;
   }
 }
 

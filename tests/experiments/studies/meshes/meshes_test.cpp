@@ -186,71 +186,21 @@ TEST_F(MeshContact, PartsAddUpToTheBytesOfOneRun) {
     ASSERT_EQ(touchstone(run + "part" + part + " --part " + part + "/3").status, 0) << part;
   const Ran merged = touchstone("merge part1 part2 part3 --output merged");
   ASSERT_EQ(merged.status, 0) << merged.err;
-  for (const char* file : {"meshes.csv", "rejected.csv", "failures.jsonl", "left-out.txt", "checkpoint.json"}) {
+  for (const char* file : {"meshes.csv", "rejected.csv", "failures.jsonl", "left-out.txt"}) {
     EXPECT_EQ(text_of(folder / "merged" / file), text_of(folder / "whole" / file)) << file;
     EXPECT_TRUE(file == std::string("left-out.txt") || !text_of(folder / "whole" / file).empty()) << file;
   }
 }
 
-TEST_F(MeshContact, AResumedRunIsOfTheSameMeshesMethodsAndFaces) {
-  const std::string run = "meshes model/cube.obj --skip-bad --methods fast --faces 3 --output o";
-  ASSERT_EQ(touchstone(run).status, 0);
-  const std::string counts = text_of(folder / "o/meshes.csv");
-  EXPECT_EQ(touchstone(run + " --resume").status, 0);
-  EXPECT_EQ(text_of(folder / "o/meshes.csv"), counts);
-  for (const auto& [option, other] : {std::pair("--faces 3", "--faces 4"), std::pair("fast", "exact")}) {
-    std::string changed = run;
-    changed.replace(changed.find(option), std::string(option).size(), other);
-    const Ran refused = touchstone(changed + " --resume");
-    EXPECT_EQ(refused.status, 2) << changed;
-    EXPECT_NE(refused.err.find("checkpoint.json: is of --"), std::string::npos) << refused.err;
-  }
-}
-
-TEST_F(MeshContact, AResumedRunIsNotOfMeshesThatHaveChanged) {
-  const std::string run = "meshes one.obj --methods fast --output o";
+TEST_F(MeshContact, PartsAreOfTheSameMeshes) {
+  const std::string run = "meshes one.obj --methods fast --output ";
   write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  ASSERT_EQ(touchstone(run).status, 0);
+  ASSERT_EQ(touchstone(run + "part1 --part 1/2").status, 0);
   write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
-  const Ran refused = touchstone(run + " --resume");
+  ASSERT_EQ(touchstone(run + "part2 --part 2/2").status, 0);
+  const Ran refused = touchstone("merge part1 part2 --output merged");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("checkpoint.json: is of MESH one.obj (hash "), std::string::npos) << refused.err;
-}
-
-TEST_F(MeshContact, ACheckpointThatNamesWhatThereIsNotIsRefused) {
-  const Settings settings{.methods = methods::find_methods({"thesis-float"})};
-  const std::vector<NamedMesh> meshes{{"model/cube", read_mesh(cube).mesh}};
-  const Result sound = measured(settings, meshes);
-  ASSERT_FALSE(sound.failures.empty());
-  const std::string run = "meshes model/cube.obj --skip-bad --methods thesis-float --output o";
-  ASSERT_EQ(touchstone(run).status, 0);
-  const auto checkpoint = nlohmann::json::parse(text_of(folder / "o/checkpoint.json"));
-  const auto resumed = [&](const auto& damage) {
-    Result result = sound;
-    damage(result);
-    auto damaged = checkpoint;
-    damaged["state"] = run::archived(result);
-    write("o/checkpoint.json", damaged.dump());
-    return touchstone(run + " --resume");
-  };
-  EXPECT_EQ(resumed([](Result&) {}).status, 0);
-  const auto expect_refused = [&](const std::string& fault, const auto& damage) {
-    const auto refused = resumed(damage);
-    EXPECT_EQ(refused.status, 2) << fault;
-    EXPECT_EQ(refused.err, "touchstone: o/checkpoint.json: is not a checkpoint of this program: it " + fault + "\n");
-  };
-  const std::string no_face = "names a face that there is not";
-  expect_refused("counts more faces than there are", [](Result& result) { result.meshes[0].faces = kFaces + 1; });
-  expect_refused(no_face, [](Result& result) { result.rejected[0].mesh = 1; });
-  expect_refused(no_face, [](Result& result) { result.rejected[0].face = kFaces; });
-  expect_refused("names a rejection that there is not",
-                 [](Result& result) { result.rejected[0].rejection.code = static_cast<RejectionCode>(99); });
-  expect_refused(no_face, [](Result& result) { result.failures[0].mesh = 1; });
-  expect_refused(no_face, [](Result& result) { result.failures[0].face = kFaces; });
-  expect_refused("names a method that there is not", [](Result& result) { result.failures[0].method = 1; });
-  const std::string no_ball = "names a ball that there is not";
-  expect_refused(no_ball, [](Result& result) { result.failures[0].ball = kPlaces.size() * kSteps.size(); });
-  expect_refused(no_ball, [](Result& result) { result.failures[0].face = result.rejected[0].face; });
+  EXPECT_NE(refused.err.find("part1/part.json: is of MESH one.obj (hash "), std::string::npos) << refused.err;
 }
 
 TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {

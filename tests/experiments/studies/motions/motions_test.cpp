@@ -218,9 +218,11 @@ TEST(GrazingPass, IsSeenAcrossTheEdge) {
 
 const std::vector<std::string> kSmallRun{"--methods", "filtered,fast-float", "--vertices", "6", "--no-pictures"};
 
-TEST(Motions, TheNumberOfThreadsAndAPauseChangeNothing) {
-  run_tests::expect_that_threads_and_a_pause_change_nothing(
-      commands::motions_command, kSmallRun, "3", "1",
+TEST(Motions, TheNumberOfThreadsChangesNothing) {
+  std::vector<std::string> three = kSmallRun;
+  three.insert(three.end(), {"--samples", "3"});
+  run_tests::expect_that_threads_change_nothing(
+      commands::motions_command, three,
       {"ways.csv", "thresholds.csv", "furthest.jsonl", "pass.csv", "pass-scene.csv"});
 }
 

@@ -283,42 +283,6 @@ std::string error_of(const std::vector<std::string>& arguments) {
   return run_tests::message_of<std::exception>([&] { run_command(arguments); });
 }
 
-// The error names the settings that differ.
-TEST(NearEdgeCommand, GoesOnOnlyWithTheSameSettings) {
-  const Scratch scratch;
-  const auto run = [&](std::vector<std::string> more) {
-    more.insert(more.end(), {"--methods", "fast", "--families", "l", "--search", "1", "--no-pictures", "--output",
-                             (scratch.path / "one").string()});
-    return more;
-  };
-  ASSERT_EQ(run_command(run({"--samples", "2", "--oracle", "filtered"})), 0);
-  EXPECT_NE(error_of(run({"--samples", "2", "--oracle", "filtered", "--resume", "--seed", "2"}))
-                .find("is of --seed 1, not of --seed 2"),
-            std::string::npos);
-  EXPECT_NE(error_of(run({"--samples", "2", "--holes", "1", "--resume"}))
-                .find("is of --holes 0 --oracle filtered, not of --holes 1 --oracle exact"),
-            std::string::npos);
-  EXPECT_NE(error_of(run({"--samples", "1", "--oracle", "filtered", "--resume"}))
-                .find("holds 2 items already, more than the 1 asked for"),
-            std::string::npos);
-}
-
-// Before the samples that it would add, whose checkpoint stays as it is.
-TEST(NearEdgeCommand, RefusesASmallerSearchAtOnce) {
-  const Scratch scratch;
-  const auto run = [&](std::vector<std::string> more) {
-    more.insert(more.end(), {"--methods", "fast", "--families", "l", "--oracle", "filtered", "--no-pictures",
-                             "--output", (scratch.path / "run").string()});
-    return more;
-  };
-  ASSERT_EQ(run_command(run({"--samples", "1", "--search", "2"})), 0);
-  const std::string samples = text_of(scratch.path / "run" / "checkpoint.json");
-  EXPECT_NE(error_of(run({"--samples", "2", "--search", "1", "--resume"}))
-                .find("search-checkpoint.json: holds 2 items already, more than the 1 asked for"),
-            std::string::npos);
-  EXPECT_EQ(text_of(scratch.path / "run" / "checkpoint.json"), samples);
-}
-
 TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);

@@ -90,10 +90,11 @@ TEST(Recorded, RestingBallsLieAtContactWhereDoublesAndTheSimulationErr) {
   EXPECT_EQ(seen, simulations().size());
 }
 
-TEST(Recorded, TheNumberOfThreadsAndAPauseChangeNothing) {
+TEST(Recorded, TheNumberOfThreadsChangesNothing) {
   if (simulations().empty()) GTEST_SKIP() << kWithoutBullet;
-  run_tests::expect_that_threads_and_a_pause_change_nothing(
-      commands::recorded_command, {"--methods", "fast", "--steps", "60", "--balls", "9"}, "4", "2", {"recorded.csv"});
+  run_tests::expect_that_threads_change_nothing(
+      commands::recorded_command, {"--methods", "fast", "--steps", "60", "--balls", "9", "--samples", "4"},
+      {"recorded.csv"});
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/commands.h"
-#include "experiments/run/checkpoint.h"
 #include "experiments/run/output.h"
 #include "experiments/run/sweep.h"
 #include "experiments/studies/soak/measure.h"
@@ -34,16 +33,6 @@ using run_tests::text_of;
 
 using run_tests::kNeverStop;
 using run_tests::kSilent;
-
-run::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) {
-  return {scratch.path / "checkpoint.json",
-          {2, {{"seed", std::to_string(settings.seed)}, {"from", std::to_string(settings.from)}}}};
-}
-
-/// Returns the tally from which a run with these settings continues.
-Tally resumed(const run::Checkpoint& checkpoint, const Settings& settings) {
-  return run::begin(checkpoint, true, settings.cases, Tally());
-}
 
 /// Returns the tally of a whole run.
 Tally whole(const Settings& settings, const SystemUnderTest& tested = {}) {
@@ -416,61 +405,25 @@ TEST(Soak, TheNumberOfThreadsChangesNothing) {
   EXPECT_EQ(whole(one, wrong), whole(three, wrong));
 }
 
-// Stopped within a leg and read back from its checkpoint, again and again.
-TEST(Soak, AStoppedRunGoesOnAsIfItHadNot) {
-  const Scratch scratch;
+TEST(Soak, PartsAddUpToOneRun) {
   const StrictTriangle wrong;
   const Settings settings{.cases = 3000, .seed = 8, .from = 1'000'000, .threads = 2};
-  const auto checkpoint = checkpoint_in(scratch, settings);
+  Tally sum;
+  for (std::uint64_t number = 1; number <= 3; ++number) {
+    Tally part;
+    run_campaign(settings, wrong, {kNeverStop, kSilent, {number, 3}}, part);
+    sum += part;
+  }
+  EXPECT_EQ(sum, whole(settings, wrong));
+}
+
+TEST(Soak, TellsOfEveryDifferenceAtOnce) {
+  std::atomic<std::uint64_t> told = 0;
   Tally tally;
-  int stops = 0;
-  while (tally.cases() < settings.cases) {
-    std::atomic<bool> stop = false;
-    tally = resumed(checkpoint, settings);
-    const std::uint64_t before = tally.cases();
-    const std::uint64_t done = run_campaign(settings, wrong, {stop, [&](std::uint64_t) { stop = true; }}, tally);
-    EXPECT_GT(tally.cases(), before);
-    EXPECT_EQ(tally.cases(), done);
-    checkpoint.write(tally);
-    ++stops;
-  }
-  EXPECT_GT(stops, 2);
-  EXPECT_EQ(tally, whole(settings, wrong));
-  EXPECT_EQ(resumed(checkpoint, settings), tally);
-}
-
-void expect_refused(const Scratch& scratch, const Settings& settings, const std::string& why) {
-  const std::string said = run_tests::message_of([&] { return resumed(checkpoint_in(scratch, settings), settings); });
-  EXPECT_NE(said.find(why), std::string::npos) << said;
-}
-
-TEST(SoakCheckpoint, IsRefusedWhereItIsAnotherRuns) {
-  const Scratch scratch;
-  const Settings settings{.cases = 500, .seed = 3}, more{.cases = 501, .seed = 3};
-  const auto checkpoint = checkpoint_in(scratch, settings);
-  EXPECT_EQ(resumed(checkpoint, settings), Tally());
-  checkpoint.write(whole(settings));
-  expect_refused(scratch, {.cases = 500, .seed = 4}, "is of --seed 3, not of --seed 4");
-  expect_refused(scratch, {.cases = 500, .seed = 3, .from = 7}, "is of --from 0, not of --from 7");
-  expect_refused(scratch, {.cases = 499, .seed = 3}, "holds 500 items already, more than the 499 asked for");
-  EXPECT_EQ(resumed(checkpoint_in(scratch, more), more).cases(), 500U);
-
-  const std::string text = text_of(checkpoint.path());
-  for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string()}) {
-    run::write_file(checkpoint.path(), damaged);
-    expect_refused(scratch, settings, "is not a checkpoint");
-  }
-}
-
-// What an earlier version of the program wrote is gone on with.
-TEST(SoakCheckpoint, ReadsWhatWasWrittenBefore) {
-  const Scratch scratch;
-  const Settings settings{.cases = 256, .seed = 3};
-  const auto checkpoint = checkpoint_in(scratch, settings);
-  checkpoint.write(whole(settings));
-  const auto text = text_of(checkpoint.path());
-  EXPECT_EQ(text.rfind("{\"version\":2,\"seed\":\"3\",\"from\":\"0\",\"done\":256,\"state\":\"", 0), 0U) << text;
-  EXPECT_NE(text.find(" 256 0 0\"}\n"), std::string::npos) << text;  // cases, differing, and none kept
+  run_campaign({.cases = 3000, .seed = 6, .threads = 2}, StrictTriangle(), {kNeverStop, kSilent}, tally,
+               [&](const Difference&) { ++told; });
+  EXPECT_GT(told, 0U);
+  EXPECT_EQ(told, tally.kept().size());
 }
 
 int run_command(std::vector<std::string> arguments) {
@@ -507,16 +460,6 @@ TEST(SoakCommand, PrintsMotionsThatItWouldAsk) {
   EXPECT_EQ(shapes.motion()->to, drawn.to);
 }
 
-TEST(SoakCommand, MotionsDoNotContinueCasesAtRest) {
-  const Scratch scratch;
-  const std::string folder = (scratch.path / "run").string();
-  ASSERT_EQ(run_command({"--samples", "20", "--output", folder}), 0);
-  const auto ran =
-      run_tests::run_captured(commands::soak_command, {"--samples", "40", "--moving", "--output", folder, "--resume"});
-  EXPECT_EQ(ran.status, 2);
-  EXPECT_NE(ran.err.find("--moving"), std::string::npos) << ran.err;
-}
-
 TEST(SoakCommand, CrowdsDoNotMove) {
   const std::string said = run_tests::message_of<run::UsageError>([&] { run_command({"--crowds", "--moving"}); });
   EXPECT_NE(said.find("--crowds"), std::string::npos) << said;
@@ -524,7 +467,7 @@ TEST(SoakCommand, CrowdsDoNotMove) {
 
 TEST(SoakCommand, OptionsThatMeanNothingToPrintedCasesAreErrorsThatNameThem) {
   for (const std::vector<std::string>& option :
-       {{"--threads", "1"}, {"--output", "folder"}, {"--force"}, {"--crowds"}, std::vector<std::string>{"--resume"}}) {
+       {{"--threads", "1"}, {"--output", "folder"}, {"--crowds"}, std::vector<std::string>{"--force"}}) {
     std::vector<std::string> words{"--samples", "1", "--print"};
     words.insert(words.end(), option.begin(), option.end());
     const std::string said = run_tests::message_of<run::UsageError>([&] { run_command(words); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of studies and judgements: a plan that runs them, and the merge that adds them up.
+// The parts of studies and judgements, and the merge that adds them up.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ struct MadePart {
 /// Reads the record of a part. Throws std::runtime_error, which names the folder.
 MadePart read_part(const fs::path& folder) {
   std::ifstream file(folder / "run.json", std::ios::binary);
-  if (!file) refuse(folder, "has no run.json, so its part has not ended; --resume continues it");
+  if (!file) refuse(folder, "has no run.json: its part has not ended, so run it again");
   const auto record = nlohmann::json::parse(file, nullptr, false);
   const auto text = [&](const char* key) {
     const auto found = record.is_object() ? record.find(key) : record.end();
@@ -51,7 +51,7 @@ MadePart read_part(const fs::path& folder) {
   for (std::size_t i = 2; i < words.size(); ++i) {
     if (words[i] == "--part" || words[i] == "--output" || words[i] == "--threads")
       ++i;
-    else if (words[i] != "--resume" && words[i] != "--quiet")
+    else if (words[i] != "--quiet")
       made.arguments.push_back(words[i]);
   }
   return made;
@@ -126,76 +126,6 @@ int merge(const MergeOptions& options, const std::vector<Command>& commands) {
   return study.merge(folders, arguments);
 }
 
-/// What Snakemake reads, after the names of the studies and the number of parts.
-constexpr const char* kRules = R"(
-wildcard_constraints:
-    study="|".join(STUDIES)
-
-
-rule all:
-    input:
-        expand("{study}/run.json", study=STUDIES),
-
-
-# A part that was killed continues where it was.
-rule part:
-    output:
-        "parts/{study}/{part}-of-" + str(PARTS) + "/run.json",
-    params:
-        options=lambda wildcards: STUDIES[wildcards.study],
-        folder=lambda wildcards, output: output[0][: -len("/run.json")],
-    shell:
-        "{PROGRAM} {wildcards.study} {params.options} --part {wildcards.part}/{PARTS}"
-        " --threads {threads} --quiet --resume --output {params.folder}"
-
-
-# Has the machine for itself, because some studies measure times here.
-rule merge:
-    input:
-        expand("parts/{{study}}/{part}-of-" + str(PARTS) + "/run.json", part=range(1, PARTS + 1)),
-    output:
-        "{study}/run.json",
-    threads: workflow.cores
-    params:
-        folders=lambda wildcards, input: [path[: -len("/run.json")] for path in input],
-    shell:
-        "{PROGRAM} merge {params.folders} --threads {threads} --quiet --force --output {wildcards.study}"
-)";
-
-struct PlanOptions {
-  std::vector<std::string> studies;
-  std::uint64_t parts = 2;
-};
-
-int plan(const PlanOptions& options, const std::vector<Command>& commands) {
-  std::vector<std::string> lines = options.studies;
-  if (lines.empty())
-    for (const Command& command : commands)
-      if (command.has_parts() && std::ranges::none_of(command.description().options, &run::OptionDescription::required))
-        lines.push_back(command.name());
-  nlohmann::ordered_json studies = nlohmann::ordered_json::object();
-  for (const std::string& line : lines) {
-    auto words = run::shell_words(line);
-    const std::string name = words.empty() ? "" : words.front();
-    const Command& study = find_study(commands, name);
-    if (studies.contains(name)) throw run::UsageError("STUDY", "\"" + name + "\" is given twice");
-    words.erase(words.begin());
-    for (const char* word : {"--part", "--output", "--threads", "--resume", "--force", "--quiet"})
-      if (std::ranges::find(words, word) != words.end())
-        throw run::UsageError("STUDY", std::string("the plan sets ") + word + " of " + name + " itself");
-    study.check(words);
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + run::shell_quoted(word);
-    studies[name] = text;
-  }
-  fmt::print(
-      "# Written by `touchstone plan`. `snakemake --cores 2` runs it, and continues it after an end by force;\n"
-      "# `--config touchstone=PROGRAM` names the program.\n"
-      "PROGRAM = config.get(\"touchstone\", \"touchstone\")\nPARTS = {}\nSTUDIES = {}\n{}",
-      options.parts, studies.dump(4, ' ', true), kRules);
-  return 0;
-}
-
 }  // namespace
 
 Command merge_command(const std::vector<Command>& commands) {
@@ -215,21 +145,6 @@ Command merge_command(const std::vector<Command>& commands) {
   merging.example("merge one two --output all");
   merging.runs([merged, commands] { return merge(*merged, commands); });
   return merging;
-}
-
-Command plan_command(const std::vector<Command>& commands) {
-  auto planned = std::make_shared<PlanOptions>();
-  Command planning("plan", "Print a Snakefile, with which Snakemake runs studies by parts and merges them");
-  planning.texts("STUDY", planned->studies,
-                 "Studies, each with its options as one argument; without any, all that need no arguments");
-  planning.whole("--parts", planned->parts, "The number of parts of each study", 1, run::kMostParts);
-  planning.footer("The folders of the studies and `parts` lie where Snakemake runs.");
-  planning.example("plan --parts 4 'soak --samples 100000' tunnelling > Snakefile");
-  std::vector<Command> studies;
-  std::ranges::copy_if(commands, std::back_inserter(studies),
-                       [](const Command& command) { return command.description().heading == "Studies"; });
-  planning.runs([planned, studies] { return plan(*planned, studies); });
-  return planning;
 }
 
 }  // namespace touchstone::commands
