@@ -19,13 +19,12 @@ struct Options : run::StudyOptions {
   methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed"}};
   std::vector<std::string> families{"all"};
   cases::Shape shape;
-  std::string oracle = "exact";
   std::uint64_t search = 100;  // about 20 s
   bool no_maps = false;
 };
 
 // Raised when sample n of a seed changes, or the form of what is kept.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 /// The phases of one run.
 class Run {
@@ -38,8 +37,7 @@ class Run {
                   options.samples,
                   options.seed,
                   options.threads,
-                  options.shape,
-                  methods::find_method(options.oracle)} {
+                  options.shape} {
     workloads::require_vertices(settings_.families, options.shape.vertices);
   }
 
@@ -51,14 +49,10 @@ class Run {
 
     std::string text = table(settings_, result_.counts) + pace;
     if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
-    if (settings_.truth->name() != "exact")
-      text +=
-          fmt::format("{} was compared with exact for {}: {}.\n", options_.oracle,
-                      run::counted(result_.checked, "ball"), run::counted(result_.disagreements.count(), "difference"));
     return run_.finish({.done = result_.samples,
                         .missing = result_.missing,
                         .text = std::move(text),
-                        .status = report_differences() ? 1 : 0});
+                        .status = report_wrong_truths() ? 1 : 0});
   }
 
  private:
@@ -72,7 +66,6 @@ class Run {
       run_.remove_files({"map-", "maps", "rates-", "onset", "worst"});
       write_rates(run_.folder(), settings_, result_.counts);
       write_bands(run_.folder(), settings_, result_.counts);
-      write_disagreements(run_.folder(), result_);
     }
     const std::uint64_t strata =
         cases::all_strata().size() / workloads::all_families().size() * settings_.families.size();
@@ -100,20 +93,14 @@ class Run {
     write_worst(run_.folder(), settings_, onsets_, worst_);
   }
 
-  /// Reports that the oracle differs from exact. Returns whether it does.
-  [[nodiscard]] bool report_differences() const {
-    const std::uint64_t differing = result_.disagreements.count();
-    if (differing > 0)
-      fmt::print(stderr,
-                 "touchstone: {0} DIFFERS FROM exact {1} times: a defect of this program. See {2}; `touchstone judge "
-                 "--methods {0}` takes it\n",
-                 options_.oracle, differing, (run_.folder() / "disagreements.jsonl").string());
-    if (worst_.wrong_truths > 0)
-      fmt::print(stderr,
-                 "touchstone: the search found {} answers wrong by filtered, but right by exact: filtered DIFFERS FROM "
-                 "exact, a defect of this program, or a method does not repeat its answers\n",
-                 worst_.wrong_truths);
-    return differing > 0 || worst_.wrong_truths > 0;
+  /// Reports that the search took a wrong truth from `filtered`. Returns whether it did.
+  [[nodiscard]] bool report_wrong_truths() const {
+    if (worst_.wrong_truths == 0) return false;
+    fmt::print(stderr,
+               "touchstone: the search found {} answers wrong by filtered, but right by exact: filtered DIFFERS FROM "
+               "exact, a defect of this program, or a method does not repeat its answers\n",
+               worst_.wrong_truths);
+    return true;
   }
 
   run::StudyRun& run_;
@@ -144,11 +131,6 @@ run::Command near_edge_command() {
   command
       .real("--origin-distance", options->shape.origin_distance,
             "The distance of each polygon from the origin, in multiples of its size", 0.0, 0x1p30)
-      .changes_results();
-  command
-      .choice("--oracle", options->oracle, {"exact", "filtered"},
-              "The oracle that decides which answers are right; filtered is faster, and is compared with exact where a "
-              "method is wrong and in a hundredth of the samples")
       .changes_results();
   command.whole("--search", options->search,
                 "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "

@@ -29,44 +29,6 @@ struct Settings {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   cases::Shape shape = {};
-  /// The oracle that decides which answers are right. Unless it is `exact` itself, `exact` is also asked: about every
-  /// ball of one sample in kCheckedOneIn, and about every ball for which a method seems wrong.
-  const cases::Method* truth = methods::find_method("exact");
-};
-
-inline constexpr std::uint64_t kCheckedOneIn = 100;
-
-/// A ball for which the truth used by a study differs from `exact`: a defect of this program, not of a method.
-struct Disagreement {
-  std::uint64_t n;  ///< of the sample
-  std::uint64_t stratum;
-  std::string line;  ///< one line of JSON: the case in the contract's form, with what `exact` says expected
-
-  auto members() { return std::tie(n, stratum, line); }
-  friend bool operator==(const Disagreement&, const Disagreement&) = default;
-};
-
-/// Counts all disagreements and keeps the first ones; sums do not depend on their order.
-class Disagreements {
- public:
-  static constexpr std::size_t kMostKept = 1000;
-
-  /// Adds all disagreements of one sample, in their order.
-  void add(std::vector<Disagreement> found);
-  Disagreements& operator+=(const Disagreements& other);
-
-  [[nodiscard]] std::uint64_t count() const { return count_; }
-  /// Returns the first ones by n, then by stratum.
-  [[nodiscard]] const std::vector<Disagreement>& kept() const { return kept_; }
-
-  auto members() { return std::tie(count_, kept_); }
-  friend bool operator==(const Disagreements&, const Disagreements&) = default;
-
- private:
-  void keep_first();
-
-  std::uint64_t count_ = 0;
-  std::vector<Disagreement> kept_;
 };
 
 /// The answers of one method to one test in one stratum.
@@ -92,12 +54,10 @@ using Counts = std::vector<std::array<std::vector<TestFailures>, kTests.size()>>
 /// The results of the study; sums do not depend on their order.
 struct Result {
   Counts counts;
-  std::uint64_t samples = 0;    ///< complete samples per stratum: fewer than requested if the run was stopped
-  std::uint64_t missing = 0;    ///< samples, over all strata, for which no polygon or ball was found
-  std::uint64_t checked = 0;    ///< balls, over all tests, for which another truth was compared with `exact`
-  Disagreements disagreements;  ///< where they differed
+  std::uint64_t samples = 0;  ///< complete samples per stratum: fewer than requested if the run was stopped
+  std::uint64_t missing = 0;  ///< samples, over all strata, for which no polygon or ball was found
 
-  auto members() { return std::tie(counts, samples, missing, checked, disagreements); }
+  auto members() { return std::tie(counts, samples, missing); }
   friend bool operator==(const Result&, const Result&) = default;
 };
 
@@ -106,8 +66,8 @@ struct Result {
 /// Returns an empty result.
 [[nodiscard]] Result no_result(const Settings& settings);
 
-/// Asks every method about every ball of every crossing that the result does not contain yet, and adds the answers to
-/// it.
+/// Asks every method about every ball of every crossing of the part, whose truths are those of `exact`, and adds the
+/// answers to the result.
 ///
 /// The result is a function of settings and the number of samples done. Threads, stops
 /// and the other families and methods do not change the counts of one family and method. A run stopped after m samples
@@ -119,9 +79,6 @@ void run_study(const Settings& settings, const run::RunControl& control, Result&
 
 void write_rates(const std::filesystem::path& folder, const Settings& settings, const Counts& counts);
 void write_bands(const std::filesystem::path& folder, const Settings& settings, const Counts& counts);
-/// disagreements.jsonl: the first balls for which `exact` differs from the truth that was used, for `touchstone judge`;
-/// empty if it never differed.
-void write_disagreements(const std::filesystem::path& folder, const Result& result);
 
 /// Returns what the tables hold, those of the maps included.
 [[nodiscard]] std::vector<run::TableDescription> tables();

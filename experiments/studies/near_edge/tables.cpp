@@ -130,12 +130,6 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
   bands_table().write(folder, rows);
 }
 
-void write_disagreements(const std::filesystem::path& folder, const Result& result) {
-  std::string text;
-  for (const Disagreement& disagreement : result.disagreements.kept()) text += disagreement.line;
-  run::write_file(folder / "disagreements.jsonl", text);
-}
-
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
   std::vector<std::string> methods;
   for (const auto* method : settings.methods) methods.emplace_back(method->name());

@@ -13,7 +13,6 @@
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/measure.h"
 #include "tests/experiments/support/message_of.h"
-#include "tests/experiments/support/planted_method.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
@@ -187,57 +186,6 @@ TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
   EXPECT_EQ(files, 23);
 }
 
-TEST(NearEdgeTruth, FilteredGivesTheSameCountsAsExact) {
-  auto setting = settings({"fast", "thesis"}, 3);
-  setting.shape.holes = 1;
-  const Result exact = whole(setting);
-  setting.truth = methods::find_method("filtered");
-  const Result filtered = whole(setting);
-  EXPECT_EQ(exact.counts, filtered.counts);
-  EXPECT_EQ(exact.checked, 0U);
-  EXPECT_GT(filtered.checked, 100U);
-  EXPECT_EQ(filtered.disagreements.count(), 0U);
-}
-
-/// `exact`, but that touching does not count and that no foot is on a boundary.
-const run_tests::PlantedMethod kWrongTruth([](const auto& exact, const Ball& ball, cases::QueryKind kind) {
-  PartialAnswer answer = exact.ask(ball, kind);
-  if (answer.contact) answer.contact = exact.ask(ball, cases::QueryKind::Relation).relation == Relation::Overlapping;
-  if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
-  return answer;
-});
-
-// Asked about failures, a method that is right shows every error of the truth; the case is told as the judge reads it.
-TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
-  auto setting = settings({"filtered"}, 4);
-  setting.truth = &kWrongTruth;
-  const Result result = whole(setting);
-  std::uint64_t failed = 0;
-  for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
-    for (const Tested test : kTests) failed += failures(result, {s}, test);
-  EXPECT_GT(failed, 0U);
-  EXPECT_EQ(result.disagreements.count(), failed);
-  for (const Disagreement& found : result.disagreements.kept()) {
-    const cases::Case read = cases::read_case(found.line);
-    ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << found.line;
-    const cases::PartialAnswer truth = exact_answer(std::get<cases::Shapes>(read.content));
-    EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << found.line;
-  }
-}
-
-// Where a method makes the same mistake, only the samples chosen by their index show it.
-TEST(NearEdgeTruth, IsHeldAgainstExactOnSomeSamplesThatNobodyFails) {
-  auto setting = settings({}, 120);
-  setting.families = {Family::L};
-  setting.methods = {&kWrongTruth};
-  setting.truth = &kWrongTruth;
-  const Result result = whole(setting);
-  EXPECT_GT(result.disagreements.count(), 0U);
-  const std::uint64_t asked = 120 * 11 * kTests.size() * cases::all_offsets().size();
-  EXPECT_GT(result.checked, asked / 200);
-  EXPECT_LT(result.checked, asked / 50);
-}
-
 // Sums of the largest sweep that the options allow stay below 2^64.
 TEST(NearEdgeCounts, DoNotOverflow) {
   using run::kMostSamples;
@@ -288,7 +236,6 @@ TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--samples", "0"}), run::UsageError);
   EXPECT_THROW(run_command({"--samples", "1099511627777"}), run::UsageError);
-  EXPECT_THROW(run_command({"--oracle", "fast"}), run::UsageError);
   EXPECT_THROW(run_command({"--holes", "-1"}), run::UsageError);
   EXPECT_THROW(run_command({"--vertices", "2"}), run::UsageError);
   const Scratch scratch;
