@@ -71,7 +71,6 @@ LIBRARIES = {
     "Sphere tree": Look("structures", RED, ":", "<"),
     "18-DOP tree": Look("structures", ORANGE, "--", "*"),
     "CGAL AABB_tree": Look("CGAL", PURPLE, "-", "P"),
-    "Boost R-tree": LOOKS["boost-geometry"],
     "Embree 3": LOOKS["embree-fast"],
     "FCL BVHModel": LOOKS["fcl"],
     "Bullet": LOOKS["bullet"],

@@ -80,7 +80,7 @@ int measure_scenes(const SceneOptions& options) {
   write(run, options, results);
 
   const std::string exact = libraries.front().name;
-  std::string text = growth_table(growths(results)) + scene_legend() + "\n" + scene_goals(results, exact);
+  std::string text = scene_legend() + "\n" + scene_goals(results, exact);
   for (const std::string& absent : absent_libraries())
     text += fmt::format("Built without {}: it does not take part.\n", absent);
   text += fmt::format("{}, {}, seed {}, in {:.0f} s. Everything: {}\n", run::counted(options.settings.samples, "ball"),

@@ -18,7 +18,6 @@ std::vector<Library> all_libraries() {
 #if TOUCHSTONE_HAS_EMBREE
   libraries.push_back(methods::embree_library());
 #endif
-  libraries.push_back(boost_rtree_library());
   libraries.push_back(cgal_aabb_tree_library());
   for (const auto& broad_phase :
        {grid_library, octree_library, kd_tree_library, sphere_tree_library, kdop_tree_library})

@@ -25,7 +25,6 @@ using methods::Mesh;
 /// The same triangles in a scene of objects of 100 each.
 [[nodiscard]] Library touchstone_library_of_objects();
 inline constexpr const char* kObjects = "Scene of objects";
-[[nodiscard]] Library boost_rtree_library();
 [[nodiscard]] Library cgal_aabb_tree_library();
 // What textbooks name (broad_phases/): conservative candidates, then `fast::contact`; they do not know `nearest`.
 [[nodiscard]] Library grid_library();

@@ -200,16 +200,6 @@ Balls draw(BallPlace place, const NamedScene& scene, const SceneSettings& settin
   return std::make_shared<const std::vector<Ball>>(std::move(balls));
 }
 
-/// Counts for the first balls.
-std::optional<TouchedMemory> touched_memory(const MemoryModel& model, const std::vector<Triangle>& triangles,
-                                            SceneQuestion question, const std::vector<Ball>& balls, BuiltScene& exact) {
-  constexpr std::size_t kMost = 2000;
-  std::vector<Ball> some(balls.begin(), balls.begin() + static_cast<std::ptrdiff_t>(std::min(balls.size(), kMost)));
-  if (question == SceneQuestion::Any || some.empty()) return std::nullopt;
-  if (question == SceneQuestion::Nearest) make_touch(some, triangles, exact);
-  return model.touched_by(some);
-}
-
 }  // namespace
 
 std::string_view to_string(SceneQuestion question) {
@@ -249,7 +239,6 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
         settings.seconds_of_repetition);
   };
   using enum SceneQuestion;
-  const MemoryModel model(scene.triangles);
   for (const BallPlace place : {BallPlace::Near, BallPlace::Anywhere, BallPlace::Touching}) {
     if (stop) break;
     const Balls balls = draw(place, scene, settings, *exact->scene);
@@ -257,8 +246,7 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
       if (stop || (place == BallPlace::Touching && question == Nearest)) break;
       const timing::Benchmark benchmark =
           benchmark_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
-      result.benchmarks.push_back({place, question, measured(benchmark),
-                                   touched_memory(model, scene.triangles, question, *balls, *exact->scene)});
+      result.benchmarks.push_back({place, question, measured(benchmark)});
       keep(result.benchmarks.back());
     }
   }
@@ -277,26 +265,6 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
     result.poses = measure_poses(scene.triangles, *balls, settings.repetitions);
   }
   return result;
-}
-
-std::vector<Growth> growths(const std::vector<SceneResult>& results) {
-  constexpr std::size_t kSmallest = 9'900;
-  std::vector<Growth> all;
-  for (const SceneResult& large : results) {
-    const auto small = std::ranges::find_if(
-        results, [&](const SceneResult& r) { return r.kind == large.kind && r.triangles >= kSmallest; });
-    if (small == results.end() || small->triangles >= large.triangles) continue;
-    for (const SceneBenchmark& benchmark : large.benchmarks) {
-      const auto before = std::ranges::find_if(small->benchmarks, [&](const SceneBenchmark& c) {
-        return c.place == benchmark.place && c.question == benchmark.question;
-      });
-      if (before == small->benchmarks.end() || !before->memory || !benchmark.memory) continue;
-      const TouchedMemory &from = *before->memory, &to = *benchmark.memory;
-      all.push_back({large.kind, benchmark.place, benchmark.question, small->triangles, large.triangles,
-                     to.lines / from.lines, static_cast<double>(to.levels) / from.levels});
-    }
-  }
-  return all;
 }
 
 }  // namespace touchstone::bench_scenes

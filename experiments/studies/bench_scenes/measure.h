@@ -15,7 +15,6 @@
 #include "experiments/run/timing.h"
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/scenes.h"
-#include "geometry/bvh/box_tree.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
@@ -68,34 +67,11 @@ struct MotionBenchmark {
   timing::Result result;
 };
 
-/// The memory that a query of the exact scene needs on average, at least: the nodes and leaves whose boxes the ball
-/// meets, and their cache lines.
-struct TouchedMemory {
-  double nodes, leaves, lines;
-  int levels;  ///< of nodes in the tree
-};
-
-/// The tree of the exact scene, whose nodes and leaves are counted here, not in the library.
-class MemoryModel {
- public:
-  /// Requires at least one triangle.
-  explicit MemoryModel(const std::vector<Triangle>& triangles);
-  /// Requires at least one ball. Boxes are compared in doubles.
-  [[nodiscard]] TouchedMemory touched_by(std::span<const Ball> balls) const;
-
- private:
-  BoxTree tree_;
-  int levels_ = 0;
-};
-
 /// One benchmark of a scene.
 struct SceneBenchmark {
   BallPlace place;
   SceneQuestion question;
   timing::Result result;
-  std::optional<TouchedMemory> memory =
-      {};  ///< by the balls, whose radii are the distances if the question is nearest;
-           ///< nothing for any, which ends at the first touched triangle
 };
 
 /// Draws motions of balls that are near the surface, and do not touch it at their start, in random directions; a
@@ -200,28 +176,11 @@ inline constexpr timing::Goal kObjectsGoal{2};
                                         const std::function<void(const SceneResult&)>& built,
                                         const std::function<void(const SceneBenchmark&)>& keep);
 
-/// The growth of the cache lines that a query of the exact scene touches between two scenes of a kind, compared with
-/// that of the levels of its tree. Its time also grows with the share of them that is in no cache.
-struct Growth {
-  std::string kind;
-  BallPlace place;
-  SceneQuestion question;
-  std::size_t from, to;  ///< triangles
-  double lines;          ///< the factor by which their number grew
-  double levels;         ///< the factor by which the levels grew
-};
-
-/// Returns the growth from the smallest scene of at least 10,000 triangles (less a hundredth) to each larger one of its
-/// kind.
-[[nodiscard]] std::vector<Growth> growths(const std::vector<SceneResult>& results);
-
 /// Returns the build times and memory of one scene.
 [[nodiscard]] std::string builds_table(const SceneResult& result);
 /// Returns the costs of poses of one scene; nothing if they were not measured.
 [[nodiscard]] std::string poses_table(const SceneResult& result);
-/// Returns how the cache lines of a query grew.
-[[nodiscard]] std::string growth_table(const std::vector<Growth>& growths);
-/// Returns every goal: ratios, builds, memory, poses, growth; how many were met, and which were not.
+/// Returns every goal: ratios, builds, memory, poses; how many were met, and which were not.
 [[nodiscard]] std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library);
 /// Returns the legend: the comparisons, and the meaning of the columns.
 [[nodiscard]] std::string scene_legend();

@@ -50,11 +50,6 @@ class Goals {
 
 std::string title(const SceneResult& result) { return fmt::format("{}, {} triangles", result.kind, result.triangles); }
 
-std::string title(const Growth& growth) {
-  return fmt::format("{}, {}, {}, {} to {} triangles", growth.kind, to_string(growth.place), to_string(growth.question),
-                     growth.from, growth.to);
-}
-
 struct PoseRow {
   const char* name;
   const std::vector<double>* values;
@@ -126,27 +121,6 @@ const run::Table<QueryRow>& queries_table() {
   return table;
 }
 
-/// A question about a scene whose memory was counted.
-struct MemoryRow {
-  const SceneResult* scene;
-  const SceneBenchmark* benchmark;
-};
-
-const run::Table<MemoryRow>& memory_table() {
-  static const run::Table<MemoryRow> table(
-      "memory.csv", "a scene, place of balls and question: what a query of Scene touches on average",
-      {{"scene", "the kind of scene", run::path(&MemoryRow::scene, &SceneResult::kind)},
-       {"triangles", "", run::path(&MemoryRow::scene, &SceneResult::triangles)},
-       {"balls", "where the balls are", run::path(&MemoryRow::benchmark, &SceneBenchmark::place)},
-       {"question", "all or nearest", run::path(&MemoryRow::benchmark, &SceneBenchmark::question)},
-       {"nodes", "of the tree", [](const MemoryRow& row) { return row.benchmark->memory->nodes; }},
-       {"leaves", "of up to eight triangles", [](const MemoryRow& row) { return row.benchmark->memory->leaves; }},
-       {"lines", "of 64 bytes, of these nodes and leaves",
-        [](const MemoryRow& row) { return row.benchmark->memory->lines; }},
-       {"levels", "of the tree's nodes", [](const MemoryRow& row) { return row.benchmark->memory->levels; }}});
-  return table;
-}
-
 using MotionRow = TimedRow<MotionBenchmark>;
 
 const run::Table<MotionRow>& motions_table() {
@@ -210,15 +184,6 @@ std::string poses_table(const SceneResult& result) {
   return text.empty() ? "" : fmt::format("\n{}, poses\n", title(result)) + text;
 }
 
-std::string growth_table(const std::vector<Growth>& growths) {
-  std::string text;
-  for (const Growth& growth : growths)
-    text += fmt::format("  {:<62}{:>7.2f} x, levels {:.2f} x   {}\n", title(growth), growth.lines, growth.levels,
-                        verdict({growth.levels}, growth.lines));
-  return text.empty() ? ""
-                      : "\nGrowth of the cache lines that a query of Scene touches, and of its tree's levels:\n" + text;
-}
-
 std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library) {
   Goals goals;
   for (const SceneResult& result : results) {
@@ -236,8 +201,6 @@ std::string scene_goals(const std::vector<SceneResult>& results, const std::stri
   for (const SceneResult& result : results)
     for (const PoseRow& row : pose_rows(result.poses))
       goals.add(title(result) + ", " + row.name, row.goal, timing::quartiles(*row.values).median);
-  for (const Growth& growth : growths(results))
-    goals.add("growth of cache lines, " + title(growth), {growth.levels}, growth.lines);
   return goals.text();
 }
 
@@ -250,8 +213,8 @@ one of times in the same repetition.
 Balls: near, within two radii along each axis of a random point of a random triangle; anywhere in the scene's box;
 touching, as near, but with the double that is nearest to the exact distance as the radius.
 Scene of objects: the same triangles, each hundred an object of its own.
-Embree and the R-tree find boxes; fast, careful plain doubles, then tests the triangles, and Ericson's closest point
-decides which is nearest. Embree is asked by rtcPointQuery about one ball after the other, as its functions for 4, 8 or
+Embree finds boxes; fast, careful plain doubles, then tests the triangles, and Ericson's closest point decides which is
+nearest. Embree is asked by rtcPointQuery about one ball after the other, as its functions for 4, 8 or
 16 balls do themselves. Together: one call asks Scene about 64, 1024 or all balls, on one core; two cores: about all.
 Answers that differ from those about single balls are wrong. CGAL, FCL and Bullet use their own tests; CGAL (EPICK)
 takes the ball as its surface, Bullet does not support nearest.
@@ -264,7 +227,6 @@ radius, long ones as thirty. FCL asks at 100 places of the way, Bullet casts a c
 missed, or a time that differs by more than a millionth of the way.
 Points: uniform in the box of closed triangles; is a point inside? Embree counts the triangles along the ray that Solid
 takes, to the nearest side of the box. Wrong: from an odd number of triangles along another ray, by CGAL (EPICK).
-Cache lines: of 64 bytes, of the nodes and leaves whose boxes the ball meets, counted in the tree that Scene has.
 Poses: the time of set_pose for an object of all triangles, and that of queries near it afterwards, relative to a scene
 that was built of the posed triangles.
 )";
@@ -274,19 +236,14 @@ void write_scene_tables(const std::filesystem::path& folder, const std::vector<S
   std::vector<BuildRow> builds;
   for (const SceneResult& result : results)
     for (const Build& build : result.builds) builds.push_back({&result, &build});
-  std::vector<MemoryRow> memory;
-  for (const SceneResult& result : results)
-    for (const SceneBenchmark& benchmark : result.benchmarks)
-      if (benchmark.memory) memory.push_back({&result, &benchmark});
   queries_table().write(folder, timed_rows(results, &SceneResult::benchmarks));
-  memory_table().write(folder, memory);
   motions_table().write(folder, timed_rows(results, &SceneResult::motions));
   points_table().write(folder, timed_rows(results, &SceneResult::points));
   builds_csv().write(folder, builds);
 }
 
 std::vector<run::TableDescription> tables() {
-  return {queries_table().description(), memory_table().description(), motions_table().description(),
+  return {queries_table().description(), motions_table().description(),
           points_table().description(), builds_csv().description()};
 }
 

@@ -192,9 +192,9 @@ TEST(SceneBench, BroadPhasesFindWhatBruteForceFinds) {
 }
 
 TEST(SceneBench, DoublesAreWrongAboutSomeBallsThatTouch) {
-  const SceneResult result = measure_small({touchstone_library(), boost_rtree_library()});
+  const SceneResult result = measure_small({touchstone_library(), grid_library()});
   const auto touching = std::ranges::find(result.benchmarks, BallPlace::Touching, &SceneBenchmark::place);
-  EXPECT_GT(find(*touching, "Boost R-tree").wrong->count, 0U);
+  EXPECT_GT(find(*touching, grid_library().name).wrong->count, 0U);
   EXPECT_EQ(find(*touching, "Scene").wrong->count, 0U);
 }
 
@@ -217,7 +217,7 @@ TEST(SceneBench, AnErrorOfTheTruthIsDisputed) {
 }
 
 TEST(SceneBench, NobodyExactIsRefused) {
-  EXPECT_THROW((void)measure_small({boost_rtree_library()}), std::invalid_argument);
+  EXPECT_THROW((void)measure_small({grid_library()}), std::invalid_argument);
 }
 
 TEST(SceneBench, AStopEndsWithWhatWasMeasured) {
@@ -233,42 +233,6 @@ SceneResult timed(std::size_t triangles, double nanoseconds) {
   timing::Result result{"torus", "near, any", "",
                         "query", "",          {{"Scene", 10, {nanoseconds}, timing::Wrong{0, 5}, {}, {}}}};
   return {"torus", triangles, {{"Scene", {2.0}, 120}}, {{BallPlace::Near, SceneQuestion::Any, result}}, {}};
-}
-
-SceneResult counted(std::size_t triangles, double lines, int levels) {
-  SceneResult result = timed(triangles, 1);
-  result.benchmarks[0].memory = TouchedMemory{1, 1, lines, levels};
-  return result;
-}
-
-TEST(SceneBench, GrowthOfCacheLinesIsHeldAgainstThatOfLevelsFromTenThousandTrianglesOn) {
-  const std::vector<SceneResult> results{counted(1000, 1, 2), counted(10'000, 10, 4), counted(99'856, 12, 5),
-                                         counted(1'000'000, 20, 6)};
-  const auto all = growths(results);
-  ASSERT_EQ(all.size(), 2U);
-  EXPECT_EQ(all[1].from, 10'000U);
-  EXPECT_EQ(all[1].lines, 2);
-  EXPECT_EQ(all[1].levels, 1.5);
-  const std::string table = growth_table(all);
-  EXPECT_NE(table.find("1.20 x, levels 1.25 x   met"), std::string::npos) << table;
-  EXPECT_NE(table.find("2.00 x, levels 1.50 x   MISSED"), std::string::npos) << table;
-}
-
-// A ball that holds the whole scene meets every box.
-TEST(SceneBench, AllNodesAndLeavesAreTouchedByABallAroundTheScene) {
-  const std::vector<Triangle> triangles = torus(1000);
-  std::vector<Box> boxes;
-  for (const Triangle& triangle : triangles) boxes.push_back(box(triangle));
-  const BoxTree tree(boxes);
-  const MemoryModel model(triangles);
-  const Ball around{{0, 0, 0}, 100}, beyond{{1000, 0, 0}, 1};
-  const TouchedMemory all = model.touched_by({&around, 1}), none = model.touched_by({&beyond, 1});
-  EXPECT_EQ(all.nodes, static_cast<double>(tree.nodes().size()));
-  EXPECT_EQ(all.leaves, static_cast<double>(tree.leaf_count()));
-  EXPECT_EQ(all.lines, 2 * all.nodes + 3 * all.leaves);
-  EXPECT_EQ(none.nodes, 1);
-  EXPECT_EQ(none.leaves, 0);
-  EXPECT_GE(all.levels, 2);
 }
 
 TEST(SceneBench, GoalsOfAMillionTriangles) {
