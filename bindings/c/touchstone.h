@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+/* Touchstone for C. <touchstone/touchstone.h> is for C++. */
 #pragma once
 
 #include <stdbool.h>

@@ -4,91 +4,11 @@
 //! status and the message of a rejection.
 use std::ffi::CStr;
 use std::io::{self, BufRead};
-use std::os::raw::c_char;
 use std::ptr;
 
-#[repr(C)]
-struct Opaque {
-    _private: [u8; 0],
-}
-
-#[repr(C)]
-struct Error {
-    status: i32,
-    message: [c_char; 508],
-}
-
-#[repr(C)]
-struct Ball {
-    center: [f64; 3],
-    radius: f64,
-}
-
-#[repr(C)]
-struct Motion {
-    ball: Ball,
-    to: [f64; 3],
-}
-
-#[repr(C)]
-#[derive(Default)]
-struct Feature {
-    index: u64,
-    kind: i32,
-    reserved: i32,
-}
-
-#[repr(C)]
-#[derive(Default)]
-struct Answer {
-    plane: i32,
-    plane_tangent: i32,
-    foot: i32,
-    relation: i32,
-    nearest: Feature,
-    point: [f64; 3],
-    distance: f64,
-    contact_normal: [f64; 3],
-    depth: f64,
-    off_plane: f64,
-}
-
-#[repr(C)]
-#[derive(Default)]
-struct FirstContact {
-    kind: i32,
-    momentary: i32,
-    time: f64,
-    feature: Feature,
-    point: [f64; 3],
-    contact_normal: [f64; 3],
-    depth: f64,
-}
-
-extern "C" {
-    fn touchstone_polygon_create(
-        vertices: *const f64,
-        loop_sizes: *const usize,
-        loop_count: usize,
-        polygon: *mut *mut Opaque,
-        error: *mut Error,
-    ) -> i32;
-    fn touchstone_polygon_free(polygon: *mut Opaque);
-    fn touchstone_polygon_answer(
-        polygon: *const Opaque,
-        balls: *const Ball,
-        count: usize,
-        answers: *mut Answer,
-        error: *mut Error,
-    ) -> i32;
-    fn touchstone_polygon_first_contact(
-        polygon: *const Opaque,
-        motions: *const Motion,
-        count: usize,
-        contacts: *mut FirstContact,
-        error: *mut Error,
-    ) -> i32;
-}
+#[path = "../../../bindings/c/touchstone_sys.rs"]
+mod touchstone_sys;
+use touchstone_sys::*;
 
 /// Returns what the call made, or the status and the message.
 fn checked<T>(call: impl FnOnce(&mut T, &mut Error) -> i32, mut made: T) -> Result<T, String> {
@@ -103,14 +23,14 @@ fn checked<T>(call: impl FnOnce(&mut T, &mut Error) -> i32, mut made: T) -> Resu
     }
 }
 
-struct Polygon(*mut Opaque);
+struct OwnedPolygon(*mut Polygon);
 
-impl Polygon {
-    fn new(vertices: &[f64], loop_sizes: &[usize]) -> Result<Polygon, String> {
-        let create = |polygon: &mut *mut Opaque, error: &mut Error| unsafe {
+impl OwnedPolygon {
+    fn new(vertices: &[f64], loop_sizes: &[usize]) -> Result<OwnedPolygon, String> {
+        let create = |polygon: &mut *mut Polygon, error: &mut Error| unsafe {
             touchstone_polygon_create(vertices.as_ptr(), loop_sizes.as_ptr(), loop_sizes.len(), polygon, error)
         };
-        checked(create, ptr::null_mut()).map(Polygon)
+        checked(create, ptr::null_mut()).map(OwnedPolygon)
     }
 
     fn answer(&self, ball: &Ball) -> Result<Answer, String> {
@@ -125,7 +45,7 @@ impl Polygon {
     }
 }
 
-impl Drop for Polygon {
+impl Drop for OwnedPolygon {
     fn drop(&mut self) {
         unsafe { touchstone_polygon_free(self.0) }
     }
@@ -153,7 +73,7 @@ fn verdict(line: &str) -> Result<String, String> {
     let (vertices, rest) = numbers.split_at(3 * sizes.iter().sum::<usize>());
     let ball = |n: &[f64]| Ball { center: [n[0], n[1], n[2]], radius: n[3] };
     let motion = Motion { ball: ball(rest), to: [rest[4], rest[5], rest[6]] };
-    let polygon = Polygon::new(vertices, &sizes)?;
+    let polygon = OwnedPolygon::new(vertices, &sizes)?;
     let contact = polygon.first_contact(&motion)?;
     Ok(members(&polygon.answer(&motion.ball)?) + " " + &members_of_contact(&contact))
 }

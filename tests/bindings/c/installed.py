@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: installed.py SOURCE BUILD SCRATCH C_COMPILER CXX_COMPILER [FLAG...]
 
-The sample of bindings/c/README.md compiles against an installation of BUILD, and prints what the page says: by pkg-config;
-by find_package in a project of C alone, where Eigen, TBB, GMP and MPFR are not found; and with the static library. FLAGs
-are those of BUILD.
+The sample of bindings/c/README.md compiles against an installation of BUILD, and prints what the page says: by the page's
+command of pkg-config, and without its rpath where LD_LIBRARY_PATH names the folder, and there alone; by find_package in a
+project of C alone, where Eigen, TBB, GMP and MPFR are not found; and with the static library. FLAGs are those of BUILD.
 """
 
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import sys
 
@@ -47,12 +48,17 @@ def main():
         run("cmake", "--install", build, "--prefix", scratch / "prefix", "--component", component)
 
     [description] = scratch.glob("prefix/**/touchstone-c.pc")
-    environment = dict(os.environ, PKG_CONFIG_PATH=str(description.parent))
-    found = run("pkg-config", "--cflags", "--libs", "touchstone-c", env=environment).stdout.split()
-    version = run("pkg-config", "--modversion", "touchstone-c", env=environment).stdout.strip()
-    run(cc, "-std=c11", *WARNINGS, *flags, scratch / "sample.c", *found, "-o", scratch / "sample")
-    [library] = scratch.glob(f"prefix/**/libtouchstone_c.so.{version}")
+    script = re.search(r"```sh\n(export PKG_CONFIG_PATH=DIR\n.*?)```", page, re.DOTALL)[1].replace("DIR", str(description.parent))
+    script = script.replace("cc -std=c11", shlex.join([cc, "-std=c11", *WARNINGS, *flags]))
+    run("bash", "-euc", script, cwd=scratch)
     programs = {"pkg-config": scratch / "sample"}
+    run("bash", "-euc", re.sub(r"-Wl,-rpath,\$\(.*?\)", "", script).replace("-o sample", "-o without_rpath"), cwd=scratch)
+    environment = dict(os.environ, PKG_CONFIG_PATH=str(description.parent))
+    version = run("pkg-config", "--modversion", "touchstone-c", env=environment).stdout.strip()
+    library, = scratch.glob(f"prefix/**/libtouchstone_c.so.{version}")
+    run(scratch / "without_rpath", expected=127)
+    printed = run(scratch / "without_rpath", env=dict(os.environ, LD_LIBRARY_PATH=str(library.parent))).stdout
+    expect(printed == promised, f"with LD_LIBRARY_PATH the sample prints {printed!r}; README.md promises {promised!r}")
 
     compilers = [f"-DCMAKE_C_COMPILER={cc}", f"-DCMAKE_CXX_COMPILER={cxx}", f"-DCMAKE_C_FLAGS={' '.join([*WARNINGS, *flags])}",
                  f"-DCMAKE_CXX_FLAGS={' '.join(flags)}"]
@@ -64,7 +70,7 @@ def main():
     needs = run("ldd", programs["the static library"]).stdout
     expect("libtouchstone" not in needs, f"the static library needs a shared one: {needs}")
     for name, program in programs.items():
-        printed = run(program, env=dict(environment, LD_LIBRARY_PATH=str(library.parent))).stdout
+        printed = run(program).stdout
         expect(printed == promised, f"by {name} the sample prints {printed!r}; README.md promises {promised!r}")
         print(f"by {name}: as the page says")
 

@@ -2,7 +2,7 @@
 """Usage: other_languages.py LIBRARY CORPUS [--rust RUSTC SCRATCH]
 
 Python's ctypes, and with --rust a program in Rust without a crate, call the shared library LIBRARY about every case of
-CORPUS and its folder `floats`: each answer has the certified keys, and each rejection the certified code. The program in
+CORPUS and its folder `floats`, by the declarations of bindings/c: each answer has the certified keys, and each rejection the certified code. The program in
 Rust answers with the same bits and messages as ctypes.
 """
 
@@ -14,59 +14,36 @@ import re
 import struct
 import sys
 
-sys.path.append(str(pathlib.Path(__file__).parents[2] / "system"))
+HERE = pathlib.Path(__file__)
+sys.path += [str(HERE.parents[2] / "system"), str(HERE.parents[3] / "bindings/c")]
 from running import expect, run  # noqa: E402
+from touchstone_ctypes import Answer, Ball, Error, FirstContact, Motion, Vector, load  # noqa: E402
 
-Vector = c.c_double * 3
 WORDS = {"plane": ("in_front", "behind", "intersects"), "foot": ("inside", "boundary", "outside"),
          "relation": ("separate", "touching", "overlapping"), "kind": ("face", "edge", "vertex"),
          "first": ("start", "way", "none")}
 FIRST, TRIANGLE = "first", [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
 
 
-class Error(c.Structure):
-    _fields_ = [("status", c.c_int32), ("message", c.c_char * 508)]
+def feature_verdict(feature):
+    word = WORDS["kind"][feature.kind]
+    return {"kind": word} if word == "face" else {"kind": word, "index": feature.index}
 
 
-class Ball(c.Structure):
-    _fields_ = [("center", Vector), ("radius", c.c_double)]
+def answer_verdict(answer, edges_hit):
+    return {"plane": WORDS["plane"][answer.plane], "plane_tangent": bool(answer.plane_tangent),
+            "foot": WORDS["foot"][answer.foot], "edges_hit": edges_hit, "relation": WORDS["relation"][answer.relation],
+            "contact": answer.relation != 0, "nearest": feature_verdict(answer.nearest), "point": list(answer.point),
+            "distance": answer.distance, "contact_normal": list(answer.contact_normal), "depth": answer.depth,
+            "off_plane": answer.off_plane}
 
 
-class Motion(c.Structure):
-    _fields_ = [("ball", Ball), ("to", Vector)]
-
-
-class Feature(c.Structure):
-    _fields_ = [("index", c.c_uint64), ("kind", c.c_int32), ("reserved", c.c_int32)]
-
-    def verdict(self):
-        word = WORDS["kind"][self.kind]
-        return {"kind": word} if word == "face" else {"kind": word, "index": self.index}
-
-
-class Answer(c.Structure):
-    _fields_ = [("plane", c.c_int32), ("plane_tangent", c.c_int32), ("foot", c.c_int32), ("relation", c.c_int32),
-                ("nearest", Feature), ("point", Vector), ("distance", c.c_double), ("contact_normal", Vector),
-                ("depth", c.c_double), ("off_plane", c.c_double)]
-
-    def verdict(self, edges_hit):
-        return {"plane": WORDS["plane"][self.plane], "plane_tangent": bool(self.plane_tangent),
-                "foot": WORDS["foot"][self.foot], "edges_hit": edges_hit, "relation": WORDS["relation"][self.relation],
-                "contact": self.relation != 0, "nearest": self.nearest.verdict(), "point": list(self.point),
-                "distance": self.distance, "contact_normal": list(self.contact_normal), "depth": self.depth,
-                "off_plane": self.off_plane}
-
-
-class FirstContact(c.Structure):
-    _fields_ = [("kind", c.c_int32), ("momentary", c.c_int32), ("time", c.c_double), ("feature", Feature),
-                ("point", Vector), ("contact_normal", Vector), ("depth", c.c_double)]
-
-    def verdict(self):
-        touches, on_way = self.kind != 2, self.kind == 1
-        return {"contact": touches, "first": WORDS["first"][self.kind], "time": self.time if touches else None,
-                "momentary": bool(self.momentary) if on_way else None,
-                "feature": self.feature.verdict() if touches else None, "point": list(self.point) if touches else None,
-                "contact_normal": list(self.contact_normal) if touches else None, "depth": self.depth if touches else None}
+def contact_verdict(first):
+    touches, on_way = first.kind != 2, first.kind == 1
+    return {"contact": touches, "first": WORDS["first"][first.kind], "time": first.time if touches else None,
+            "momentary": bool(first.momentary) if on_way else None,
+            "feature": feature_verdict(first.feature) if touches else None, "point": list(first.point) if touches else None,
+            "contact_normal": list(first.contact_normal) if touches else None, "depth": first.depth if touches else None}
 
 
 def finite(value):
@@ -88,10 +65,7 @@ def members(answer, contact):
 
 class Library:
     def __init__(self, path):
-        self.c = c.CDLL(str(path))
-        self.c.touchstone_status_name.restype = c.c_char_p
-        self.c.touchstone_polygon_free.argtypes = [c.c_void_p]
-        self.c.touchstone_polygon_free.restype = None
+        self.c = load(path)
         self.error = Error()
 
     def call(self, name, *arguments):
@@ -104,7 +78,7 @@ class Library:
         numbers = [number for loop in loops for point in loop for number in point]
         sizes, polygon = [len(loop) for loop in loops], c.c_void_p()
         status = self.call("polygon_create", (c.c_double * len(numbers))(*numbers), (c.c_size_t * len(sizes))(*sizes),
-                           c.c_size_t(len(sizes)), c.byref(polygon))
+                           len(sizes), c.byref(polygon))
         expect((status == 0) == bool(polygon), "a handle is NULL exactly after an error")
         return status, polygon
 
@@ -112,10 +86,10 @@ class Library:
         """The status, and of the ball at its start and on its way what is asked."""
         answer, contact, edges, count = Answer(), FirstContact(), (c.c_uint64 * 8)(), c.c_size_t()
         ball = c.byref(motion.ball)
-        status = self.call("polygon_first_contact", polygon, c.byref(motion), c.c_size_t(1), c.byref(contact))
+        status = self.call("polygon_first_contact", polygon, c.byref(motion), 1, c.byref(contact))
         if not status:
-            self.call("polygon_answer", polygon, ball, c.c_size_t(1), c.byref(answer))
-            self.call("polygon_edges_hit", polygon, ball, edges, c.c_size_t(8), c.byref(count))
+            self.call("polygon_answer", polygon, ball, 1, c.byref(answer))
+            self.call("polygon_edges_hit", polygon, ball, edges, 8, c.byref(count))
             if count.value > 8:
                 edges = (c.c_uint64 * count.value)()
                 self.call("polygon_edges_hit", polygon, ball, edges, count, c.byref(count))
@@ -142,7 +116,7 @@ def asked_in_rust(rustc, scratch, library, corpus):
     scratch.mkdir(parents=True, exist_ok=True)
     folder = library.resolve().parent
     run(rustc, "--edition=2021", "-Dwarnings", "-L", folder, "-l", "dylib=touchstone_c", "-C", f"link-arg=-Wl,-rpath,{folder}",
-        pathlib.Path(__file__).with_name("caller.rs"), "-o", scratch / "caller")
+        HERE.with_name("caller.rs"), "-o", scratch / "caller")
     lines = []
     for _, _, loops, motion in cases(corpus):
         numbers = [number for loop in loops for point in loop for number in point]
@@ -179,7 +153,7 @@ def main():
             rejections += 1
         else:
             expect(code == 0, f"{place}: {message}")
-            verdict = contact.verdict() | {"off_plane": answer.off_plane} if FIRST in expected else answer.verdict(edges)
+            verdict = contact_verdict(contact) | {"off_plane": answer.off_plane} if FIRST in expected else answer_verdict(answer, edges)
             differing = [key for key in expected if finite(verdict[key]) != expected[key]]
             expect(not differing, f"{place}: {[(key, verdict[key], expected[key]) for key in differing]}")
             answers += 1
