@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The front door: the headers <touchstone/NAME.h> that users include. Each is written into the build folder from its line
-# below (name; meaning; headers that it includes, by their paths from the root), and installed.
+# below (name; meaning; headers that it includes, by their paths from the root), and installed. A compiler of an older C++
+# would complain of a hundred lines of ours; it reads one sentence instead.
 set(public_headers
   "answer" "What an answer consists of: sides, places, relations, features, distances." "geometry/contact/answer.h"
   "ball" "touchstone::Ball." "geometry/shapes/ball.h"
@@ -32,7 +33,12 @@ function(write_public_header name meaning)
   list(TRANSFORM ARGN REPLACE "(.+)" "#include \"\\1\"\n")
   string(JOIN "" includes ${ARGN})
   file(CONFIGURE OUTPUT ${public_folder}/${name}.h @ONLY
-       CONTENT "// SPDX-License-Identifier: Apache-2.0\n// @meaning@\n#pragma once\n\n@includes@")
+       CONTENT "// SPDX-License-Identifier: Apache-2.0\n// @meaning@\n#pragma once\n
+#if __cplusplus < 202002L
+#error \"Touchstone needs C++20: compile with -std=c++20\"
+#else\n
+@includes@
+#endif\n")
   install(FILES ${public_folder}/${name}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/touchstone)
 endfunction()
 
@@ -46,7 +52,7 @@ while(public_headers)
   write_public_header(${name} "${meaning}" ${paths})
   list(APPEND everything ${name}.h)
 endwhile()
-write_public_header(touchstone "All of Touchstone." ${everything})
+write_public_header(touchstone "All of Touchstone for C++. <touchstone.h> is for C." ${everything})
 
 # Not part of <touchstone/touchstone.h>: users bring CGAL.
 write_public_header(cgal "touchstone::cgal: the shapes and face graphs of CGAL, and balls with a squared radius."
