@@ -5,6 +5,9 @@
 # the file that says it. All other installed headers include each other by relative paths. So `include` is the only
 # folder on a user's search path, and a folder `geometry` of the user's own hides nothing.
 function(install_headers)
+  if(NOT TOUCHSTONE_INSTALL)
+    return()
+  endif()
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
   foreach(file ${ARGN})
     cmake_path(GET file PARENT_PATH subfolder)

@@ -39,7 +39,9 @@ function(write_public_header name meaning)
 #else\n
 @includes@
 #endif\n")
-  install(FILES ${public_folder}/${name}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/touchstone)
+  if(TOUCHSTONE_INSTALL)
+    install(FILES ${public_folder}/${name}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/touchstone)
+  endif()
 endfunction()
 
 set(everything "")

@@ -7,6 +7,9 @@ endif()
 set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
 add_link_options(-static)
 
+if(NOT TOUCHSTONE_INSTALL)
+  return()
+endif()
 # It holds code of libraries, so their licences and notices go with it.
 set(licences ${CMAKE_INSTALL_DOCDIR}/program)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/static_program_licenses.txt DESTINATION ${licences} RENAME LICENSES COMPONENT program)

@@ -2,7 +2,9 @@
 # helper_program(TARGET): a program that only the program touchstone starts, which experiments/run/input.h finds.
 function(helper_program target)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/libexec/touchstone)
-  install(TARGETS ${target} OPTIONAL DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/touchstone COMPONENT program)
+  if(TOUCHSTONE_INSTALL)
+    install(TARGETS ${target} OPTIONAL DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/touchstone COMPONENT program)
+  endif()
 endfunction()
 
 # touchstone_room(NAME [CGAL] [STANDS_ON ROOM...] [SOURCES FILE...] [OPTIMISED FILE...])
