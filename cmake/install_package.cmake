@@ -35,7 +35,13 @@ if(TOUCHSTONE_C)
   install(FILES ${PROJECT_BINARY_DIR}/touchstone-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
 
-foreach(component development library program python)
+# In the folders of the source tree, so that their links to each other lead there.
+install(FILES LICENSE LICENSE-APACHE LICENSE-GPL DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES geometry/contact/CONTRACT.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/geometry/contact)
+install(FILES docs/tutorial.md docs/contract.svg docs/formats.md docs/rejections.md docs/platforms.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+# A package or an archive of one component alone has its own.
+foreach(component library program python)
   install(FILES LICENSE LICENSE-APACHE LICENSE-GPL geometry/contact/CONTRACT.md
-          DESTINATION ${CMAKE_INSTALL_DOCDIR}/${component} COMPONENT ${component})
+          DESTINATION ${CMAKE_INSTALL_DOCDIR}/${component} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endforeach()

@@ -2,8 +2,8 @@
 # Usage: cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -DCOMPILER=... -DFLAGS=... [-DFORBIDDEN=PACKAGE...]
 #              -P run.cmake
 # Installs the build into a scratch prefix, builds the consumer against it and compares what the sample prints with
-# what the README says that it prints. Every installed header must compile alone, and no folder
-# `geometry` or `robust` of the consumer's own may hide one of Touchstone's.
+# what the README says that it prints. Every installed header must compile alone, licences are installed once, and no
+# folder `geometry` or `robust` of the consumer's own may hide one of Touchstone's.
 # FORBIDDEN: packages that CMake may not look for.
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)
@@ -27,6 +27,11 @@ file(GLOB front_door RELATIVE ${include} ${include}/*.h)
 file(GLOB written RELATIVE ${BUILD}/include/touchstone ${BUILD}/include/touchstone/*.h)
 if(NOT front_door OR NOT front_door STREQUAL written)
   message(FATAL_ERROR "installed are ${front_door}; written were ${written}")
+endif()
+file(GLOB_RECURSE pages RELATIVE ${SCRATCH}/prefix/share/doc/Touchstone ${SCRATCH}/prefix/share/doc/Touchstone/*E-APACHE
+     ${SCRATCH}/prefix/share/doc/Touchstone/*CONTRACT.md ${SCRATCH}/prefix/share/doc/Touchstone/*tutorial.md)
+if(NOT pages STREQUAL "LICENSE-APACHE;docs/tutorial.md;geometry/contact/CONTRACT.md")
+  message(FATAL_ERROR "of the licence, the tutorial and the contract, these are installed: ${pages}")
 endif()
 set(internal ${headers})
 list(FILTER internal INCLUDE REGEX "/(detail|bvh)/")
