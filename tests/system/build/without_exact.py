@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The library with TOUCHSTONE_EXACT=OFF and TOUCHSTONE_TBB=OFF needs Boost and Eigen alone, and answers the same.
+"""The library of the preset library-minimal needs Boost and Eigen alone, and answers the same.
 
 Usage: without_exact.py SOURCE SCRATCH COMPILER BUILD
 
@@ -24,8 +24,7 @@ SYMBOLS = re.compile(r"__gmp|mpfr_|CGAL|\btbb::")
 
 
 def configuration(source, folder, compiler, *options):
-    return ["cmake", "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-            f"-DCMAKE_CXX_COMPILER={compiler}", "-DTOUCHSTONE_EXACT=OFF", "-DTOUCHSTONE_TBB=OFF",
+    return ["cmake", "--preset", "library-minimal", "-S", source, "-B", folder, f"-DCMAKE_CXX_COMPILER={compiler}",
             *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in FORBIDDEN), *options]
 
 
