@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 SUFFIXES = {".h": "C++", ".cpp": "C++", ".py": "Python", ".js": "JavaScript"}
-SKIPPED = ("build", "cache", "results", ".git")  # folders of the root
+SKIPPED = ("build", "cache", "dist", "results", ".git")  # folders of the root
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 SHORT = 40
 HEADERS, SHORTS = "headers with one reader", "files below 40 lines"
