@@ -55,15 +55,14 @@ def stem_of(table):
 
 
 def metadata(table):
-    pages = f"{table['urls']['Source']}/blob/v{table['version']}/{pathlib.PurePath(table['readme']).parent}"
     fields = [("Metadata-Version", "2.4"), ("Name", table["name"]), ("Version", table["version"]), ("Summary", table["description"]),
               *(("Author", author["name"]) for author in table["authors"]), ("Keywords", ",".join(table["keywords"])),
               ("License-Expression", table["license"]), *(("License-File", file) for file in table["license-files"]),
               *(("Classifier", line) for line in table["classifiers"]),
-              *(("Project-URL", f"{label}, {url}") for label, url in table["urls"].items()),
               ("Requires-Python", table["requires-python"]), *(("Requires-Dist", need) for need in table["dependencies"]),
               ("Description-Content-Type", "text/markdown")]
-    readme = re.sub(r"\]\((?!\w+:|#)", f"]({pages}/", (ROOT / table["readme"]).read_text())  # the index has no other pages of ours
+    # There are no other pages of ours beside this one, so of links to them the words stay.
+    readme = re.sub(r"!?\[([^]]*)\]\((?!\w+:|#)[^)]*\)", r"\1", (ROOT / table["readme"]).read_text())
     return "".join(f"{name}: {value}\n" for name, value in fields) + "\n" + readme
 
 
