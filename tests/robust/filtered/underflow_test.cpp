@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "experiments/cases/workloads/random.h"
 #include "robust/exact/exact.h"
+#include "robust/filtered/motion.h"
 #include "tests/robust/filtered/wrong_answers.h"
 #include "tests/robust/support/printing.h"
 #include "tests/robust/support/rearranged.h"
@@ -89,6 +91,40 @@ TEST(FilteredUnderflow, DoesNotTakeALostComponentOfTheNormalForZero) {
   const Answer answer = filtered::answer(ball, filtered::PreparedPolygon(polygon));
   EXPECT_EQ(answer, exact::answer(ball, exact::PreparedPolygon(polygon)));
   EXPECT_NE(answer.point.y(), 0);
+}
+
+/// A centre beside the edge from the origin to (tiny, 1, 1), whose length is 2^`size` times that, and the least doubles
+/// along x off the plane x = 0. So x of the normal there is subnormal, or is after a division by a short distance.
+struct BesideTinyEdge {
+  Triangle triangle;
+  Eigen::Vector3d center;
+};
+BesideTinyEdge beside_tiny_edge(workloads::Random& random) {
+  const auto tiny = [&random] {
+    const auto most = std::int64_t{1} << random.integer(0, 40);
+    return 0x1p-1074 * static_cast<double>(random.integer(-most, most));
+  };
+  const double edge = 0x1p-1074 * static_cast<double>(random.integer(1, std::int64_t{1} << random.integer(0, 40)));
+  const double size = std::ldexp(1.0, static_cast<int>(random.integer(-40, 0)));
+  const double away = std::ldexp(1 + random.unit(), static_cast<int>(random.integer(-40, -1)));
+  const double along = 0.25 + random.unit() / 4, x = random.coin() ? 0 : tiny();
+  return {{{0, 0, 0}, {edge, size, size}, {0, size, 0}}, {x, along * size, (along + away) * size}};
+}
+
+// The error bound of such a component underflows with it: 0 of 0 is not exact.
+TEST(FilteredUnderflow, TakesNoComponentOfTheNormalForZeroWhoseErrorUnderflows) {
+  int not_zero = 0;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    workloads::Random random(2026, i, 96);
+    const auto [t, center] = beside_tiny_edge(random);
+    const Polygon polygon({t.a, t.b, t.c});
+    const Answer truth = exact::answer({center, 1}, polygon);
+    not_zero += truth.nearest.kind == Feature::Kind::Edge && truth.contact_normal.x() != 0;
+    EXPECT_EQ(filtered::closest(center, t).contact_normal, truth.contact_normal) << "index " << i;
+    EXPECT_EQ(filtered::answer({center, 1}, filtered::PreparedPolygon(polygon)), truth) << "index " << i;
+    EXPECT_EQ(filtered::first_contact({{center, 1}, {5, 5, 5}}, t).contact_normal, truth.contact_normal) << i;
+  }
+  EXPECT_GT(not_zero, 200);
 }
 
 }  // namespace

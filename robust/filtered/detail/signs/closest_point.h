@@ -230,6 +230,7 @@ class ClosestPointOnFeature {
     if (!view_->lifted && (is_parallel_to(axis) || (std::abs(value.high) <= 0x1p-80 * view_->maxima.to_center &&
                                                     zero_across(view_->to_center, view_->edge, axis))))
       return {{}, 0};
+    if (!(std::abs(value.high) >= kSmallestResult)) return {value, HUGE_VAL};  // the bound may underflow
     const double of_step = view_->maxima.to_center * maximum() * (std::abs(along.high) * per_square_.high);
     return {value, from_start.error + bounds::kClosest * (of_step + (view_->lifted ? view_->maxima.edge : 0)) +
                        2 * bounds::kDoubleDoubleUnit * (std::abs(from_start.value.high) + std::abs(value.high))};
