@@ -41,7 +41,7 @@ struct JudgeOptions : run::StudyOptions {
   std::vector<std::string> files, keys;
   std::string junit, report, beyond, known;
   double time_limit = std::chrono::duration<double>(methods::kTimeLimit).count();
-  bool explain = false, at_rest = false, triangles = false, summary = false, update = false;
+  bool json = false, explain = false, at_rest = false, triangles = false, summary = false, update = false;
   cases::LineCount counted;  ///< of the files, if the run is kept in a folder
 
   [[nodiscard]] bool reads_standard_input() const { return files.empty() || files == std::vector<std::string>{"-"}; }

@@ -331,8 +331,7 @@ Option Command::real(const std::string& name, double& value, const std::string& 
 }
 
 Option Command::positive(const std::string& name, double& value, const std::string& about) {
-  Option option = real(name, value, about, std::numeric_limits<double>::denorm_min());
-  return option;
+  return real(name, value, about, std::numeric_limits<double>::denorm_min());
 }
 
 void Command::require_one_of(const std::vector<std::string>& names) {

@@ -55,7 +55,7 @@ Words words_of(const std::string& text, bool is_command = false) {
   Words words;
   bool begins = true, quoted = false;
   for (const char c : text) {
-    quoted = quoted != (is_command && c == '\'');
+    if (is_command && c == '\'') quoted = !quoted;
     if (c == ' ' && !quoted) {
       begins = true;
       continue;

@@ -41,11 +41,10 @@ struct MakeOptions {
   std::string folder;
   unsigned threads = run::all_threads();
   bool force = false;
-  std::string line;  ///< the command line that repeats the run
 };
 
 int make(const MakeOptions& options) {
-  const run::OutputFolder held(options.folder, options.line, {.force = options.force});
+  const run::OutputFolder held(options.folder, options.force);
   const auto files = corpus::make_corpus(options.threads);
   for (const auto& [name, text] : files) {
     const std::filesystem::path file = std::filesystem::path(options.folder) / name;
@@ -166,7 +165,6 @@ int shrink(const ShrinkOptions& options) {
 run::Command make_command() {
   run::Command command("make", "Write every file of the corpus, with its page");
   auto options = std::make_shared<MakeOptions>();
-  command.keep_line(options->line);
   command.text("FOLDER", options->folder, "Destination; the corpus is tests/corpus").required();
   command.threads(options->threads, "Number of threads; does not affect the files");
   command.force(options->force);

@@ -27,7 +27,7 @@ int redraw(const Options& options) {
   for (const char* file : {"front.csv", "errors.csv"})
     if (!std::filesystem::exists(folder / file))
       throw run::UsageError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
-  const run::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
+  const run::OutputFolder held(folder, true);
   return run::draw_pictures("tradeoff", held);
 }
 

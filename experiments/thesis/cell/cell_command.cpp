@@ -17,13 +17,13 @@ namespace touchstone::cell {
 namespace {
 
 struct NewOptions {
-  std::string folder, line;
+  std::string folder;
   bool force = false;
 };
 
 int run(const NewOptions& options) {
   const std::filesystem::path least = run::data("experiments/thesis/cell/cells/least");
-  const run::OutputFolder held(options.folder, options.line, {.force = options.force});
+  const run::OutputFolder held(options.folder, options.force);
   for (const char* name : {"arm.urdf", "cell.json"}) {
     std::ifstream stream = run::open_file(least / name);
     run::write_file(held.path() / name, {std::istreambuf_iterator<char>(stream), {}});
@@ -43,7 +43,6 @@ run::Command new_command() {
   auto options = std::make_shared<NewOptions>();
   command.text("FOLDER", options->folder, "The folder").required();
   command.force(options->force);
-  command.keep_line(options->line);
   command.example("cell new mine && touchstone cell show mine/cell.json");
   command.runs([options] { return run(*options); });
   return command;
