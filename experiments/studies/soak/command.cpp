@@ -25,7 +25,7 @@ struct Options : run::StudyOptions {
 };
 
 // Raised when case i of a seed changes, or the form of the tally.
-constexpr int kVersion = 5;
+constexpr int kVersion = 6;
 
 int run_cases(run::StudyRun& run, const Options& options) {
   const Settings settings{options.samples, options.seed, options.from, options.threads, options.asked()};

@@ -36,7 +36,8 @@ class Crowd {
     std::vector<Triangle> triangles;
     std::vector<Polygon> polygons;
     for (std::uint64_t i = kCrowdFaces * index; i < kCrowdFaces * (index + 1); ++i) {
-      cases_.push_back(adversarial::draw_case(seed, i));
+      auto extreme = i % 16 == 5 ? adversarial::draw_extreme_case(seed, i) : std::nullopt;
+      cases_.push_back(extreme ? *std::move(extreme) : adversarial::draw_case(seed, i));
       names_.push_back(adversarial::name_of_case(seed, i));
       const adversarial::Case& drawn = cases_.back();
       if (const auto triangle = drawn.triangle()) {

@@ -71,13 +71,13 @@ class Comparison {
         ask_whole(touching, touching_truth, counts);
       });
     }
+    if (is_asked_whole()) ask_extreme();
     tally_.add_case(std::move(differences_));
   }
 
   void ask_all_moving() {
     const Motion motion = adversarial::draw_motion(case_, seed_, index_);
-    case_.ball = motion.ball;
-    to_ = motion.to;
+    take(motion);
     const FirstContact truth = exact::first_contact(motion, case_.polygon);
     if (const auto triangle = case_.triangle())
       ask(Way::MovingTriangle, [&](auto& counts) { ask_moving(motion, *triangle, truth, counts); });
@@ -89,10 +89,50 @@ class Comparison {
       ask_touching(Way::MovingTouching, [&](const filtered::PreparedPolygon& touching, auto& counts) {
         ask_moving(motion, touching, exact::first_contact(motion, case_.polygon), counts);
       });
+    if (is_asked_whole()) ask_extreme_moving();
     tally_.add_case(std::move(differences_));
   }
 
  private:
+  void ask_extreme() {
+    if (!take_extreme()) return;
+    const exact::PreparedPolygon truth(case_.polygon);
+    const bool touches = exact::contact(case_.ball, truth);
+    ask(Way::Extreme, [&](auto& counts) {
+      const filtered::PreparedPolygon prepared(case_.polygon);
+      ask_prepared(prepared, touches, counts);
+      ask_whole(prepared, truth, counts);
+      const auto triangle = case_.triangle();
+      if (!triangle) return;
+      ask_triangle(*triangle, touches, counts);
+      if (const PlaneSide side = exact::plane_side({case_.ball.center, 0}, truth); side != PlaneSide::Intersects)
+        ask_solid(*triangle, side, exact::answer(case_.ball, truth).point);
+    });
+  }
+
+  void ask_extreme_moving() {
+    if (!take_extreme()) return;
+    const Motion motion = adversarial::draw_extreme_motion(case_, seed_, index_);
+    take(motion);
+    const FirstContact truth = exact::first_contact(motion, case_.polygon);
+    ask(Way::MovingExtreme, [&](auto& counts) {
+      ask_moving(motion, filtered::PreparedPolygon(case_.polygon), truth, counts);
+      if (const auto triangle = case_.triangle()) ask_moving(motion, *triangle, truth, counts);
+    });
+  }
+
+  /// Goes over to extreme numbers, if they are a case.
+  bool take_extreme() {
+    std::optional<adversarial::Case> extreme = adversarial::draw_extreme_case(seed_, index_);
+    if (extreme) case_ = *std::move(extreme);
+    return extreme.has_value();
+  }
+  /// Goes over to a ball that moves.
+  void take(const Motion& motion) {
+    case_.ball = motion.ball;
+    to_ = motion.to;
+  }
+
   static_assert(kWholeOneIn == std::uint64_t{1} << (64 - 60));
 
   /// A multiplier spreads the share over all families, which go by the index.
@@ -284,6 +324,8 @@ std::string_view to_string(Way way) {
     case Way::MovingTriangle: return "moving-triangle";
     case Way::MovingPrepared: return "moving-prepared";
     case Way::MovingTouching: return "moving-touching";
+    case Way::Extreme: return "extreme";
+    case Way::MovingExtreme: return "moving-extreme";
     case Way::Crowd: break;
   }
   return "crowd";

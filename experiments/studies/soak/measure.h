@@ -28,13 +28,15 @@ enum class Way {
   MovingTriangle,  ///< contact and first contact of a moving ball with a triangle, nothing prepared
   MovingPrepared,  ///< the same with a prepared polygon
   MovingTouching,  ///< the same with a prepared polygon whose loops touch
+  Extreme,         ///< all of the above about a ball at rest, with numbers below 2^-970 and above 2^970
+  MovingExtreme,   ///< the same about a moving ball
   Crowd,           ///< all questions about a scene of many polygons, asked by many balls together
 };
 
 [[nodiscard]] std::string_view to_string(Way way);
-inline constexpr std::array kWays{Way::Triangle,       Way::Prepared,       Way::Answer,
-                                  Way::Solid,          Way::Touching,       Way::MovingTriangle,
-                                  Way::MovingPrepared, Way::MovingTouching, Way::Crowd};
+inline constexpr std::array kWays{Way::Triangle, Way::Prepared,       Way::Answer,         Way::Solid,
+                                  Way::Touching, Way::MovingTriangle, Way::MovingPrepared, Way::MovingTouching,
+                                  Way::Extreme,  Way::MovingExtreme,  Way::Crowd};
 
 /// The results of the cases of one family asked in one way.
 struct Outcomes {
@@ -96,19 +98,22 @@ class Tally {
 ///
 /// Every case: contact with the polygon, prepared, with and without counts and vector instructions; with a triangle
 /// also unprepared, and in a batch of all orders of its vertices. One case in 16: every question and the whole answer,
-/// the closest point of a triangle, a batch of balls of neighbouring radii, a polygon whose loops touch, and a
-/// tetrahedron as a solid. Compares all answers with `exact`; an exception counts as a difference.
+/// the closest point of a triangle, a batch of balls of neighbouring radii, a polygon whose loops touch, a tetrahedron
+/// as a solid, and all of that with extreme numbers. Compares all answers with `exact`; an exception counts as a
+/// difference.
 void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
 
 /// Asks about the ball of case `index` as it moves: contact and first contact with the polygon, prepared, with and
-/// without counts and vector instructions; with a triangle also unprepared; and in batches, backwards and at rest.
+/// without counts and vector instructions; with a triangle also unprepared; and in batches, backwards and at rest. One
+/// case in 16: the same with extreme numbers.
 void compare_moving(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
 
 /// The number of cases whose polygons make up a scene of crowds, and of the balls that ask about it together.
 inline constexpr std::size_t kCrowdFaces = 64, kCrowdBalls = 17 * kCrowdFaces;
 
-/// Asks a scene of the polygons of cases kCrowdFaces * index and following about their balls together: the nearest face
-/// of each, and contact and the touched faces of each and of balls with the next eight smaller and larger radii.
+/// Asks a scene of the polygons of cases kCrowdFaces * index and following, one in 16 with extreme numbers, about their
+/// balls together: the nearest face of each, and contact and the touched faces of each and of balls with the next eight
+/// smaller and larger radii.
 ///
 /// Compares contact of each ball and the polygon of its own case with `exact`; contact with the other polygons and the
 /// nearest face with what `filtered` answers about each face; and all answers with those of the scene about single

@@ -161,6 +161,7 @@ std::optional<Case> try_outline(Random& random) {
 }
 
 constexpr std::uint64_t kStream = std::uint64_t{1} << 40;  // beyond the attempts of cases
+constexpr std::uint64_t kExtremeStream = kStream + 1, kExtremeMotionStream = kStream + 2;
 
 /// Draws the way from the ball's place to the end, or from the start to that place.
 Vector3d half_way(Random& random, const Case& drawn) {
@@ -265,6 +266,25 @@ Motion draw_motion(const Case& drawn, std::uint64_t seed, std::uint64_t index) {
   if (find_fault(motion)) return {drawn.ball, drawn.ball.center};
   if (random.integer(0, 3) == 0) motion.ball.radius = grazing(random, motion, drawn);
   return motion;
+}
+
+std::optional<Case> draw_extreme_case(std::uint64_t seed, std::uint64_t index) {
+  const Case drawn = draw_case(seed, index);
+  Random random(seed, index, kExtremeStream);
+  auto extreme = with_extreme_numbers(random, drawn.ball, drawn.polygon);
+  if (!extreme) return std::nullopt;
+  return Case{drawn.family, extreme->ball, std::move(extreme->polygon)};
+}
+
+Motion draw_extreme_motion(const Case& drawn, std::uint64_t seed, std::uint64_t index) {
+  const Motion motion = draw_motion(drawn, seed, index);
+  Random random(seed, index, kExtremeMotionStream);
+  Motion extreme = motion;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (random.integer(0, 3) == 0) extreme.ball.center[axis] = extreme_number(random);
+    if (random.integer(0, 3) == 0) extreme.to[axis] = extreme_number(random);
+  }
+  return find_fault(extreme) ? motion : extreme;
 }
 
 }  // namespace touchstone::workloads::adversarial

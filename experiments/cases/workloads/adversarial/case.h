@@ -51,11 +51,18 @@ struct Case {
 /// Requires rounding to nearest. Cost: about 4 us for a triangle, 50 us for an outline.
 [[nodiscard]] Case draw_case(std::uint64_t seed, std::uint64_t index);
 
+/// Draws case number `index` with numbers below 2^-970 and above 2^970 in any argument (outlines.h): a function of
+/// (seed, index) alone. Returns nothing if the numbers drawn are not a case.
+[[nodiscard]] std::optional<Case> draw_extreme_case(std::uint64_t seed, std::uint64_t index);
+
 /// Draws how the ball of case `index` moves: a function of (seed, index) alone, which `find_fault` accepts.
 ///
 /// The ball's place is at the start, in the middle or at the end of its way. The way is parallel to an edge or to an
 /// axis, leads towards a vertex or past it at a right angle, through the face, in any direction, far away, or nowhere.
 /// In a quarter of the draws the radius is the one that just grazes, up to a double, instead of that at the place.
 [[nodiscard]] Motion draw_motion(const Case& drawn, std::uint64_t seed, std::uint64_t index);
+
+/// Draws the same for an extreme case: a coordinate of an end may be such a number, too.
+[[nodiscard]] Motion draw_extreme_motion(const Case& drawn, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace touchstone::workloads::adversarial

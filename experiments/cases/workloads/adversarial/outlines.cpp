@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "experiments/cases/workloads/adversarial/balls.h"
@@ -132,6 +133,45 @@ std::optional<BallAndPolygon> scaled_to_extremes(Random& random, const Ball& bal
   const Ball there{scaled(ball.center), std::ldexp(ball.radius, shift)};
   if (find_fault(there)) return std::nullopt;
   return BallAndPolygon{there, polygon_of(loops)};
+}
+
+double extreme_number(Random& random) {
+  switch (random.integer(0, 3)) {
+    case 0: return random.log_uniform(971, 1023);
+    case 1: return random.log_uniform(-1074, -971);
+    default: {
+      const std::int64_t most = std::int64_t{1} << random.integer(0, 40);
+      return 0x1p-1074 * static_cast<double>(random.integer(-most, most));
+    }
+  }
+}
+
+std::optional<BallAndPolygon> with_extreme_numbers(Random& random, const Ball& ball, const Polygon& polygon) try {
+  std::vector<Loop> loops = loops_of(polygon);
+  Ball there = ball;
+  const auto always = static_cast<int>(random.integer(0, 2));
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t kind = random.integer(0, axis == always ? 2 : 5);
+    if (kind > 2) continue;
+    double largest = std::abs(ball.center[axis]);
+    for (const double x : polygon.coordinates(axis)) largest = std::max(largest, std::abs(x));
+    const auto highest = static_cast<int>(kind == 0 ? random.integer(971, 1022) : random.integer(-1074, -971));
+    const int shift = largest == 0 ? 0 : highest - std::ilogb(largest);
+    for (Loop& loop : loops)
+      for (Eigen::Vector3d& vertex : loop) vertex[axis] = std::ldexp(vertex[axis], shift);
+    there.center[axis] = random.coin() ? std::ldexp(ball.center[axis], shift) : extreme_number(random);
+  }
+  if (random.integer(0, 3) == 0) there.center[static_cast<int>(random.integer(0, 2))] = extreme_number(random);
+  BallAndPolygon drawn{there, polygon_of(loops)};
+  if (find_fault(drawn.ball) || exact::validate(drawn.polygon)) return std::nullopt;
+  switch (random.integer(0, 3)) {
+    case 0: break;
+    case 1: drawn.ball.radius = std::abs(extreme_number(random)); break;
+    default: drawn.ball.radius = radius_at_exact_threshold(random, there.center, drawn.polygon);
+  }
+  return drawn;
+} catch (const Rejected&) {
+  return std::nullopt;
 }
 
 }  // namespace touchstone::workloads::adversarial

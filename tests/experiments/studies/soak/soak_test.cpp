@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -91,9 +93,48 @@ TEST(SoakCases, StandAtTheirThresholds) {
     EXPECT_GT(boundary[static_cast<std::size_t>(family)], 10U) << to_string(family);
 }
 
+/// The arguments of a question in which a number is below 2^-970, or above 2^970: bits of the two.
+class Extremes {
+ public:
+  void add(const std::string& argument, double number) {
+    const double size = std::abs(number);
+    seen_[argument] |= (size > 0 && size < 0x1p-970 ? 1 : 0) | (size > 0x1p970 ? 2 : 0);
+  }
+  void add(const std::string& argument, const Eigen::Vector3d& point) {
+    for (int axis = 0; axis < 3; ++axis) add(argument + " " + "xyz"[axis], point[axis]);
+  }
+  void expect_all(std::size_t arguments) const {
+    EXPECT_EQ(seen_.size(), arguments);
+    for (const auto& [argument, seen] : seen_) EXPECT_EQ(seen, 3) << argument;
+  }
+
+ private:
+  std::map<std::string, int> seen_;
+};
+
+TEST(SoakCases, HaveExtremeNumbersInEveryArgument) {
+  Extremes of_triangles, of_outlines;
+  for (std::uint64_t index = 0; index < 5000; ++index) {
+    const auto c = adversarial::draw_extreme_case(6, index);
+    if (!c) continue;
+    EXPECT_FALSE(find_fault(c->ball)) << "index " << index;
+    EXPECT_FALSE(exact::validate(c->polygon)) << "index " << index;
+    Extremes& extremes = c->triangle() ? of_triangles : of_outlines;
+    for (std::size_t i = 0; i < 3; ++i) extremes.add("vertex " + std::to_string(i), c->polygon.vertex(i));
+    extremes.add("centre", c->ball.center);
+    extremes.add("radius", c->ball.radius);
+    const Motion motion = adversarial::draw_extreme_motion(*c, 6, index);
+    EXPECT_FALSE(find_fault(motion)) << "index " << index;
+    extremes.add("start", motion.ball.center);
+    extremes.add("end", motion.to);
+    extremes.add("moving radius", motion.ball.radius);
+  }
+  for (const Extremes* extremes : {&of_triangles, &of_outlines}) extremes->expect_all(20);
+}
+
 TEST(Soak, CountsEveryCaseOnceEachWay) {
   const Tally tally = whole({.cases = 2000, .seed = 4});
-  std::uint64_t triangles = 0, prepared = 0, answers = 0, solids = 0, touching = 0;
+  std::uint64_t triangles = 0, prepared = 0, answers = 0, solids = 0, touching = 0, extreme = 0;
   for (const adversarial::Family family : adversarial::all_families()) {
     for (const Way way : kWays) {
       const Outcomes& o = tally.at(family, way);
@@ -106,6 +147,7 @@ TEST(Soak, CountsEveryCaseOnceEachWay) {
     answers += tally.at(family, Way::Answer).cases;
     solids += tally.at(family, Way::Solid).cases;
     touching += tally.at(family, Way::Touching).cases;
+    extreme += tally.at(family, Way::Extreme).cases;
   }
   EXPECT_EQ(tally.cases(), 2000U);
   EXPECT_EQ(prepared, 2000U);
@@ -114,6 +156,7 @@ TEST(Soak, CountsEveryCaseOnceEachWay) {
   EXPECT_LT(answers, 240U);
   EXPECT_GT(solids, 50U);
   EXPECT_GT(touching, 50U);
+  EXPECT_GT(extreme, 50U);
   EXPECT_EQ(tally.differing(), 0U);
 }
 
@@ -197,7 +240,9 @@ class UnsignedDistance : public SystemUnderTest {
 class Throwing : public SystemUnderTest {
   using SystemUnderTest::contact;
   bool contact(const Ball& ball, const Triangle& triangle) const override {
-    if (ball.radius == 0) throw std::length_error("no points, please");
+    const auto first = triangle.a.array().abs();
+    const bool extreme = (first < 0x1p-60).any() || (first > 0x1p60).any();
+    if (ball.radius == 0 && !extreme) throw std::length_error("no points, please");
     return SystemUnderTest::contact(ball, triangle);
   }
 };
@@ -232,6 +277,24 @@ class PlainWithoutEnd : public SystemUnderTest {
   bool plain_contact(const Motion& motion, const Prepared& polygon) const override {
     const FirstContact first = SystemUnderTest::plain_first_contact(motion, polygon);
     return first.contact() && first.time < 1;
+  }
+};
+
+/// What is extreme is flushed to zero.
+class Flushed : public SystemUnderTest {
+  using SystemUnderTest::first_contact;
+  static Eigen::Vector3d flushed(const Eigen::Vector3d& normal) {
+    return normal.unaryExpr([](double x) { return std::abs(x) < 0x1p-970 ? 0 : x; });
+  }
+  filtered::ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) const override {
+    filtered::ClosestPoint closest = SystemUnderTest::closest(center, triangle);
+    closest.contact_normal = flushed(closest.contact_normal);
+    return closest;
+  }
+  FirstContact first_contact(const Motion& motion, const Triangle& triangle) const override {
+    FirstContact first = SystemUnderTest::first_contact(motion, triangle);
+    first.contact_normal = flushed(first.contact_normal);
+    return first;
   }
 };
 
@@ -275,6 +338,7 @@ TEST(Soak, FindsPlantedErrors) {
   expect_found(OpenSolid(), "solid, location");
   expect_found(UnsignedDistance(), "solid, distance");
   expect_found(Throwing(), "triangle: no points, please");
+  expect_found(Flushed(), "closest");
 }
 
 TEST(Soak, FindsPlantedErrorsOfMovingBalls) {
@@ -282,6 +346,7 @@ TEST(Soak, FindsPlantedErrorsOfMovingBalls) {
   expect_found(UnroundedTime(), "first contact", Asked::Motion);
   expect_found(ForwardsOnly(), "contact, in a batch", Asked::Motion);
   expect_found(PlainWithoutEnd(), "contact, without vectors", Asked::Motion);
+  expect_found(Flushed(), "first contact", Asked::Motion);
 }
 
 /// The balls of the last lane touch nothing.
