@@ -13,7 +13,7 @@
 namespace touchstone::corpus {
 
 /// The version of the corpus, raised whenever a case is added, changes or is removed.
-inline constexpr int kVersion = 8;
+inline constexpr int kVersion = 9;
 /// The maximal size of a file, because people read it.
 inline constexpr std::size_t kMostBytes = 350'000;
 
