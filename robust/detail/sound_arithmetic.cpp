@@ -3,6 +3,7 @@
 #include "robust/detail/sound_arithmetic.h"
 
 #include <bit>
+#include <cfenv>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,19 @@ void expect_sound_arithmetic() {
   const double third = five / 3.0;
   if (std::bit_cast<std::uint64_t>(third) != 0x3ffaaaaaaaaaaaab)
     refuse("quotients become products with reciprocals (-freciprocal-math)");
+}
+
+bool has_directed_rounding() noexcept {
+#if defined(FE_UPWARD)
+  volatile double one = 1, small = 0x1p-60;  // as above; and accesses stay between the calls
+  const int mode = std::fegetround();
+  std::fesetround(FE_UPWARD);
+  volatile double above = one + small;
+  std::fesetround(mode);
+  return above > 1;
+#else
+  return false;
+#endif
 }
 
 }  // namespace touchstone

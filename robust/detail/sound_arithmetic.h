@@ -8,4 +8,7 @@ namespace touchstone {
 /// query is answered. Requires round to nearest. Cost: a few ns.
 void expect_sound_arithmetic();
 
+/// Returns whether sums are rounded as the rounding mode says: valgrind ignores it. Cost: some 10 ns.
+[[nodiscard]] bool has_directed_rounding() noexcept;
+
 }  // namespace touchstone

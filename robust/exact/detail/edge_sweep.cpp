@@ -14,22 +14,50 @@
 #include <utility>
 
 #include "robust/detail/exact_kernel.h"
+#include "robust/detail/sound_arithmetic.h"
 
 namespace touchstone::exact::detail {
 
+namespace {
+
+using Unfiltered = kernel::Simple_cartesian<Number>;
 #if defined(TOUCHSTONE_BOOST_NUMBERS)
-using Kernel = kernel::Simple_cartesian<kernel::Mpzf>;
+using Filtered = Unfiltered;
+constexpr bool filters = false;
 #else
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;  // filtered; only its exact predicates are used
+using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;  // only its exact predicates are used
+/// Whether its intervals are sound. False while static objects of other files are made: that is slower alone.
+const bool filters = has_directed_rounding();
 #endif
 
+template <class Kernel>
+inline int orientation_in(double ax, double ay, double bx, double by, double px, double py) {
+  using Point = typename Kernel::Point_2;
+  return kernel::orientation(Point(ax, ay), Point(bx, by), Point(px, py));
+}
+
+template <class Kernel>
+inline bool coplanar_in(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                        const Eigen::Vector3d& d) {
+  const auto point = [](const Eigen::Vector3d& p) { return typename Kernel::Point_3(p.x(), p.y(), p.z()); };
+  return kernel::coplanar(point(a), point(b), point(c), point(d));
+}
+
+/// Never inlined: numbers of any size would take registers from the filter.
+__attribute__((noinline)) int unfiltered_orientation(double ax, double ay, double bx, double by, double px, double py) {
+  return orientation_in<Unfiltered>(ax, ay, bx, by, px, py);
+}
+
+}  // namespace
+
 int orientation(double ax, double ay, double bx, double by, double px, double py) {
-  return kernel::orientation(Kernel::Point_2(ax, ay), Kernel::Point_2(bx, by), Kernel::Point_2(px, py));
+  if (!filters) [[unlikely]]
+    return unfiltered_orientation(ax, ay, bx, by, px, py);
+  return orientation_in<Filtered>(ax, ay, bx, by, px, py);
 }
 
 bool coplanar(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
-  const auto point = [](const Eigen::Vector3d& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
-  return kernel::coplanar(point(a), point(b), point(c), point(d));
+  return filters ? coplanar_in<Filtered>(a, b, c, d) : coplanar_in<Unfiltered>(a, b, c, d);
 }
 
 namespace {
