@@ -66,10 +66,14 @@ class ObjectFile:
     def __init__(self, objdump, path):
         def lines(*options):
             return subprocess.run([objdump, *options, path], check=True, capture_output=True, text=True).stdout.splitlines()
-        self.functions, self.sections, self.symbols = {}, {}, {}
+        self.functions, self.starts, self.sections, self.symbols = {}, {}, {}, {}
         for line in lines("-drC", "--no-show-raw-insn"):
-            if line.startswith("0"):
-                text = self.functions[line[line.index("<") + 1:-2]] = []
+            if line.startswith("Disassembly of section "):
+                section = line[23:-1]
+            elif line.startswith("0"):
+                name = line[line.index("<") + 1:-2]
+                text = self.functions[name] = []
+                self.starts[section, int(line[:16], 16)] = name
             elif line.startswith((" ", "\t")):
                 text.append(line)
         for line in lines("-s"):
@@ -94,6 +98,11 @@ class ObjectFile:
                     code[at], last = Instruction(at, None, found[2], operands, None), at
             self.functions[function] = code
         return self.functions[function]
+
+    def called(self, of):
+        """The name of the function that a call with a relocation calls. A local one is named by its place in its section."""
+        at, symbol, addend = of.relocation
+        return self.starts.get((symbol, addend + of.after - at), symbol)
 
     def bits(self, symbol, offset, width):
         section, start = self.symbols[symbol]
@@ -263,6 +272,9 @@ class Machine:
         elif name in ("pop", "leave"):
             stack, target = (stack, operands[0][1:]) if name == "pop" else (self.general["rbp"], "rbp")
             self.general[target], self.general["rsp"] = self.in_memory(stack, of), Pointer(stack.base, stack.offset + 8)
+        elif name == "xchg" and all(map(is_whole, operands)):
+            first, second = operands
+            self.general.update({first[1:]: self.value(second, of), second[1:]: self.value(first, of)})
         elif name == "xchg" or IMPLIED.match(name) and len(operands) < 2 or name == "rep":
             for register in ("rax", "rdx", "rcx", "rsi", "rdi", *(GENERAL.get(operand[1:]) for operand in operands)):
                 self.general.pop(register, None)
@@ -278,7 +290,7 @@ class Machine:
 def decisions(nodes, file, function, width):
     """The nodes on whose signs, or on whose comparison, a path of the function depends. Calls of functions of namespaces
     `signs` and `lane` are followed; a path ends where it leaves the function otherwise."""
-    found, seen, todo = set(), set(), [(file.code(function), 0, (), Machine(nodes, file, width))]
+    found, seen, todo = set(), set(), [(file.code(function), min(file.code(function)), (), Machine(nodes, file, width))]
     while todo:
         code, at, callers, machine = todo.pop()
         while True:
@@ -290,8 +302,9 @@ def decisions(nodes, file, function, width):
                 found.add(nodes.add("comparison", *(machine.read(operand, of, 1)[0] for operand in of.operands[-2:])))
             if of.name == "ret" and callers:
                 (code, at), *callers = callers
-            elif of.name == "call" and of.relocation and FOLLOWED.search(of.relocation[1].split("(")[0]):
-                callers, code, at = ((code, at), *callers), file.code(of.relocation[1]), 0
+            elif of.name == "call" and of.relocation and FOLLOWED.search(file.called(of).split("(")[0]):
+                callers, code = ((code, at), *callers), file.code(file.called(of))
+                at = min(code)
             elif of.name in ("ret", "call"):
                 break
             elif of.name.startswith("j"):

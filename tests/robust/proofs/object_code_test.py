@@ -219,7 +219,8 @@ class Planted(unittest.TestCase):
         file = object_file(target)
         code = {**file.code(kernel), at: file.code(kernel)[at]._replace(name=name)}
         other = object_code.ObjectFile.__new__(object_code.ObjectFile)
-        other.functions, other.sections, other.symbols = {**file.functions, kernel: code}, file.sections, file.symbols
+        other.functions, other.starts = {**file.functions, kernel: code}, file.starts
+        other.sections, other.symbols = file.sections, file.symbols
         return other
 
     def check_every_rounding(self, target, name, kind, found):
