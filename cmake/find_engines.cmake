@@ -40,4 +40,6 @@ endif()
 # Bullet's float build defines the same names, so it needs a program of its own.
 find_engine(bullet_float btBulletCollisionCommon.h FOLDER bullet LIBRARIES BulletCollision LinearMath)
 find_engine(ode ode/ode.h LIBRARIES ode)
-find_engine(embree embree3/rtcore.h LIBRARIES embree3)
+find_library(TOUCHSTONE_EMBREE NAMES embree4 embree3)  # Debian 12 has version 3
+string(REGEX MATCH "embree[34]" embree "${TOUCHSTONE_EMBREE}")
+find_engine(embree rtcore.h FOLDER ${embree} LIBRARIES ${embree})

@@ -2,7 +2,7 @@
 #include "experiments/built_with.h"
 
 #if TOUCHSTONE_HAS_EMBREE
-#include <embree3/rtcore.h>
+#include <rtcore.h>
 
 #include <algorithm>
 #include <atomic>

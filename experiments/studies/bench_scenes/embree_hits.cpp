@@ -2,7 +2,7 @@
 #include "experiments/built_with.h"
 
 #if TOUCHSTONE_HAS_EMBREE
-#include <embree3/rtcore.h>
+#include <rtcore.h>
 
 #include <limits>
 #include <memory>
@@ -43,8 +43,6 @@ class Hits {
 
   /// Returns how many triangles the ray to the nearest side of the box meets: the ray that Solid takes.
   [[nodiscard]] std::uint64_t along_ray(const Eigen::Vector3d& point) const {
-    Context context{};
-    rtcInitIntersectContext(&context.embree);
     RTCRay ray{};
     ray.org_x = static_cast<float>(point.x());
     ray.org_y = static_cast<float>(point.y());
@@ -61,13 +59,28 @@ class Hits {
         for (float* part : direction) *part = 0;
         *direction[axis] = up ? 1 : -1;
       }
+    Context context{};
+#if RTC_VERSION_MAJOR == 3
+    rtcInitIntersectContext(&context.embree);
     rtcOccluded1(scene_, &context.embree, &ray);
+#else
+    rtcInitRayQueryContext(&context.embree);
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context.embree;
+    rtcOccluded1(scene_, &ray, &arguments);
+#endif
     return context.hits;
   }
 
  private:
+#if RTC_VERSION_MAJOR == 3
+  using EmbreeContext = RTCIntersectContext;
+#else
+  using EmbreeContext = RTCRayQueryContext;
+#endif
   struct Context {
-    RTCIntersectContext embree;  // first: Embree passes a pointer to it
+    EmbreeContext embree;  // first: Embree passes a pointer to it
     std::uint64_t hits;
   };
 
