@@ -2,6 +2,7 @@
 # touchstone_cgal: how every target of the project that includes CGAL's headers is compiled and linked.
 #
 # CGAL is header-only. Its intervals need -frounding-math where the compiler has it.
+set(CMAKE_POLICY_DEFAULT_CMP0167 NEW)  # CGAL then finds Boost by its own configuration, as newer CMakes ask
 find_package(GMP REQUIRED)
 find_package(MPFR REQUIRED)
 find_package(CGAL 5.5 REQUIRED)
