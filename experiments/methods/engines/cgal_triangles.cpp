@@ -62,7 +62,8 @@ bool compares_within(const Ball& ball, const Triangle& t) {
                                                       typename Kernel::FT(radius * radius)) != CGAL::LARGER;
 }
 
-/// CGAL's sphere is a surface: it does not intersect a triangle in its interior.
+/// CGAL's sphere is a surface: it does not intersect a triangle in its interior. (From CGAL 6.2 on it is one beside boxes
+/// too, where it was a ball.) The second test is right with either meaning.
 template <class Kernel>
 std::optional<bool> by_intersection(const Ball& ball, const Triangle& t) {
   using Number = typename Kernel::FT;

@@ -32,10 +32,11 @@ class Primitive {
   const Triangle* triangle_ = nullptr;
 };
 
+// CGAL 6 calls this AABB_traits_3; it keeps the name that CGAL 5 has, but deprecates it.
 using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 /// CGAL means the surface of a ball, whose squared radius it rounds: balls that triangles lie wholly inside of are
-/// missed.
+/// missed. So do CGAL 5.5 and 6.0; 6.2 changes what a sphere means beside boxes, among which the tree searches.
 class AabbTreeScene : public BuiltScene {
  public:
   explicit AabbTreeScene(std::span<const Triangle> triangles) : first_(triangles.data()) {
