@@ -20,6 +20,8 @@ AXIOMS = ("ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_n
 def theory(statement, proof):
     """A file for Coq: the statement, Gappa's proof, and how the one follows from the other."""
     proof = re.sub(r"^Hypothesis (\w+) : (.*)\.$", r"Lemma \1 : \2. Proof. identity. Qed.", proof, flags=re.MULTILINE)
+    # Gappa 1.6 defines the terms that 1.4 writes as notations, which tactics see through.
+    proof = re.sub(r"^Definition (p\d+|r\d+|_\w+) := (.*?)\.( \(\*.*)?$", r"Notation \1 := (\2).", proof, flags=re.MULTILINE)
     definitions = " ".join(re.findall(r"^Definition (s\d+) ", proof, re.MULTILINE))
     numbers = " ".join(re.findall(r"^Variable _(\w+) ", proof, re.MULTILINE))
     return f"""Require Import Reals {LOGICAL_NAME}.model.
