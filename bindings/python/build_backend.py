@@ -54,12 +54,17 @@ def stem_of(table):
     return f"{table['name'].replace('-', '_')}-{table['version']}"
 
 
-def metadata(table):
+def needs(module):
+    """pybind11 before 2.12, which Debian 12 has, does not know the arrays of NumPy 2, whose core has another name."""
+    return "numpy" if b"numpy._core" in module.read_bytes() else "numpy<2"
+
+
+def metadata(table, need=None):
     fields = [("Metadata-Version", "2.4"), ("Name", table["name"]), ("Version", table["version"]), ("Summary", table["description"]),
               *(("Author", author["name"]) for author in table["authors"]), ("Keywords", ",".join(table["keywords"])),
               ("License-Expression", table["license"]), *(("License-File", file) for file in table["license-files"]),
               *(("Classifier", line) for line in table["classifiers"]),
-              ("Requires-Python", table["requires-python"]), *(("Requires-Dist", need) for need in table["dependencies"]),
+              ("Requires-Python", table["requires-python"]), ("Requires-Dist", need) if need else ("Dynamic", "Requires-Dist"),
               ("Description-Content-Type", "text/markdown")]
     # There are no other pages of ours beside this one, so of links to them the words stay.
     readme = re.sub(r"!?\[([^]]*)\]\((?!\w+:|#)[^)]*\)", r"\1", (ROOT / table["readme"]).read_text())
@@ -114,12 +119,13 @@ def write_wheel(directory, package):
     """Writes the wheel of the compiled package. Returns its name."""
     table = project()
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    tag = f"{python}-{python}-{platform_tag(next(package.glob('_touchstone.*.so')))}"
+    module = next(package.glob("_touchstone.*.so"))
+    tag = f"{python}-{python}-{platform_tag(module)}"
     info = f"{stem_of(table)}.dist-info"
     files = {str(file.relative_to(package.parent)): file.read_bytes() for file in sorted(package.rglob("*"))
              if file.is_file() and file.suffix != ".pyc"}
     files["touchstone.py"] = (ROOT / "bindings/python/touchstone.py").read_bytes()
-    files |= {f"{info}/METADATA": metadata(table).encode(),
+    files |= {f"{info}/METADATA": metadata(table, needs(module)).encode(),
               f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: touchstone\nRoot-Is-Purelib: false\nTag: {tag}\n".encode(),
               f"{info}/entry_points.txt": entry_points(table).encode(),
               **{f"{info}/licenses/{file}": (ROOT / file).read_bytes() for file in table["license-files"]},

@@ -39,7 +39,7 @@ for _kind in (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, NearestFace, Po
     _kind.__module__ = __name__  # where users find them
 
 
-class _Code(_IntEnum):
+class _Code:
     """What the codes in arrays of int8 mean; each name is a word of the contract."""
 
     @classmethod
@@ -51,7 +51,7 @@ class _Code(_IntEnum):
         return _numpy.array([*cls.__members__, ""])[codes]
 
 
-class Relation(_Code):
+class Relation(_Code, _IntEnum):
     """The distance against the radius."""
 
     separate = 0
@@ -59,7 +59,7 @@ class Relation(_Code):
     overlapping = 2
 
 
-class PlaneSide(_Code):
+class PlaneSide(_Code, _IntEnum):
     """The side of the plane on which a ball lies."""
 
     in_front = 0
@@ -67,7 +67,7 @@ class PlaneSide(_Code):
     intersects = 2
 
 
-class PointLocation(_Code):
+class PointLocation(_Code, _IntEnum):
     """Where a point of the plane lies with respect to the polygon, and a point of space with respect to a solid."""
 
     inside = 0
@@ -75,7 +75,7 @@ class PointLocation(_Code):
     outside = 2
 
 
-class FeatureKind(_Code):
+class FeatureKind(_Code, _IntEnum):
     """What contains the closest point: the interior of the face or of an edge, or a vertex."""
 
     face = 0
@@ -83,7 +83,7 @@ class FeatureKind(_Code):
     vertex = 2
 
 
-class FirstContactKind(_Code):
+class FirstContactKind(_Code, _IntEnum):
     """When a moving ball first touches: at the start, on the way or not at all."""
 
     start = 0

@@ -18,31 +18,31 @@ _Codes = NDArray[np.int8]
 _Numbers = NDArray[np.int64]
 _Doubles = NDArray[np.float64]
 
-class _Code(IntEnum):
+class _Code:
     @classmethod
     def words(cls, codes: ArrayLike) -> NDArray[np.str_]: ...
 
-class Relation(_Code):
+class Relation(_Code, IntEnum):
     separate = 0
     touching = 1
     overlapping = 2
 
-class PlaneSide(_Code):
+class PlaneSide(_Code, IntEnum):
     in_front = 0
     behind = 1
     intersects = 2
 
-class PointLocation(_Code):
+class PointLocation(_Code, IntEnum):
     inside = 0
     boundary = 1
     outside = 2
 
-class FeatureKind(_Code):
+class FeatureKind(_Code, IntEnum):
     face = 0
     edge = 1
     vertex = 2
 
-class FirstContactKind(_Code):
+class FirstContactKind(_Code, IntEnum):
     start = 0
     way = 1
     none = 2

@@ -52,8 +52,7 @@ def polygons(draw: st.DrawFn, max_vertices: int = 8, holes: bool = False, floats
     coordinates are floats.
     """
     if draw(st.booleans()):
-        width = 32 if floats else 64
-        number = st.floats(-1024, 1024, width=width, allow_subnormal=False).map(lambda x: x if abs(x) >= 2**-10 else 0.0)
+        number = st.floats(-1024, 1024, width=32 if floats else 64, allow_subnormal=False).map(lambda x: x if abs(x) >= 2**-10 else 0.0)
         corners = [draw(st.tuples(number, number, number)) for _ in range(3)]
         try:
             return Polygon(corners)
@@ -103,5 +102,6 @@ def questions(draw: st.DrawFn, max_vertices: int = 8, holes: bool = False, steps
     """Draws a question about a ball and a polygon, as `balls_near` and `polygons` draw them. It prints as Python that makes it."""
     polygon = draw(polygons(max_vertices, holes, floats))
     x, y, z, radius = draw(balls_near(polygon, steps, floats))
-    outer, *others = (tuple((a, b, c) for a, b, c in loop.tolist()) for loop in (polygon.outer, *polygon.holes))
+    loops: Any = (polygon.outer, *polygon.holes)
+    outer, *others = (tuple((a, b, c) for a, b, c in loop.tolist()) for loop in loops)
     return Question((x, y, z), radius, outer, tuple(others))

@@ -287,7 +287,7 @@ class Refusals(unittest.TestCase):
 
     def test_name_the_function_its_arguments_and_what_it_was_given(self):
         ball, square, scene = [0, 0, 0, 1], touchstone.Polygon(SQUARE), touchstone.Scene()
-        contact, polygon = "(balls: object, polygon: Polygon, out: object = None)", "(outer: object, holes: List[object] = [], closed: bool = False)"
+        contact, polygon = "(balls: object, polygon: Polygon, out: object = None)", "(outer: object, holes: list[object] = [], closed: bool = False)"
         added = "(name: str, faces: object, pose: object = None, bad_faces: str = 'refuse')"
         solid = "(mesh: object) or (vertices: object, faces: object)"
         for said, ask in (
@@ -308,7 +308,7 @@ class Refusals(unittest.TestCase):
                  "and was given (str, fmt: str)", lambda: touchstone.Mesh.read("part.stl", fmt="stl"))):
             with self.assertRaises(TypeError) as caught:
                 ask()
-            self.assertEqual(str(caught.exception), said)
+            self.assertEqual(str(caught.exception).replace("List[", "list["), said)  # pybind11 2.10 writes List
 
     def test_of_others_pass_through_unchanged(self):
         class Odd(TypeError):
@@ -355,7 +355,8 @@ def one_of_each_class():
 class Uninitialised(unittest.TestCase):
     def test_objects_raise_whatever_is_done_with_them(self):
         wholes = one_of_each_class()
-        classes = {kind for kind in vars(touchstone).values() if isinstance(kind, type) and not issubclass(kind, (Exception, tuple, int))}
+        public = [found for name, found in vars(touchstone).items() if not name.startswith("_")]
+        classes = {kind for kind in public if isinstance(kind, type) and not issubclass(kind, (Exception, tuple, int))}
         self.assertEqual(classes, {type(whole) for whole in wholes})
         arguments = {"contact": [[0, 0, 1, 1]], "any_contact": [[0, 0, 1, 1]], "triangles_hit": [[0, 0, 1, 1]], "pose": [0],
                      "touches": [[0, 0, 1, 1]], "touched": [[0, 0, 1, 1]], "first_contact": [[0, 0, 1, 1, 0, 0, 0]], "touched_in_order": [[0, 0, 1, 1, 0, 0, 0]], "nearest": [[0, 0, 1, 1]],

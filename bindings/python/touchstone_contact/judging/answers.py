@@ -103,9 +103,10 @@ def exact_answer(question: Question) -> dict[str, Any]:
     if question.faces is None:
         return of_polygon(exact, question)
     scene, row = question.scene, question.row()
-    numbers = scene.face_numbers("mesh").tolist()
+    numbers: Any = scene.face_numbers("mesh").tolist()
     if question.to is None:
-        touched: list[int] = [number for _, number in scene.touched(row).tolist()]  # type: ignore[union-attr]
+        pairs: Any = scene.touched(row)
+        touched: list[int] = [number for _, number in pairs.tolist()]
         nearest: Any = scene.nearest(row)
     else:
         in_order: Any = scene.touched_in_order(row)
