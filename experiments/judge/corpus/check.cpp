@@ -12,7 +12,6 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
-#include "experiments/judge/corpus/rational_answer.h"
 #include "experiments/methods/registry.h"
 #include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
@@ -20,42 +19,18 @@
 namespace touchstone::corpus {
 namespace {
 
-/// Returns the polygon of a well-formed case with valid numbers; its loops may be invalid.
-Polygon polygon_in(const std::string& line) {
-  const auto loop = [](const nlohmann::json& points) {
-    Loop vertices;
-    for (const auto& p : points) vertices.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
-    return vertices;
-  };
-  const auto polygon = run::read_strict_json(line).value.at("polygon");
-  std::vector<Loop> holes;
-  if (const auto found = polygon.find("holes"); found != polygon.end())
-    for (const auto& points : *found) holes.push_back(loop(points));
-  return Polygon(loop(polygon.at("outer")), holes);
-}
-
-void check_rejection(const cases::Case& read, const std::string& line, std::vector<std::string>& faults) {
+void check_rejection(const cases::Case& read, std::vector<std::string>& faults) {
   const auto& rejection = std::get<Rejection>(read.content);
   const auto& [code, message] = rejection;
   const auto found = std::string(to_string(code));
   if (!read.expected || !read.expected->rejects())
-    return faults.push_back(fmt::format("rejected: {}: {}", found, message));
-  if (!cases::differences(*read.expected, cases::stated(rejection)).empty())
+    faults.push_back(fmt::format("rejected: {}: {}", found, message));
+  else if (!cases::differences(*read.expected, cases::stated(rejection)).empty())
     faults.push_back(fmt::format("error: the file says {}, found \"{}\"", read.expected->texts.at("error"), found));
-  const bool single_comparisons_decide = code < RejectionCode::ZeroNormal;
-  if (single_comparisons_decide || !run::read_strict_json(line).value.contains("polygon")) return;
-  if (const auto again = find_rational_fault(polygon_in(line)); again != code)
-    faults.push_back(fmt::format("error: exact finds \"{}\", rational arithmetic {}", found,
-                                 again ? "\"" + std::string(to_string(*again)) + "\"" : "nothing"));
 }
 
-/// Derives the answer without `exact`: in rationals, or by `filtered` if the ball moves.
+/// Derives the answer by `filtered`; about meshes it asks a scene.
 std::vector<std::string> differences_again(const cases::AnyShapes& shapes, const cases::StatedAnswer& expected) {
-  if (const auto* ball = std::get_if<Ball>(&question_of(shapes))) {
-    const auto* one = std::get_if<cases::Shapes>(&shapes);
-    return one ? rational_differences(*ball, one->polygon, expected)
-               : rational_differences(*ball, std::get<cases::MeshShapes>(shapes).mesh, expected);
-  }
   const auto found = cases::prepare(*methods::find_method("filtered"), shapes)->answer(question_of(shapes)).value();
   std::vector<std::string> sentences;
   for (const cases::Difference& difference : cases::differences(expected, found))
@@ -68,9 +43,6 @@ std::vector<std::string> differences_again(const cases::AnyShapes& shapes, const
 
 void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
   const cases::AnyShapes shapes = read.shapes();
-  for (const Polygon& polygon : faces_of(shapes))
-    if (const auto fault = find_rational_fault(polygon))
-      faults.push_back(fmt::format("error: exact finds nothing, rational arithmetic \"{}\"", to_string(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
   for (const cases::Difference& difference : cases::differences(*read.expected, exact_answer(shapes)))
     faults.push_back(to_string(difference) + ", by exact");
@@ -86,7 +58,7 @@ std::vector<std::string> faults_of(const cases::Line& line, std::set<std::string
     if (read.id) id = *read.id;
     if (read.id && !ids.insert(*read.id).second) faults.emplace_back("id: duplicate");
     if (std::holds_alternative<Rejection>(read.content))
-      check_rejection(read, line.text, faults);
+      check_rejection(read, faults);
     else
       check_answer(read, faults);
   } catch (const run::NotJson& error) {

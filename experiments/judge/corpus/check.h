@@ -17,9 +17,8 @@ struct Findings {
   std::vector<std::string> faults;
 };
 
-/// Derives the whole answer of every case twice, by `exact` and by rational_differences, and every rejection of loops
-/// by `exact` and by find_rational_fault; all must agree with the expectation of the case. Answers
-/// about moving balls are derived by `exact` and by `filtered`. A missing key, an id that is not unique among all
+/// Derives the whole answer of every case by `exact` and by `filtered`, and every rejection of loops; all must agree with
+/// the expectation of the case. A missing key, an id that is not unique among all
 /// files, and a line that is not a case are faults; the check continues with the other cases.
 ///
 /// A part checks its share of the lines. It reads the ids of the lines before, so that the findings of all parts add up

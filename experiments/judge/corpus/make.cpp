@@ -40,10 +40,9 @@ counts) and this page, always with the same bytes. The cases in `floats/` have c
 engines that compute in floats: those engines need not round the question. The cases in `meshes/` and `floats/meshes/`
 are whole scenes: a mesh, perhaps under a pose.
 
-`touchstone corpus check` derives every answer twice, by `exact` and by a separate implementation over GMP's rationals,
-which shares no arithmetic, rounding or sweep with it. The second program for moving balls is `filtered`, which asks
-`exact` where doubles decide nothing; about meshes it asks a scene. The test of the corpus compares every answer with a
-third program, the independent checker in `tests/system/independent`.
+`touchstone corpus check` derives every answer twice, by `exact` and by `filtered`, which asks `exact` where its filters
+decide nothing; about meshes it asks a scene. The test of the corpus compares every answer with a third program, the
+independent checker in `tests/system/independent`, which shares no code with them.
 
 {table}
 And the cases in floats:

@@ -19,9 +19,9 @@ using namespace soak;
 
 struct Options : run::StudyOptions {
   std::uint64_t from = 0;
-  bool print = false, moving = false, crowds = false;
+  bool print = false, moving = false;
 
-  [[nodiscard]] Asked asked() const { return moving ? Asked::Motion : crowds ? Asked::Crowd : Asked::Rest; }
+  [[nodiscard]] Asked asked() const { return moving ? Asked::Motion : Asked::Rest; }
 };
 
 // Raised when case i of a seed changes, or the form of the tally.
@@ -47,9 +47,7 @@ int run_cases(run::StudyRun& run, const Options& options) {
                "touchstone: see {}; `touchstone judge --methods filtered` takes it, and "
                "`touchstone soak{} --seed {} --from INDEX --samples 1 --output FOLDER` asks again\n",
                (run.folder() / "differences.jsonl").string(),
-               options.moving   ? " --moving"
-               : options.crowds ? " --crowds"
-                                : "",
+               options.moving ? " --moving" : "",
                settings.seed);
   return run.finish(
       {.done = tally.cases(),
@@ -80,11 +78,6 @@ run::Command soak_command() {
   command.whole("--from", options->from, "The index of the first case").changes_results();
   command.flag("--moving", options->moving, "Balls move: compare contact and first contact on their ways")
       .changes_results([options] { return std::string(run::yes_or_no(options->moving)); });
-  command
-      .flag("--crowds", options->crowds,
-            "Ask a scene of the polygons of 64 cases about 1088 balls together, in each case")
-      .changes_results([options] { return std::string(run::yes_or_no(options->crowds)); })
-      .excludes("--moving");
   run::declare_study(command, *options, "--samples", "The number of cases; case i depends on the seed and on i alone");
   command.flag("--print", options->print, "Only print the cases, as `judge` takes them")
       .excludes_all_but({"--from", "--moving", "--samples", "--seed"});

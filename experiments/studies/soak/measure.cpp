@@ -325,10 +325,9 @@ std::string_view to_string(Way way) {
     case Way::MovingPrepared: return "moving-prepared";
     case Way::MovingTouching: return "moving-touching";
     case Way::Extreme: return "extreme";
-    case Way::MovingExtreme: return "moving-extreme";
-    case Way::Crowd: break;
+    case Way::MovingExtreme: break;
   }
-  return "crowd";
+  return "moving-extreme";
 }
 
 void Tally::add_case(std::vector<Difference> differences) {
@@ -357,10 +356,8 @@ void Tally::keep_first() {
 
 std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested, const run::RunControl& control,
                            Tally& tally, const std::function<void(const Difference&)>& tell) {
-  const auto ask = settings.asked == Asked::Rest     ? compare
-                   : settings.asked == Asked::Motion ? compare_moving
-                                                     : compare_crowd;
-  const std::uint64_t block = settings.asked == Asked::Crowd ? 2 : 256;  // 10 to 40 ms on one core
+  const auto ask = settings.asked == Asked::Rest ? compare : compare_moving;
+  constexpr std::uint64_t kBlock = 256;  // 10 to 40 ms on one core
   return run::run_sweep(
       settings.cases, settings.threads, control, Tally(), tally,
       [&](std::uint64_t i, Tally& part) {
@@ -369,7 +366,7 @@ std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& test
         for (const Difference& difference : one.kept()) tell(difference);
         part += one;
       },
-      block);
+      kBlock);
 }
 
 }  // namespace touchstone::soak

@@ -30,13 +30,12 @@ enum class Way {
   MovingTouching,  ///< the same with a prepared polygon whose loops touch
   Extreme,         ///< all of the above about a ball at rest, with numbers below 2^-970 and above 2^970
   MovingExtreme,   ///< the same about a moving ball
-  Crowd,           ///< all questions about a scene of many polygons, asked by many balls together
 };
 
 [[nodiscard]] std::string_view to_string(Way way);
 inline constexpr std::array kWays{Way::Triangle, Way::Prepared,       Way::Answer,         Way::Solid,
                                   Way::Touching, Way::MovingTriangle, Way::MovingPrepared, Way::MovingTouching,
-                                  Way::Extreme,  Way::MovingExtreme,  Way::Crowd};
+                                  Way::Extreme,  Way::MovingExtreme};
 
 /// The results of the cases of one family asked in one way.
 struct Outcomes {
@@ -108,24 +107,10 @@ void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t in
 /// case in 16: the same with extreme numbers.
 void compare_moving(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
 
-/// The number of cases whose polygons make up a scene of crowds, and of the balls that ask about it together.
-inline constexpr std::size_t kCrowdFaces = 64, kCrowdBalls = 17 * kCrowdFaces;
-
-/// Asks a scene of the polygons of cases kCrowdFaces * index and following, one in 16 with extreme numbers, about their
-/// balls together: the nearest face of each, and contact and the touched faces of each and of balls with the next eight
-/// smaller and larger radii.
-///
-/// Compares contact of each ball and the polygon of its own case with `exact`; contact with the other polygons and the
-/// nearest face with what `filtered` answers about each face; and all answers with those of the scene about single
-/// balls. Adds one case to the tally, whose outcomes count each ball. Throws std::invalid_argument if there are no such
-/// cases.
-void compare_crowd(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
-
 /// The questions of a run.
 enum class Asked {
   Rest,    ///< about balls at rest, `compare`
   Motion,  ///< about balls that move, `compare_moving`
-  Crowd,   ///< about many balls together, `compare_crowd`
 };
 
 struct Settings {

@@ -10,7 +10,6 @@
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/motion.h"
 #include "robust/filtered/triangle_set.h"
-#include "robust/scene/scene.h"
 #include "robust/scene/solid.h"
 
 namespace touchstone::soak {
@@ -96,20 +95,6 @@ class SystemUnderTest {
   [[nodiscard]] virtual double signed_distance(const scene::Solid& solid, const Eigen::Vector3d& point) const {
     return solid.signed_distance(point);
   }
-
-  // Of many balls together.
-  virtual void touches(const scene::Scene& scene, std::span<const Ball> balls, std::span<bool> answers) const {
-    scene.touches(balls, answers);
-  }
-  [[nodiscard]] virtual std::vector<std::vector<scene::FaceId>> touched(const scene::Scene& scene,
-                                                                        std::span<const Ball> balls) const {
-    return scene.touched(balls);
-  }
-  [[nodiscard]] virtual std::vector<std::optional<scene::NearestFace>> nearest(const scene::Scene& scene,
-                                                                               std::span<const Ball> balls) const {
-    return scene.nearest(balls);
-  }
-
   // Of moving balls.
   [[nodiscard]] virtual bool contact(const Motion& motion, const Triangle& triangle) const {
     return filtered::contact(motion, triangle);

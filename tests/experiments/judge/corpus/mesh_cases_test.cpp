@@ -10,7 +10,6 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/judge/corpus/families.h"
 #include "experiments/judge/corpus/in_floats.h"
-#include "experiments/judge/corpus/rational_answer.h"
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
@@ -66,31 +65,6 @@ TEST(MeshCases, AScenesAnswersAreExact) {
   each_drawn(300, [&](const CorpusCase& drawn) {
     const auto found = filtered->prepare(mesh_case(drawn).mesh)->answer(mesh_case(drawn).question).value();
     EXPECT_TRUE(cases::differences(cases::stated(exact_answer(drawn.shapes)), found).empty()) << drawn.id;
-  });
-}
-
-TEST(MeshCases, RationalsFindWhatIsWrong) {
-  each_drawn(40, [](const CorpusCase& drawn) {
-    const auto* ball = std::get_if<Ball>(&mesh_case(drawn).question);
-    if (ball == nullptr) return;
-    const PartialAnswer truth = exact_answer(drawn.shapes);
-    const auto faults = [&](const PartialAnswer& answer) {
-      return rational_differences(*ball, mesh_case(drawn).mesh, cases::stated(answer));
-    };
-    EXPECT_TRUE(faults(truth).empty()) << drawn.id;
-    PartialAnswer wrong = truth;
-    wrong.face = *truth.face + 1;
-    ASSERT_EQ(faults(wrong).size(), 1U) << drawn.id;
-    EXPECT_TRUE(faults(wrong)[0].starts_with("face: the file says ")) << faults(wrong)[0];
-    wrong = truth;
-    wrong.touched->push_back(99);
-    EXPECT_EQ(faults(wrong).size(), 1U) << drawn.id;
-    wrong = truth;
-    wrong.distance = std::nextafter(*truth.distance, 0.0);
-    EXPECT_EQ(faults(wrong).size(), 1U) << drawn.id;
-    wrong = truth;
-    wrong.touched.reset();
-    EXPECT_EQ(faults(wrong), std::vector<std::string>{"touched: is missing"}) << drawn.id;
   });
 }
 

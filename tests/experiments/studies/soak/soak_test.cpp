@@ -301,8 +301,7 @@ class Flushed : public SystemUnderTest {
 /// Is the error found, and told as a case that the judge reads, with the exact answer expected?
 void expect_found(const SystemUnderTest& wrong, const std::string& question, Asked asked = Asked::Rest) {
   const bool moving = asked == Asked::Motion;
-  const std::uint64_t of_one = asked == Asked::Crowd ? kCrowdFaces : 1;  // cases of the draw
-  const Settings settings{.cases = asked == Asked::Crowd ? 2U : moving ? 600U : 3000U, .seed = 9, .asked = asked};
+  const Settings settings{.cases = moving ? 600U : 3000U, .seed = 9, .asked = asked};
   const Tally tally = whole(settings, wrong);
   EXPECT_GT(tally.differing(), 0U) << question;
   ASSERT_FALSE(tally.kept().empty()) << question;
@@ -311,7 +310,7 @@ void expect_found(const SystemUnderTest& wrong, const std::string& question, Ask
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << difference.line;
     const std::string before = "soak-s9-i";
     ASSERT_EQ(read.id->rfind(before, 0), 0U) << difference.line;
-    EXPECT_EQ(std::stoull(read.id->substr(before.size())) / of_one, difference.index) << difference.line;
+    EXPECT_EQ(std::stoull(read.id->substr(before.size())), difference.index) << difference.line;
     EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
     const auto& shapes = std::get<cases::Shapes>(read.content);
     const Answer still = exact::answer(shapes.ball(), shapes.polygon);
@@ -347,75 +346,6 @@ TEST(Soak, FindsPlantedErrorsOfMovingBalls) {
   expect_found(ForwardsOnly(), "contact, in a batch", Asked::Motion);
   expect_found(PlainWithoutEnd(), "contact, without vectors", Asked::Motion);
   expect_found(Flushed(), "first contact", Asked::Motion);
-}
-
-/// The balls of the last lane touch nothing.
-class ForgetfulCrowd : public SystemUnderTest {
-  std::vector<std::vector<scene::FaceId>> touched(const scene::Scene& scene,
-                                                  std::span<const Ball> balls) const override {
-    auto touched = SystemUnderTest::touched(scene, balls);
-    for (std::size_t i = 7; i < touched.size(); i += 8) touched[i].clear();
-    return touched;
-  }
-};
-
-class OverlapsAlone : public SystemUnderTest {
-  void touches(const scene::Scene& scene, std::span<const Ball> balls, std::span<bool> answers) const override {
-    SystemUnderTest::touches(scene, balls, answers);
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      const auto nearest = scene.nearest(balls[i]);
-      answers[i] = answers[i] && nearest && nearest->depth > 0;
-    }
-  }
-};
-
-/// The nearest face of a ball is that of the ball before it.
-class StaleNearest : public SystemUnderTest {
-  std::vector<std::optional<scene::NearestFace>> nearest(const scene::Scene& scene,
-                                                         std::span<const Ball> balls) const override {
-    auto nearest = SystemUnderTest::nearest(scene, balls);
-    nearest[17] = nearest[16];
-    return nearest;
-  }
-};
-
-class UnroundedNearest : public SystemUnderTest {
-  std::vector<std::optional<scene::NearestFace>> nearest(const scene::Scene& scene,
-                                                         std::span<const Ball> balls) const override {
-    auto nearest = SystemUnderTest::nearest(scene, balls);
-    nearest[5]->distance = std::nextafter(nearest[5]->distance, std::numeric_limits<double>::infinity());
-    return nearest;
-  }
-};
-
-class ThrowingCrowd : public SystemUnderTest {
-  void touches(const scene::Scene&, std::span<const Ball>, std::span<bool>) const override {
-    throw std::length_error("no crowds, please");
-  }
-};
-
-TEST(Soak, FindsPlantedErrorsOfCrowds) {
-  expect_found(ForgetfulCrowd(), "crowd, touched", Asked::Crowd);
-  expect_found(OverlapsAlone(), "crowd, touches", Asked::Crowd);
-  expect_found(StaleNearest(), "crowd, nearest", Asked::Crowd);
-  expect_found(UnroundedNearest(), "crowd, nearest", Asked::Crowd);
-  expect_found(ThrowingCrowd(), "crowd, touches: no crowds, please", Asked::Crowd);
-}
-
-TEST(Soak, CountsEveryBallOfACrowdOnce) {
-  const Tally tally = whole({.cases = 2, .seed = 4, .asked = Asked::Crowd});
-  std::uint64_t balls = 0, others = 0;
-  for (const adversarial::Family family : adversarial::all_families())
-    for (const Way way : kWays) (way == Way::Crowd ? balls : others) += tally.at(family, way).cases;
-  EXPECT_EQ(balls, 2 * kCrowdBalls);
-  EXPECT_EQ(others, 0U);
-  EXPECT_EQ(tally.cases(), 2U);
-  EXPECT_EQ(tally.differing(), 0U);
-}
-
-TEST(Soak, RefusesCrowdsWhoseCasesHaveNoNumbers) {
-  Tally tally;
-  EXPECT_THROW(compare_crowd(SystemUnderTest(), 1, std::uint64_t{1} << 58, tally), std::invalid_argument);
 }
 
 TEST(Soak, CountsEveryMovingCaseOnceEachWay) {
@@ -525,14 +455,9 @@ TEST(SoakCommand, PrintsMotionsThatItWouldAsk) {
   EXPECT_EQ(shapes.motion()->to, drawn.to);
 }
 
-TEST(SoakCommand, CrowdsDoNotMove) {
-  const std::string said = run_tests::message_of<run::UsageError>([&] { run_command({"--crowds", "--moving"}); });
-  EXPECT_NE(said.find("--crowds"), std::string::npos) << said;
-}
-
 TEST(SoakCommand, OptionsThatMeanNothingToPrintedCasesAreErrorsThatNameThem) {
   for (const std::vector<std::string>& option :
-       {{"--threads", "1"}, {"--output", "folder"}, {"--crowds"}, std::vector<std::string>{"--force"}}) {
+       {{"--threads", "1"}, {"--output", "folder"}, std::vector<std::string>{"--force"}}) {
     std::vector<std::string> words{"--samples", "1", "--print"};
     words.insert(words.end(), option.begin(), option.end());
     const std::string said = run_tests::message_of<run::UsageError>([&] { run_command(words); });
