@@ -18,7 +18,7 @@ function(find_engine name header)
       set(found 0)
     endif()
   endforeach()
-  if(NOT TOUCHSTONE_${name}_HEADERS OR TOUCHSTONE_STATIC)  # Debian has few of them in static form
+  if(NOT TOUCHSTONE_${name}_HEADERS OR NOT TOUCHSTONE_ENGINES OR TOUCHSTONE_STATIC)  # Debian has few of them in static form
     set(found 0)
   endif()
   if(found)
