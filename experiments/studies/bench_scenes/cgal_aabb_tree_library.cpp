@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#define CGAL_NO_DEPRECATION_WARNINGS  // CGAL 6 says AABB_traits_3, but keeps AABB_traits, the name in CGAL 5
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -32,7 +33,6 @@ class Primitive {
   const Triangle* triangle_ = nullptr;
 };
 
-// CGAL 6 calls this AABB_traits_3; it keeps the name that CGAL 5 has, but deprecates it.
 using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 /// CGAL means the surface of a ball, whose squared radius it rounds: balls that triangles lie wholly inside of are

@@ -70,7 +70,7 @@ std::optional<Number> read_number(const Item& item, const Computed& computed) {
   (void)what.text();
   const auto stated = item.find("stated"), tolerance_item = item.find("tolerance"), rounded = item.find("rounded to");
   if (stated.has_value() != item.find("basis").has_value()) item.bad("needs `stated` and `basis` together");
-  const std::optional<Value>& ours = value_of(item.at("name"), computed);
+  const std::optional<Value> ours = value_of(item.at("name"), computed);
   if (!ours) return std::nullopt;
   Number result{sentence(what, computed), item.find("unit") ? item.at("unit").text() : "", *ours};
   result.chosen = item.at("chosen").yes();
