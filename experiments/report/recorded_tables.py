@@ -3,9 +3,10 @@
 """Usage: recorded_tables.py RESULTS [--write]
 
 Compares the tables in RESULTS, which ./reproduce has made with small samples, with the checksums in recorded_tables.json: those
-of a program without the engines of other projects, on one x86-64 machine. Tables with times are not recorded. A table that
-was not made is named, and no failure: without the meshes some studies are skipped, and after --full others keep its samples. Exit status 1 if a table differs, unless
-the program has other engines, and if none is equal. --write records the tables of RESULTS, which must be new, made by
+of a program without the engines of other projects, on one x86-64 machine. Tables with times are not recorded. Those that
+were not made are only named: without the meshes some studies are skipped, and after --full others keep its samples. Exit
+status 1 if a table differs, unless the program has other engines, or if none is equal. --write records the tables of
+RESULTS, a new folder, made by
 
   cmake --preset release -B build/plain -DTOUCHSTONE_ENGINES=OFF -DTOUCHSTONE_TESTS=OFF
   cmake --build build/plain --target touchstone
