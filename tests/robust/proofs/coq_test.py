@@ -125,7 +125,7 @@ class Program(InFolder):
 
     def checked(self, gappa_program):
         command = [sys.executable, "-B", str(PROOFS / "prove_in_coq.py"), RECORD, gappa_program, COQC,
-                   str(self.folder / "one"), NAME_OF_ONE]
+                   str(self.folder / "one"), "kDot in double-doubles"]
         return subprocess.run(command, capture_output=True, text=True)
 
     def test_checks_a_claim(self):
