@@ -120,17 +120,16 @@ int judge_parts(judge::Order order, JudgeOptions& options) {
   run::StudyRun study("judge", kVersion, options);
   options.counted = cases::count_lines(order.files);
   const std::uint64_t lines = options.counted.lines;
-  judge::Judgement judgement =
-      study.phase("cases", "part.json", lines, judge::Judgement(),
-                  [&](const run::RunControl& control, judge::Judgement& found) {
-                    order.lines = {control.part.first(lines), control.part.size(lines)};
-                    found.lines = judge::ask(
-                        order, [&](judge::Entry&& entry) { found.entries.push_back(std::move(entry)); },
-                        [&](std::uint64_t judged) {
-                          control.progress(judged);
-                          return !control.stop;
-                        });
-                  });
+  judge::Judgement judgement = study.phase(
+      "cases", "part.json", lines, judge::Judgement(), [&](const run::RunControl& control, judge::Judgement& found) {
+        order.lines = {control.part.first(lines), control.part.size(lines)};
+        found.lines = judge::ask(
+            order, [&](judge::Entry&& entry) { found.entries.push_back(std::move(entry)); },
+            [&](std::uint64_t judged) {
+              control.progress(judged);
+              return !control.stop;
+            });
+      });
   if (study.is_part()) return study.finish({.done = judgement.lines, .items = lines});
   judge::Teller teller(order);
   for (judge::Entry& entry : judgement.entries) teller.tell(std::move(entry));

@@ -396,7 +396,6 @@ void Command::keep_result_options(std::function<std::vector<std::pair<std::strin
   parts_->kept_result_options = &options;
 }
 
-
 void Command::writes(const std::vector<TableDescription>& tables) {
   parts_->tables.insert(parts_->tables.end(), tables.begin(), tables.end());
 }

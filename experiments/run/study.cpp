@@ -20,10 +20,9 @@ Option declare_study(Command& command, StudyOptions& options, const std::string&
 
 void declare_parts(Command& command, StudyOptions& options) {
   command.threads(options.threads);
-  declare_output(
-      command, options,
-      options.has_pictures ? "The folder for tables and pictures" : "The folder for tables",
-      options.has_pictures);
+  declare_output(command, options,
+                 options.has_pictures ? "The folder for tables and pictures" : "The folder for tables",
+                 options.has_pictures);
   command.quiet(options.quiet);
   declare_part(command, options);
 }
@@ -83,9 +82,8 @@ int StudyRun::finish(const End& end) {
        .interrupted = interrupted},
       fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), io::all_legible(options_.output)), script);
   if (interrupted)
-    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {}{}\n",
-               io::all_legible(options_.output), end.done, counted(asked, end.items ? "item" : "sample"),
-               options_.has_pictures ? "; no pictures" : "");
+    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {}{}\n", io::all_legible(options_.output), end.done,
+               counted(asked, end.items ? "item" : "sample"), options_.has_pictures ? "; no pictures" : "");
   if (end.status != 0) return end.status;
   return interrupted ? kInterrupted : drawn;
 }

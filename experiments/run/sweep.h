@@ -64,9 +64,8 @@ template <class Sum, class Work>
 std::uint64_t run_sweep(std::uint64_t items, unsigned threads, const RunControl& control, const Sum& zero, Sum& sum,
                         const Work& work, std::uint64_t block = 1) {
   std::vector<Sum> parts(threads, zero);
-  const std::uint64_t done = run_items(items, block, threads, control, [&](unsigned thread, std::uint64_t item) {
-    work(item, parts[thread]);
-  });
+  const std::uint64_t done = run_items(items, block, threads, control,
+                                       [&](unsigned thread, std::uint64_t item) { work(item, parts[thread]); });
   for (const Sum& part : parts) add(sum, part);
   return done;
 }

@@ -36,8 +36,10 @@ TEST(ReadMesh, NamesAnExtensionThatItDoesNotKnow) {
     (void)read_mesh(file.path(), OnFault::Skip);
     FAIL();
   } catch (const BrokenMesh& broken) {
-    EXPECT_EQ(after_file(file, broken.what()), "unknown extension '.step'; expected .obj, .off, .stl or .ply: a modelling program, such as Blender, exports other "
-              "files as these");
+    EXPECT_EQ(
+        after_file(file, broken.what()),
+        "unknown extension '.step'; expected .obj, .off, .stl or .ply: a modelling program, such as Blender, exports other "
+        "files as these");
   }
 }
 
@@ -126,8 +128,10 @@ TEST(ReadMesh, ReadsTheContentOfAFileInMemory) {
   EXPECT_EQ(fault_of(content + "f 1 2 4\n", "obj"),
             "memory: line 5: vertex 4 is out of range: 3 vertices were read, numbered from 1");
   EXPECT_EQ(fault_of("", "obj"), "memory: the file has no face");
-  EXPECT_EQ(fault_of(content, "step"), "memory: unknown format 'step'; expected obj, off, stl or ply: a modelling program, such as Blender, exports other "
-            "files as these");
+  EXPECT_EQ(
+      fault_of(content, "step"),
+      "memory: unknown format 'step'; expected obj, off, stl or ply: a modelling program, such as Blender, exports other "
+      "files as these");
 }
 
 TEST(ReadMesh, RefusesMalformedNumbers) {

@@ -243,8 +243,8 @@ void write_scene_tables(const std::filesystem::path& folder, const std::vector<S
 }
 
 std::vector<run::TableDescription> tables() {
-  return {queries_table().description(), motions_table().description(),
-          points_table().description(), builds_csv().description()};
+  return {queries_table().description(), motions_table().description(), points_table().description(),
+          builds_csv().description()};
 }
 
 }  // namespace touchstone::bench_scenes

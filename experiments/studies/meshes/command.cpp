@@ -48,9 +48,8 @@ int run_meshes(run::StudyRun& run, const Options& options) {
   if (meshes.empty()) return kBadInput;
 
   const std::uint64_t faces = face_count(settings, meshes);
-  const Result result = run.phase(
-      "faces", "part.json", faces, no_result(settings, meshes),
-      [&](const auto& control, Result& sum) { measure(settings, meshes, control, sum); });
+  const Result result = run.phase("faces", "part.json", faces, no_result(settings, meshes),
+                                  [&](const auto& control, Result& sum) { measure(settings, meshes, control, sum); });
   run::StudyRun::End end{.done = items_done(result), .missing = result.rejected.size(), .items = faces};
   if (!files.all_read && !run.stopped()) end.status = kBadInput;
   if (run.is_part()) return run.finish(end);

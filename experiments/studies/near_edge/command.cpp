@@ -30,14 +30,9 @@ constexpr int kVersion = 4;
 class Run {
  public:
   Run(run::StudyRun& run, const Options& options)
-      : run_(run),
-        options_(options),
-        settings_{options.methods.methods(),
-                  workloads::find_families(options.families),
-                  options.samples,
-                  options.seed,
-                  options.threads,
-                  options.shape} {
+      : run_(run), options_(options), settings_{options.methods.methods(), workloads::find_families(options.families),
+                                                options.samples,           options.seed,
+                                                options.threads,           options.shape} {
     workloads::require_vertices(settings_.families, options.shape.vertices);
   }
 
@@ -58,9 +53,8 @@ class Run {
  private:
   /// Returns a sentence on the samples and their pace.
   std::string sample() {
-    result_ =
-        run_.phase("samples", "part.json", settings_.samples, no_result(settings_),
-                   [&](const auto& control, Result& result) { run_study(settings_, control, result); });
+    result_ = run_.phase("samples", "part.json", settings_.samples, no_result(settings_),
+                         [&](const auto& control, Result& result) { run_study(settings_, control, result); });
     const double seconds = run_.seconds();
     if (!run_.is_part()) {
       run_.remove_files({"map-", "maps", "rates-", "onset", "worst"});
@@ -88,7 +82,7 @@ class Run {
         [&](const auto& control, Onsets& onsets) { run_onsets(settings_, options_.search, control, onsets); });
     if (run_.is_part()) return;
     run_.phase("climbs", climb_count(settings_),
-                           [&](const auto& control) { run_climbs(settings_, control, onsets_, worst_); });
+               [&](const auto& control) { run_climbs(settings_, control, onsets_, worst_); });
     write_onsets(run_.folder(), settings_, onsets_);
     write_worst(run_.folder(), settings_, onsets_, worst_);
   }

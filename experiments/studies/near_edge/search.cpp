@@ -207,8 +207,7 @@ Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
 
-void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl& control,
-                Onsets& onsets) {
+void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl& control, Onsets& onsets) {
   const Search search(settings);
   run::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
                  [&](std::uint64_t n, Onsets& part) { search.measure(n, part); });
@@ -218,8 +217,7 @@ std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-void run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets,
-                WorstCases& worst) {
+void run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets, WorstCases& worst) {
   const Search search(settings);
   worst = no_worst_cases(settings);
   run::run_sweep(climb_count(settings), settings.threads, control, no_worst_cases(settings), worst,

@@ -139,12 +139,10 @@ struct WorstCases {
 
 /// Measures how far from the threshold each method is wrong, for those of `samples` samples of every region that the
 /// onsets do not contain yet, and adds them.
-void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl& control,
-                Onsets& onsets);
+void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl& control, Onsets& onsets);
 /// Climbs from the furthest samples of each region and method, in climb_count(settings) climbs. The result is a
 /// function of settings and onsets, independent of threads; `exact` confirms each case.
-void run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets,
-                WorstCases& worst);
+void run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets, WorstCases& worst);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);
 
 // Results only, and errors, as of write_rates.

@@ -217,11 +217,10 @@ int run_recorded(run::StudyRun& run, const Options& options) {
   if (simulations().empty())
     throw std::runtime_error("this program was built without Bullet (libbullet-dev), which steps the piles");
   const Study study(options);
-  const Sum sum =
-      run.phase("piles", "part.json", options.samples, study.zero(), [&](const auto& control, Sum& so_far) {
-        run::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
-                       [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
-      });
+  const Sum sum = run.phase("piles", "part.json", options.samples, study.zero(), [&](const auto& control, Sum& so_far) {
+    run::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
+                   [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
+  });
   if (run.is_part()) return run.finish({.done = sum.samples});
   const auto rows = study.rows(sum);
   table().write(run.folder(), rows);

@@ -29,15 +29,14 @@ constexpr int kVersion = 6;
 
 int run_cases(run::StudyRun& run, const Options& options) {
   const Settings settings{options.samples, options.seed, options.from, options.threads, options.asked()};
-  const Tally tally =
-      run.phase("cases", "part.json", settings.cases, Tally(), [&](const auto& control, Tally& sum) {
-        std::mutex turn;
-        run_campaign(settings, SystemUnderTest(), control, sum, [&](const Difference& difference) {
-          const std::lock_guard lock(turn);  // an endless run tells of differences at once
-          fmt::print("{}", difference.line);
-          run::flush_standard_output();
-        });
-      });
+  const Tally tally = run.phase("cases", "part.json", settings.cases, Tally(), [&](const auto& control, Tally& sum) {
+    std::mutex turn;
+    run_campaign(settings, SystemUnderTest(), control, sum, [&](const Difference& difference) {
+      const std::lock_guard lock(turn);  // an endless run tells of differences at once
+      fmt::print("{}", difference.line);
+      run::flush_standard_output();
+    });
+  });
   if (run.is_part()) return run.finish({.done = tally.cases()});
   write_counts(run.folder(), tally);
   write_differences(run.folder(), tally);
@@ -46,14 +45,11 @@ int run_cases(run::StudyRun& run, const Options& options) {
     fmt::print(stderr,
                "touchstone: see {}; `touchstone judge --methods filtered` takes it, and "
                "`touchstone soak{} --seed {} --from INDEX --samples 1 --output FOLDER` asks again\n",
-               (run.folder() / "differences.jsonl").string(),
-               options.moving ? " --moving" : "",
-               settings.seed);
-  return run.finish(
-      {.done = tally.cases(),
-       .text = table(tally) + fmt::format("{} cases in {:.0f} s: {:.0f} a second.\n", tally.cases(), seconds,
-                                          static_cast<double>(tally.cases()) / seconds),
-       .status = tally.differing() > 0 ? 1 : 0});
+               (run.folder() / "differences.jsonl").string(), options.moving ? " --moving" : "", settings.seed);
+  return run.finish({.done = tally.cases(),
+                     .text = table(tally) + fmt::format("{} cases in {:.0f} s: {:.0f} a second.\n", tally.cases(),
+                                                        seconds, static_cast<double>(tally.cases()) / seconds),
+                     .status = tally.differing() > 0 ? 1 : 0});
 }
 
 int print_cases(const Options& options) {

@@ -73,9 +73,8 @@ Summary no_summary(const Settings& settings) {
 }
 
 void run_study(const Settings& settings, const run::RunControl& control, Summary& summary) {
-  run::run_sweep(
-      block_count(settings), settings.threads, control, no_summary(settings), summary,
-      [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); });
+  run::run_sweep(block_count(settings), settings.threads, control, no_summary(settings), summary,
+                 [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); });
 }
 
 const SampledFailures* Summary::at(std::size_t axis, Nearness nearness, Test test, std::size_t method,

@@ -135,7 +135,9 @@ TEST_F(JudgeParts, AreRefusedIfAMeshFileHasChanged) {
   Words all = words;
   all.insert(all.end(), {"--output", (scratch.path / "all").string(), "--force"});
   const auto refused = [&] {
-    return told([&] { return commands::judge_command().merge({scratch.path / "one", scratch.path / "two"}, all); })
+    return told([&] {
+             return commands::judge_command().merge({scratch.path / "one", scratch.path / "two"}, all);
+           })
         .complaints;
   };
   EXPECT_EQ(part(words, "1/2", "one").status, 0);

@@ -71,7 +71,8 @@ TEST_F(SumOfAPart, IsRefusedIfItCannotBeOpened) {
 TEST_F(SumOfAPart, IsRefusedWhereItIsDamaged) {
   with(kSettings).write(Done{4});
   const std::string sound = run_tests::text_of(path());
-  for (const std::string& text : {std::string(), std::string("{"), std::string("[]"), sound.substr(0, sound.size() / 2)}) {
+  for (const std::string& text :
+       {std::string(), std::string("{"), std::string("[]"), sound.substr(0, sound.size() / 2)}) {
     write_file(path(), text);
     EXPECT_TRUE(refusal(kSettings).starts_with("is not of a part of this program: ")) << text;
   }

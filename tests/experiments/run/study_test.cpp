@@ -116,10 +116,11 @@ TEST(StudyRun, NamesTheFolderOfAPartThatIsNotOfTheStudy) {
   (void)run_numbers(numbers_options(folder("two"), 11, "2/2"));
   StudyOptions all = numbers_options(folder("all"), 10, "");
   all.merged = {folder("one"), folder("two")};
-  EXPECT_EQ(fault_of(all), (folder("two") / "part.json").string() +
-                               ": is of --part 2/2 of 11 items, not of --part 2/2 of 10 items");
+  EXPECT_EQ(fault_of(all),
+            (folder("two") / "part.json").string() + ": is of --part 2/2 of 11 items, not of --part 2/2 of 10 items");
   all.merged = {folder("one"), folder("none")};
-  EXPECT_EQ(fault_of(all), (folder("none") / "part.json").string() + ": is missing: its part has not ended, so run it again");
+  EXPECT_EQ(fault_of(all),
+            (folder("none") / "part.json").string() + ": is missing: its part has not ended, so run it again");
   EXPECT_FALSE(std::filesystem::exists(folder("all"))) << "nothing is written";
 }
 

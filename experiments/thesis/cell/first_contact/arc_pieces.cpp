@@ -11,7 +11,7 @@
 namespace touchstone::kinematics {
 namespace {
 
-constexpr double kWidest = 4;          // degrees of a piece
+constexpr double kWidest = 4;               // degrees of a piece
 constexpr double kRoundingOfArc = 0x1p-40;  // of the largest numbers: some thousand times what rounding can do
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

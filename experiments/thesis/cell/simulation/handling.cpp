@@ -21,8 +21,8 @@ namespace {
 constexpr int kMostTries = 8;
 constexpr int kMostDescents = 10'000;
 constexpr double kRoundingOfHeight = 1e-13;  // of a height: what angles of that precision are off
-constexpr double kLanded = 2e-12;    // of the arm's reach: what is let go is no further from what it lies on
-constexpr double kSinksIn = 1e-9;   // of the arm's reach: so far the sphere sinks into what it comes straight down on
+constexpr double kLanded = 2e-12;            // of the arm's reach: what is let go is no further from what it lies on
+constexpr double kSinksIn = 1e-9;    // of the arm's reach: so far the sphere sinks into what it comes straight down on
 constexpr double kMostTurn = 10;     // degrees of a joint between two stops straight up or down
 constexpr double kMostParts = 1000;  // of a way straight up or down: more are needed only where the joints jump
 constexpr std::array kSharesOfClearance{1.0, 0.5, 0.25};  // of the clearance, above a place

@@ -20,7 +20,7 @@ namespace touchstone::cell {
 namespace {
 
 constexpr double kRoundingOfReach = 1e-12;  // of the arm's reach: more than a posed point is off
-constexpr double kRests = 1e-9;      // of the arm's reach: what lies so little higher than held material is below it
+constexpr double kRests = 1e-9;  // of the arm's reach: what lies so little higher than held material is below it
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace touchstone::cell {
 namespace {
 
 constexpr std::array kRises{0.0, 1.0 / 8, 1.0 / 4, 3.0 / 8, -1.0 / 8};  // of the arm's reach, above the higher end
-constexpr std::array kSharesOfReach{0.45, 0.6, 0.3, 0.75, 0.9};                // of that reach, from the base's axis
+constexpr std::array kSharesOfReach{0.45, 0.6, 0.3, 0.75, 0.9};         // of that reach, from the base's axis
 
 class Search {
  public:

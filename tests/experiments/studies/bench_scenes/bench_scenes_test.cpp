@@ -216,9 +216,7 @@ TEST(SceneBench, AnErrorOfTheTruthIsDisputed) {
       << result.disputes.front();
 }
 
-TEST(SceneBench, NobodyExactIsRefused) {
-  EXPECT_THROW((void)measure_small({grid_library()}), std::invalid_argument);
-}
+TEST(SceneBench, NobodyExactIsRefused) { EXPECT_THROW((void)measure_small({grid_library()}), std::invalid_argument); }
 
 TEST(SceneBench, AStopEndsWithWhatWasMeasured) {
   std::atomic<bool> stop = false;

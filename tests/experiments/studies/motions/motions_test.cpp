@@ -222,8 +222,7 @@ TEST(Motions, TheNumberOfThreadsChangesNothing) {
   std::vector<std::string> three = kSmallRun;
   three.insert(three.end(), {"--samples", "3"});
   run_tests::expect_that_threads_change_nothing(
-      commands::motions_command, three,
-      {"ways.csv", "thresholds.csv", "furthest.jsonl", "pass.csv", "pass-scene.csv"});
+      commands::motions_command, three, {"ways.csv", "thresholds.csv", "furthest.jsonl", "pass.csv", "pass-scene.csv"});
 }
 
 TEST(Motions, AreNotAskedOfAMethodThatKnowsNone) {

@@ -116,8 +116,8 @@ TEST(Cost, IsThatOfBothSweepsAndOfAllSteps) {
 
 TEST(Tunnelling, TheNumberOfThreadsChangesNoCount) {
   run_tests::expect_that_threads_change_nothing(
-      commands::tunnelling_command,
-      {"--vertices", "8", "--repetitions", "1", "--no-pictures", "--samples", "60"}, {"misses.csv"});
+      commands::tunnelling_command, {"--vertices", "8", "--repetitions", "1", "--no-pictures", "--samples", "60"},
+      {"misses.csv"});
 }
 
 }  // namespace
