@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-#include "experiments/built_with.h"
+#include "experiments/run/built_with.h"
 #include "experiments/run/output.h"
 #include "touchstone_commit.h"
 

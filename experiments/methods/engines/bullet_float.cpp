@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bullet's float build has the names of the double build, so it runs as a program: bullet_float_program.cpp.
-#include "experiments/built_with.h"
+#include "experiments/run/built_with.h"
 
 #if TOUCHSTONE_HAS_BULLET_FLOAT
 #include "experiments/methods/engines/engines.h"

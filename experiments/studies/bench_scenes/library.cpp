@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "experiments/built_with.h"
 #include "experiments/methods/ericson.h"
+#include "experiments/run/built_with.h"
 #include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/built_with.h"
 #include "experiments/cases/workloads/random.h"
+#include "experiments/run/built_with.h"
 #include "experiments/run/statistics/shares.h"
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/measure.h"
