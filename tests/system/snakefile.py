@@ -20,7 +20,7 @@ PATIENCE = 300  # seconds, for what takes a few
 # Kills the program that runs the second part, once.
 KILLED = """#!/bin/sh
 case "$*" in *" 2/3 "*) [ -e killed ] || { touch killed; kill -9 $$; } ;; esac
-exec '{program}' "$@"
+exec 'PROGRAM' "$@"
 """
 
 
@@ -33,7 +33,7 @@ def snakemake(source, folder, program, command, output):
 
 def check(program, source, folder):
     dying = folder / "dying"
-    dying.write_text(KILLED.format(program=program))
+    dying.write_text(KILLED.replace("PROGRAM", program))
     dying.chmod(0o755)
     for study, options in STUDIES.items():
         command = " ".join([study, *options])
