@@ -9,6 +9,7 @@ the reason. Exit status 1 otherwise.
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -61,12 +62,18 @@ def check(study, program, folder):
     expect(record["parts"] == 3 and record["samples_done"] == record["samples_asked"], f"{study}, merged: run.json says {record}")
 
 
+def catches_interruption(process):
+    """True once the process has a handler for SIGINT, which it installs after it has locked its folder."""
+    caught = re.search(r"^SigCgt:\s*(\w+)$", pathlib.Path(f"/proc/{process}/status").read_text(), re.MULTILINE)
+    return bool(int(caught[1], 16) >> (signal.SIGINT - 1) & 1)
+
+
 def check_interruption(program, folder):
     """An interrupted run ends with status 130, keeps what it found, and says so; an interrupted part keeps nothing."""
     soak = [program, "soak", "--samples", "100000000", "--threads", "1"]
     for name, options, kept in (("whole", [], True), ("part", ["--part", "1/2"], False)):
         running = subprocess.Popen([*soak, *options, "--output", f"{folder}/{name}"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        while not pathlib.Path(f"{folder}/{name}/.lock").exists():
+        while not pathlib.Path(f"{folder}/{name}/.lock").exists() or not catches_interruption(running.pid):
             os.sched_yield()
         running.send_signal(signal.SIGINT)
         expect(b"interrupted" in running.communicate(timeout=PATIENCE)[1] and running.returncode == 130, f"{name}: status {running.returncode}")
