@@ -24,7 +24,7 @@ class DamagedArchive : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The values of a study's state as text, one after the other. Checkpoints hold such texts.
+/// The values of a study's sum as text, one after the other. The files of parts hold such texts.
 ///
 /// The same function writes and reads: `pass(value)` appends the value to a new archive, or takes it from an archive
 /// that was constructed from a text. It accepts numbers, enumerators, strings; optionals, arrays, vectors, maps, pairs

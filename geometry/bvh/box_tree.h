@@ -22,10 +22,10 @@ namespace touchstone {
 /// (binned surface area heuristic), [ylitie2017] (quantised boxes, and nodes that cost a walk least).
 ///
 /// Why not a library: `touchstone bench-scenes` compares. For a million triangles and small balls near them a scene on
-/// this tree took 0.4 to 0.9 of the time of Embree 3, whose boxes are floats that cannot support exact answers; less
-/// than half of the time of Boost's R-tree; a tenth of that of CGAL's AABB tree, for the nearest triangle a third. For
-/// random balls it took less than half of Embree's time to find the nearest triangle, and 0.9 to 1.1 times to test
-/// little more than boxes. Per triangle this tree takes 8 bytes; the libraries take 111, 65 and 135.
+/// this tree took 0.4 to 0.9 of the time of Embree 3, whose boxes are floats that cannot support exact answers; a tenth
+/// of that of CGAL's AABB tree, for the nearest triangle a third. For random balls it took less than half of Embree's
+/// time to find the nearest triangle, and 0.9 to 1.1 times to test little more than boxes. Per triangle this tree takes
+/// 8 bytes; the libraries take 111 and 135.
 class BoxTree {
  public:
   static constexpr std::size_t kWidth = 8;                         ///< the most children of a node

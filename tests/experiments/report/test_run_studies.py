@@ -29,7 +29,7 @@ PROGRAM = """#!/bin/sh
 echo "$*" >> calls
 output=; for word; do [ "$before" = --output ] && output=$word; before=$word; done
 [ "$1" = "$(cat fails 2>/dev/null)" ] && exit ${STATUS:-1}
-[ "$1" = "$(cat waits 2>/dev/null)" ] && { echo begun > "$output/checkpoint.json"; echo $$ > waiting; exec tail -f /dev/null; }
+[ "$1" = "$(cat waits 2>/dev/null)" ] && { echo begun > "$output/soak.csv"; echo $$ > waiting; exec tail -f /dev/null; }
 [ -n "$output" ] && echo '{}' > "$output/run.json"
 exit 0
 """
@@ -110,7 +110,7 @@ class Studies(unittest.TestCase):
         (self.folder / "fails").unlink()
         again = self.run_all()
         self.assertEqual([call.split()[0] for call in again], ["tradeoff"])
-        self.assertTrue(again[0].endswith("--force"))  # it had no checkpoint yet
+        self.assertTrue(again[0].endswith("--force"))
 
     def test_an_interrupt_stops_all(self):
         self.status = "130"

@@ -5,7 +5,7 @@
 
 namespace touchstone::run {
 
-/// A small enumeration, for options, columns and checkpoints.
+/// A small enumeration, for options, columns and sums.
 enum class Light { Red, Green };
 
 inline std::string_view to_string(Light light) { return light == Light::Red ? "red" : "green"; }
