@@ -287,6 +287,7 @@ Answer answer(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   const auto plane = detail::plane_distance(height, polygon);
   const PlaneSide side = detail::plane_side(height, sphere, polygon);
   const bool meets_plane = side == PlaneSide::Intersects;
+  const double distance = detail::root(nearest.distance);
   return {
       .plane = side,
       .plane_tangent = detail::relation(plane, sphere.radius_squared) == Relation::Touching,
@@ -295,10 +296,10 @@ Answer answer(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
       .relation = meets_plane ? detail::relation(nearest.distance, sphere.radius_squared) : Relation::Separate,
       .nearest = nearest.feature,
       .point = detail::to_doubles(detail::closest_point(height, nearest.feature, sphere, polygon)),
-      .distance = detail::root(nearest.distance),
+      .distance = distance,
       .off_plane = to_double(polygon.off_plane()),
       .contact_normal = detail::to_doubles<Scalar>(detail::contact_normal(height, nearest.feature, sphere, polygon)),
-      .depth = ball.radius - detail::root(nearest.distance)};
+      .depth = ball.radius - distance};
 }
 
 }  // namespace touchstone::fast

@@ -83,11 +83,11 @@ extern std::atomic<const Kernels*> found_kernels;  ///< null until they are sele
 
 /// Returns the closest point, computed by one set of kernels.
 template <class Counts>
-[[nodiscard]] ClosestPoint closest(const KernelTable<Counts>& kernels, const Eigen::Vector3d& center,
+[[nodiscard]] ClosestPoint closest(const KernelTable<Counts>& table, const Eigen::Vector3d& center,
                                    const Triangle& triangle, Counts& counts) {
   const Ball point_ball{center, 0};
   ClosestPoint point{};
-  kernels.triangle_closest(view_of(point_ball, triangle), point, nullptr, counts);
+  table.triangle_closest(view_of(point_ball, triangle), point, nullptr, counts);
   return point;
 }
 
