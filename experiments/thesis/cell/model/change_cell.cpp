@@ -3,13 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <cctype>
-#include <charconv>
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <utility>
-#include <variant>
-#include <vector>
 
 #include "experiments/run/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
@@ -17,41 +15,29 @@
 namespace touchstone::cell {
 namespace {
 
-using Key = std::variant<std::string, std::size_t>;
+using nlohmann::json;
+using Pointer = json::json_pointer;
 
-/// The keys of `storage.slots[1].place`.
-std::vector<Key> keys_of(const std::string& path) {
-  const auto bad = [&]() -> void { throw BadCell(fmt::format("{}: is not a path of keys", path)); };
-  std::vector<Key> keys;
-  std::size_t at = 0;
-  while (at < path.size()) {
-    if (path[at] == '[') {
-      std::size_t number = 0;
-      const auto [end, error] = std::from_chars(path.data() + at + 1, path.data() + path.size(), number);
-      if (error != std::errc() || end == path.data() + path.size() || *end != ']' || keys.empty()) bad();
-      keys.emplace_back(number);
-      at = static_cast<std::size_t>(end - path.data()) + 1;
-      continue;
-    }
-    if (path[at] == '.' && !keys.empty())
-      ++at;
-    else if (!keys.empty())
-      bad();
-    const std::size_t end = std::min(path.find_first_of(".[", at), path.size());
-    if (end == at) bad();
-    keys.emplace_back(path.substr(at, end - at));
-    at = end;
-  }
-  if (keys.empty() || path.back() == '.') bad();
-  return keys;
+bool is_index(const std::string& key) { return key.find_first_not_of("0123456789") == std::string::npos; }
+
+/// Returns `/storage/slots/1` of `storage.slots[1]`.
+Pointer pointer_to(const std::string& path) {
+  static const std::string name = R"((?!\d+(?:[.[]|$))[^.[\]]+)";
+  static const std::regex whole(name + R"((?:\.)" + name + R"(|\[(?:0|[1-9]\d{0,8})\])*)"), key(R"([^.[\]]+)");
+  constexpr std::size_t kLongest = 1000;  // std::regex recurses
+  if (path.size() > kLongest || !std::regex_match(path, whole))
+    throw BadCell(fmt::format("{}: is not a path of keys", path));
+  Pointer pointer;
+  for (std::sregex_iterator at(path.begin(), path.end(), key), end; at != end; ++at) pointer.push_back(at->str());
+  return pointer;
 }
 
-nlohmann::json value_of(const std::string& path, const std::string& text) {
+json value_of(const std::string& path, const std::string& text) {
   try {
-    run::StrictJson json = run::read_strict_json(text);
-    if (json.duplicate_key) throw BadCell(fmt::format("{}: duplicate key \"{}\"", path, *json.duplicate_key));
-    if (json.too_deep) throw BadCell(path + ": is nested too deep");
-    return std::move(json.value);
+    run::StrictJson read = run::read_strict_json(text);
+    if (read.duplicate_key) throw BadCell(fmt::format("{}: duplicate key \"{}\"", path, *read.duplicate_key));
+    if (read.too_deep) throw BadCell(path + ": is nested too deep");
+    return std::move(read.value);
   } catch (const run::NotJson&) {
     return text;
   }
@@ -59,119 +45,102 @@ nlohmann::json value_of(const std::string& path, const std::string& text) {
 
 struct Change {
   std::string path;
-  std::vector<Key> keys;              ///< of the path
+  Pointer to;
   std::optional<std::string> source;  ///< the path of what is copied, if it is a copy
-  nlohmann::json value;               ///< otherwise
+  json value;                         ///< otherwise
 };
 
 Change parsed(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) throw BadCell(fmt::format("{}: has no \"=\"", assignment));
-  Change change{assignment.substr(0, equals), {}, std::nullopt, {}};
-  change.keys = keys_of(change.path);
-  const std::string text = assignment.substr(equals + 1);
+  const std::string path = assignment.substr(0, equals), text = assignment.substr(equals + 1);
+  Change change{path, pointer_to(path), std::nullopt, {}};
   if (text.starts_with('@'))
     change.source = text.substr(1);
   else
-    change.value = value_of(change.path, text);
+    change.value = value_of(path, text);
   return change;
 }
 
-void add_names(std::set<std::string>& names, const std::vector<Key>& keys) {
-  for (const Key& key : keys)
-    if (const auto* name = std::get_if<std::string>(&key)) names.insert(*name);
+/// Refuses a path through a missing entry, or through one that is neither object nor array. `may_add`: the last key may
+/// be new, or the element after the last.
+void require_place(const json& cell, const Pointer& pointer, const std::string& path, bool may_add) {
+  if (pointer.empty()) return;
+  const Pointer above = pointer.parent_pointer();
+  require_place(cell, above, path, false);
+  const json& holder = cell.at(above);
+  const std::string& key = pointer.back();
+  if (is_index(key)) {
+    if (!holder.is_array() || std::stoul(key) >= holder.size() + (may_add ? 1 : 0))
+      throw BadCell(fmt::format("{}: there is no element {}", path, key));
+  } else if (!holder.is_object() || (!may_add && !holder.contains(key))) {
+    throw BadCell(fmt::format("{}: there is no key \"{}\"", path, key));
+  }
 }
 
-void add_names(std::set<std::string>& names, const nlohmann::json& value) {
+void add_names(std::set<std::string>& names, Pointer pointer) {
+  for (; !pointer.empty(); pointer.pop_back())
+    if (!is_index(pointer.back())) names.insert(pointer.back());
+}
+
+void add_names(std::set<std::string>& names, const json& value) {
   for (const auto& [key, member] : value.items()) {
     if (value.is_object()) names.insert(key);
     if (member.is_structured()) add_names(names, member);
   }
 }
 
-/// Returns the value of the path that is copied to another.
-nlohmann::json value_at(const nlohmann::json& cell, const std::string& to, const std::string& from) {
-  const nlohmann::json* at = &cell;
-  for (const Key& key : keys_of(from)) {
-    const auto* name = std::get_if<std::string>(&key);
-    const bool there = name != nullptr ? at->is_object() && at->contains(*name)
-                                       : at->is_array() && std::get<std::size_t>(key) < at->size();
-    if (!there) throw BadCell(fmt::format("{}: there is no value at {}", to, from));
-    at = name != nullptr ? &at->at(*name) : &at->at(std::get<std::size_t>(key));
-  }
-  return *at;
-}
-
 /// Returns whether it is the path, or below it.
 bool below(const std::string& label, const std::string& path) {
-  return label.compare(0, path.size(), path) == 0 &&
+  return label.starts_with(path) &&
          (label.size() == path.size() || label[path.size()] == '.' || label[path.size()] == '[');
 }
 
-}  // namespace
-
-void change_cell(nlohmann::json& cell, const std::string& assignment) {
-  Change change = parsed(assignment);
-  const std::string& path = change.path;
-  const std::vector<Key>& keys = change.keys;
-  nlohmann::json value = change.source ? value_at(cell, path, *change.source) : std::move(change.value);
-
-  // The first element of a list that is not there begins it.
-  if (keys.size() == 2 && std::holds_alternative<std::size_t>(keys[1]) && std::get<std::size_t>(keys[1]) == 0 &&
-      cell.is_object() && !value.is_null()) {
-    const std::string& list = std::get<std::string>(keys[0]);
-    if (!cell.contains(list)) cell[list] = nlohmann::json::array();
-  }
-
-  nlohmann::json* at = &cell;
-  const auto missing = [&](const std::string& what) { throw BadCell(fmt::format("{}: {}", path, what)); };
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    if (const auto* name = std::get_if<std::string>(&keys[i])) {
-      if (!at->is_object() || !at->contains(*name)) missing(fmt::format("there is no key \"{}\"", *name));
-      at = &(*at)[*name];
-    } else {
-      const std::size_t number = std::get<std::size_t>(keys[i]);
-      if (!at->is_array() || number >= at->size()) missing(fmt::format("there is no element {}", number));
-      at = &(*at)[number];
-    }
-  }
-
-  const bool remove = value.is_null();
-  std::string moved_up;  // the array whose later elements change their numbers
-  if (const auto* name = std::get_if<std::string>(&keys.back())) {
-    if (!at->is_object() || (remove && !at->contains(*name))) missing(fmt::format("there is no key \"{}\"", *name));
-    if (remove)
-      at->erase(*name);
-    else
-      (*at)[*name] = std::move(value);
-  } else {
-    const std::size_t number = std::get<std::size_t>(keys.back());
-    if (!at->is_array() || number > at->size() || (remove && number == at->size()))
-      missing(fmt::format("there is no element {}", number));
-    if (remove) {
-      at->erase(number);
-      moved_up = path.substr(0, path.rfind('['));
-    } else if (number == at->size()) {
-      at->push_back(std::move(value));
-    } else {
-      (*at)[number] = std::move(value);
-    }
-  }
-
-  nlohmann::json& labels = cell["labels"];
+/// Labels what was set as chosen. `moved_up`: the array whose later elements changed their numbers, if any.
+void relabel(json& labels, const std::string& path, bool removed, const std::string& moved_up) {
   if (!labels.is_object() || below(path, "labels")) return;
   for (auto label = labels.begin(); label != labels.end();) {
     const bool gone = below(label.key(), path) || (!moved_up.empty() && label.key().starts_with(moved_up + "["));
     label = gone ? labels.erase(label) : std::next(label);
   }
-  if (!remove) labels[path] = "C";
+  if (!removed) labels[path] = "C";
+}
+
+}  // namespace
+
+void change_cell(json& cell, const std::string& assignment) {
+  Change change = parsed(assignment);
+  if (change.source) {
+    const Pointer from = pointer_to(*change.source);
+    require_place(cell, from, *change.source, false);
+    change.value = json(cell.at(from));
+  }
+  const bool removes = change.value.is_null();
+  const Pointer above = change.to.parent_pointer();
+
+  // The first element of a list that is not there begins it.
+  if (!removes && change.to.back() == "0" && above.parent_pointer().empty() && cell.is_object() &&
+      !cell.contains(above))
+    cell[above] = json::array();
+  require_place(cell, change.to, change.path, !removes);
+
+  std::string moved_up;
+  if (!removes) {
+    cell[change.to] = std::move(change.value);
+  } else if (is_index(change.to.back())) {
+    cell[above].erase(std::stoul(change.to.back()));
+    moved_up = change.path.substr(0, change.path.rfind('['));
+  } else {
+    cell[above].erase(change.to.back());
+  }
+  relabel(cell["labels"], change.path, removes, moved_up);
 }
 
 std::set<std::string> keys_of_change(const std::string& assignment) {
   const Change change = parsed(assignment);
   std::set<std::string> names;
-  add_names(names, change.keys);
-  if (change.source) add_names(names, keys_of(*change.source));
+  add_names(names, change.to);
+  if (change.source) add_names(names, pointer_to(*change.source));
   if (change.value.is_structured()) add_names(names, change.value);
   return names;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that includes Nef polyhedra: they take 20 s and over 1 GB to compile.
+// The only file that includes Nef polyhedra: they take 20 s and over 1 GB to compile. CGAL's corefinement of meshes refuses
+// boxes that share an edge.
 #include "experiments/thesis/cell/model/exact_boolean.h"
 
 #include <CGAL/Aff_transformation_3.h>
