@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/run/table.h"
 #include "experiments/run/timing.h"
 
 namespace touchstone::timing {
@@ -15,36 +16,27 @@ std::string number(double value) {
   return value >= 0.0995 ? fmt::format("{:.2f}", value) : fmt::format("{:.4f}", value);
 }
 
-std::string spread(const Quartiles& q) { return fmt::format("({} - {})", number(q.lower), number(q.upper)); }
-
-/// Returns half the distance of the quartiles, in % of the median.
-std::string deviation(const Quartiles& q) { return fmt::format("+-{:.0f}%", 50 * (q.upper - q.lower) / q.median); }
-
 std::string goal_text(const Goal& goal) { return fmt::format("{} {:.3g}", goal.at_most ? "<=" : ">=", goal.ratio); }
 
-std::string wrong_text(const Wrong& wrong) { return fmt::format("{} of {}", wrong.count, wrong.of); }
-
-std::string line(const std::string& name, const std::string& asked, const std::string& ns, const std::string& deviation,
-                 const std::string& ratio, const std::string& goal, const std::string& wrong) {
-  std::string text =
-      fmt::format("  {:<20}{:>7}{:>11} {:<7}{:<36}{:<18}{}", name, asked, ns, deviation, ratio, goal, wrong);
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text + "\n";
-}
-
-std::string row(const Measured& m) {
+/// Returns the fields of a row of `table`.
+std::vector<std::string> fields(const Measured& m) {
   const Quartiles ns = quartiles(m.nanoseconds);
-  std::string ratio, goal;
-  if (!m.ratios.empty()) {
-    const Quartiles q = quartiles(m.ratios);
-    ratio = fmt::format("{:>7} {} x {}", number(q.median), spread(q), m.comparison->base);
-    if (too_noisy(q))
-      goal = "too noisy to tell";
-    else if (const auto& wanted = m.comparison->goal)
-      goal = goal_text(*wanted) + (wanted->met_by(q.median) ? " met" : " MISSED");
-  }
-  return line(m.name, std::to_string(m.queries), number(ns.median), deviation(ns), ratio, goal,
-              m.wrong ? wrong_text(*m.wrong) : "");
+  const std::string deviation = fmt::format("+-{:.0f}%", 50 * (ns.upper - ns.lower) / ns.median);
+  const std::string wrong = m.wrong ? fmt::format("{} of {}", m.wrong->count, m.wrong->of) : "";
+  if (m.ratios.empty()) return {m.name, std::to_string(m.queries), number(ns.median), deviation, "", "", "", "", wrong};
+  const Quartiles q = quartiles(m.ratios);
+  std::string goal = too_noisy(q) ? "too noisy to tell" : "";
+  if (const auto& wanted = m.comparison->goal; wanted && goal.empty())
+    goal = goal_text(*wanted) + (wanted->met_by(q.median) ? " met" : " MISSED");
+  return {m.name,
+          std::to_string(m.queries),
+          number(ns.median),
+          deviation,
+          number(q.median),
+          fmt::format("({} - {})", number(q.lower), number(q.upper)),
+          "x " + m.comparison->base,
+          goal,
+          wrong};
 }
 
 std::string title(const Result& result) {
@@ -54,11 +46,10 @@ std::string title(const Result& result) {
 }  // namespace
 
 std::string table(const Result& result) {
-  std::string text = "\n" + title(result) + (result.note.empty() ? "" : ": " + result.note) + "\n";
-  text += line("", "asked", "ns/" + result.unit, "", "  ratio", "goal", "wrong");
+  std::vector<std::vector<std::string>> lines{{"", "asked", "ns/" + result.unit, "", "ratio", "", "", "goal", "wrong"}};
   for (const Measured& m : result.candidates)
-    if (!m.nanoseconds.empty()) text += row(m);
-  return text;
+    if (!m.nanoseconds.empty()) lines.push_back(fields(m));
+  return "\n" + title(result) + (result.note.empty() ? "" : ": " + result.note) + "\n" + run::aligned(lines);
 }
 
 std::string goals(const std::vector<Result>& results) {
