@@ -55,8 +55,8 @@ Command columns_command(const std::vector<Command>& commands) {
   Command command("columns", "List the tables that commands write, and the meaning of their columns");
   command.text("NAME", options->of, "Only the tables of this command, or the tables with this file name");
   command.flag("--markdown", options->markdown, "Print the tables of a page");
-  command.example("columns near-edge");
-  command.json(options->json, "Print them as a JSON array").excludes("--markdown");
+  command.help().examples.emplace_back("columns near-edge");
+  run::declare_json(command, options->json, "Print them as a JSON array").excludes("--markdown");
   command.runs([options, commands] {
     bool found = false;
     nlohmann::ordered_json list = nlohmann::ordered_json::array();

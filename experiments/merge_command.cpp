@@ -132,17 +132,18 @@ Command merge_command(const std::vector<Command>& commands) {
   auto merged = std::make_shared<MergeOptions>();
   Command merging("merge", "Add the parts of a study or a judgement up to the results of one run");
   merging.texts("FOLDER", merged->folders, "The folders of all parts, in any order").required();
-  merging.threads(merged->threads);
-  merging.output(merged->output, "The folder for tables and pictures").required();
-  merging.force(merged->force);
-  merging.no_pictures(merged->no_pictures);
-  merging.quiet(merged->quiet);
-  merging.json(merged->json, "Of parts of `judge`: print the summary as one JSON object").excludes("--quiet");
-  merging.footer(
+  run::declare_threads(merging, merged->threads);
+  run::declare_folder(merging, merged->output, "The folder for tables and pictures").required();
+  run::declare_force(merging, merged->force);
+  run::declare_no_pictures(merging, merged->no_pictures);
+  run::declare_quiet(merging, merged->quiet);
+  run::declare_json(merging, merged->json, "Of parts of `judge`: print the summary as one JSON object")
+      .excludes("--quiet");
+  merging.help().footer =
       "A part is a run of a study with --part, such as `soak --part 1/2 --output one`. The data are the same bytes as "
       "those of one run, times aside. What is not a sum over samples, such as times and maps, is done here.\n"
-      "Of parts of `judge`, it tells what one run tells, with the same exit status.");
-  merging.example("merge one two --output all");
+      "Of parts of `judge`, it tells what one run tells, with the same exit status.";
+  merging.help().examples.emplace_back("merge one two --output all");
   merging.runs([merged, commands] { return merge(*merged, commands); });
   return merging;
 }

@@ -90,7 +90,7 @@ run::Command cases_command() {
   command.integer("--ulps", workload.doubles, "Number of doubles by which the radius is moved from the threshold");
   command.real("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines");
   command.real("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
-  command.seed(options->seed);
+  run::declare_seed(command, options->seed);
   command.whole("--first", options->first, "Number of the first sample", 0);
   command.whole("--samples", options->count, "Cases to print", 0, kMostSamples);
   command.flag("--expected", options->expected, "Add the exact answer");
@@ -99,7 +99,7 @@ run::Command cases_command() {
       command, options->failing.engines,
       "Only cases on which this engine of yours errs (COMMAND or COMMAND=NAME), or one of --failing; "
       "may be repeated");
-  command.example("cases --family u --ball near-edge --failing fast --expected --samples 3");
+  command.help().examples.emplace_back("cases --family u --ball near-edge --failing fast --expected --samples 3");
   command.runs([options] {
     print(*options);
     return 0;

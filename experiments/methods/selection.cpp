@@ -41,7 +41,7 @@ run::Option declare_engines(run::Command& command, std::vector<std::string>& eng
 }
 
 run::Option declare_methods(run::Command& command, Selection& selection, const std::string& about) {
-  run::Option option = command.methods(selection.names, about);
+  run::Option option = run::declare_methods(command, selection.names, about);
   declare_engines(command, selection.engines).replaces_default_of("--methods");
   return option;
 }

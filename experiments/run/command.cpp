@@ -5,16 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <nlohmann/json.hpp>
-#include <thread>
 #include <utility>
 
-#include "experiments/run/help.h"
-#include "experiments/run/numbers.h"
+#include "experiments/run/command_parts.h"
 #include "experiments/run/printing.h"
 #include "experiments/run/quoting.h"
-#include "experiments/run/run_record.h"
 #include "experiments/run/similar_words.h"
 #include "geometry/io/detail/legible.h"
 
@@ -23,19 +18,11 @@ namespace {
 
 const std::string kProgram = "touchstone";
 
-bool is_positional(const std::string& name) { return !name.starts_with("--"); }
-
 /// Returns a word of a shell command, quoted only if needed.
 std::string quoted_where_needed(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789,.:/_=+-";
   const bool is_plain = !word.empty() && word.find_first_not_of(kPlain) == std::string::npos;
   return is_plain ? word : shell_quoted(word);
-}
-
-/// Returns the shortest text that reads back as the same number.
-std::string shortest(double number) {
-  std::array<char, 32> text;
-  return {text.begin(), std::to_chars(text.begin(), text.end(), number).ptr};
 }
 
 /// Returns the name of a command with those of its groups; empty for the program.
@@ -67,73 +54,7 @@ UsageError fault_of(const CLI::App* app, const CLI::ParseError& error) {
                     io::all_legible(CLI::detail::join(unknown, " ")) + (meant.empty() ? see : meant));
 }
 
-/// Returns a check that a text is one of the words.
-CLI::Validator one_of(const std::vector<std::string>& words) {
-  const auto check = [words](const std::string& text) -> std::string {
-    if (std::ranges::find(words, text) != words.end()) return {};
-    return "\"" + text + "\" is not one of " + CLI::detail::join(words, ", ") + suggestion(text, words);
-  };
-  return {check, ""};
-}
-
-std::string check_utf8(const std::string& name) {
-  try {
-    (void)nlohmann::json(name).dump();
-    return {};
-  } catch (const nlohmann::json::exception&) {
-    return "the name of a file is not UTF-8: " + io::legible(name);
-  }
-}
-
 }  // namespace
-
-/// An option, and the words of its value as the command line would hold them.
-struct Declared {
-  std::string name;
-  CLI::Option* option;
-  bool has_default;
-  std::string value;  ///< what the help calls it; empty for a flag
-  std::function<std::vector<std::string>()> words;
-  std::vector<std::string> choices{};  ///< the only values, if they are listed
-  std::function<void()> clear{};       ///< empties the value
-  bool changes_results = false;
-  std::function<std::string()> canonical{};
-  std::vector<std::string> limits{};  ///< sentences for the help: other options that it needs or excludes
-
-  /// Returns the value that is compared when a run continues another one.
-  [[nodiscard]] std::string compared() const { return canonical ? canonical() : joined(words()); }
-};
-
-struct CommandParts {
-  std::shared_ptr<CLI::App> app;
-  std::vector<std::shared_ptr<Declared>> options;
-  std::function<int()> run;
-  std::string* kept_line = nullptr;
-  std::function<std::vector<std::pair<std::string, std::string>>()>* kept_result_options = nullptr;
-  std::vector<std::filesystem::path>* merged_parts = nullptr;
-  std::vector<TableDescription> tables;
-  std::vector<Command> subcommands;
-  std::vector<std::vector<std::string>> groups;  ///< exactly one option of each is required
-  /// Options, and those whose defaults they replace.
-  std::vector<std::pair<const CLI::Option*, std::shared_ptr<Declared>>> replacing{};
-  std::string heading{}, footer{};
-  std::vector<std::string> examples{};
-  int status = 0;
-
-  Option declare(Declared declared) {
-    options.push_back(std::make_shared<Declared>(std::move(declared)));
-    return Option(*this, options.back());
-  }
-  /// Notes in the help of each of these options how it excludes the others: `begin` --other, --other.
-  void note_others(const std::vector<std::string>& names, const std::string& begin);
-  void check_groups() const;
-  void replace_defaults() const;
-  /// Returns whether the command prints, for all it was told.
-  [[nodiscard]] bool prints() const;
-  [[nodiscard]] std::string line() const;
-  [[nodiscard]] CommandDescription description() const;
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> result_options() const;
-};
 
 void CommandParts::check_groups() const {
   for (const auto& group : groups) {
@@ -183,64 +104,21 @@ std::vector<std::pair<std::string, std::string>> CommandParts::result_options() 
   return values;
 }
 
-Option& Option::required() {
-  declared_->option->required();
-  return *this;
-}
-
-Option& Option::needs(const std::string& other) {
-  declared_->has_default = false;  // without the other option, a command line that has it is refused
-  declared_->option->needs(parts_->app->get_option(other));
-  declared_->limits.push_back("Requires " + other);
-  return *this;
-}
-
-Option& Option::excludes(const std::string& other) {
-  declared_->option->excludes(parts_->app->get_option(other));
-  declared_->limits.push_back("Not with " + other);
-  return *this;
-}
-
-Option& Option::excludes_all_but(const std::vector<std::string>& others) {
-  for (CLI::Option* other : parts_->app->get_options())
-    if (other != declared_->option && other != parts_->app->get_help_ptr() &&
-        std::ranges::find(others, other->get_name()) == others.end())
-      declared_->option->excludes(other);
-  declared_->limits.push_back("Only with " + CLI::detail::join(others, ", "));
-  return *this;
-}
-
-Option& Option::takes(const std::string& word) {
-  declared_->value = word;
-  return *this;
-}
-
-Option& Option::replaces_default_of(const std::string& other) {
-  const auto found = std::ranges::find(parts_->options, other, &Declared::name);
-  parts_->replacing.emplace_back(declared_->option, *found);
-  return *this;
-}
-
-Option& Option::changes_results(std::function<std::string()> canonical) {
-  declared_->changes_results = true;
-  declared_->canonical = std::move(canonical);
-  return *this;
-}
-
-Command::Command(const std::string& name, const std::string& about) : parts_(std::make_shared<CommandParts>()) {
-  parts_->app = std::make_shared<CLI::App>(about, name);
-  parts_->app->formatter_fn([parts = parts_.get()](const CLI::App* app, const std::string&, CLI::AppFormatMode) {
+Command::Command(const std::string& name, const std::string& about) : OptionList(std::make_shared<CommandParts>()) {
+  parts().app = std::make_shared<CLI::App>(about, name);
+  parts().app->formatter_fn([parts = &parts()](const CLI::App* app, const std::string&, CLI::AppFormatMode) {
     CommandDescription description = parts->description();
     description.name = name_of(app);
     return help_text(description, help_width());
   });
   // The application must not keep its own parts alive.
-  parts_->app->callback([parts = parts_.get()] {
+  parts().app->callback([parts = &parts()] {
     parts->check_groups();
     parts->replace_defaults();
-    if (parts->kept_line != nullptr) *parts->kept_line = parts->line();
-    if (parts->kept_result_options != nullptr)
-      *parts->kept_result_options = [parts] { return parts->result_options(); };
+    if (parts->call != nullptr) {
+      parts->call->line = parts->line();
+      parts->call->result_options = [parts] { return parts->result_options(); };
+    }
     if (!parts->run) return;
     if (parts->prints()) require_standard_output();
     parts->status = parts->run();
@@ -249,174 +127,38 @@ Command::Command(const std::string& name, const std::string& about) : parts_(std
 
 Command::Command(const std::string& name, const std::string& about, const std::vector<Command>& subcommands)
     : Command(name, about) {
-  parts_->subcommands = subcommands;
-  parts_->app->require_subcommand(1);
-  for (const Command& command : subcommands) parts_->app->add_subcommand(command.parts_->app);
+  parts().subcommands = subcommands;
+  parts().app->require_subcommand(1);
+  for (const Command& command : subcommands) parts().app->add_subcommand(command.parts().app);
 }
 
-CLI::App& Command::app() const { return *parts_->app; }
+void Command::runs(std::function<int()> run) { parts().run = std::move(run); }
 
-Option Command::flag(const std::string& name, bool& value, const std::string& about) {
-  CLI::Option* option = app().add_flag(name, value, about);
-  return parts_->declare(
-      {name, option, true, "", [&value] { return value ? std::vector<std::string>{""} : std::vector<std::string>{}; }});
-}
+void Command::keep_call(Call& call) { parts().call = &call; }
 
-Option Command::text(const std::string& name, std::string& value, const std::string& about, const Check& check) {
-  CLI::Option* option = app().add_option(name, value, about);
-  const bool has_default = !value.empty();
-  if (has_default) option->capture_default_str();
-  if (check) option->check(check);
-  return parts_->declare({name, option, has_default, "TEXT", [&value] { return std::vector{value}; }});
-}
+CommandHelp& Command::help() { return parts().help; }
 
-Option Command::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
-                       const std::string& about) {
-  CLI::Option* option = app().add_option(name, value, about)->check(one_of(words))->capture_default_str();
-  return parts_->declare({name, option, true, "WORD", [&value] { return std::vector{value}; }, words});
-}
-
-Option Command::word_option(const std::string& name, const std::function<std::string()>& get,
-                            const std::function<void(std::size_t)>& set, const std::vector<std::string>& words,
-                            const std::string& about) {
-  const auto assign = [set, words](const CLI::results_t& results) {
-    set(static_cast<std::size_t>(std::ranges::find(words, results.back()) - words.begin()));
-    return true;
-  };
-  CLI::Option* option = app().add_option(name, assign, about, true, get)->check(one_of(words));
-  return parts_->declare({name, option, true, "WORD", [get] { return std::vector{get()}; }, words});
-}
-
-Option Command::names(const std::string& name, std::vector<std::string>& values, const std::string& about) {
-  CLI::Option* option = app().add_option(name, values, about)->delimiter(',')->allow_extra_args(false);
-  const bool has_default = !values.empty();
-  if (has_default) option->capture_default_str();
-  const auto words = [&values] { return values.empty() ? std::vector<std::string>{} : std::vector{joined(values)}; };
-  return parts_->declare({name, option, has_default, "NAMES", words, {}, [&values] { values.clear(); }});
-}
-
-Option Command::texts(const std::string& name, std::vector<std::string>& values, const std::string& about,
-                      const Check& check) {
-  CLI::Option* option = app().add_option(name, values, about);
-  if (!is_positional(name)) option->allow_extra_args(false);
-  if (check) option->check(check);
-  return parts_->declare({name, option, false, "TEXT", [&values] { return values; }});
-}
-
-Option Command::whole_number_option(const std::string& name, const std::function<std::uint64_t()>& get,
-                                    const std::function<void(std::uint64_t)>& set, const std::string& about,
-                                    std::uint64_t lowest, std::uint64_t highest) {
-  const auto assign = [set](const CLI::results_t& results) {
-    const auto number = read_whole_number(results.back());
-    if (number) set(*number);
-    return number.has_value();
-  };
-  const bool has_default = get() >= lowest && get() <= highest;
-  CLI::Option* option = app().add_option(name, assign, about, has_default, [get] { return std::to_string(get()); });
-  option->check(whole_number(lowest, highest), "");
-  return parts_->declare({name, option, has_default, "N", [get] { return std::vector{std::to_string(get())}; }});
-}
-
-Option Command::integer(const std::string& name, int& value, const std::string& about) {
-  CLI::Option* option = app().add_option(name, value, about)->capture_default_str();
-  return parts_->declare({name, option, true, "N", [&value] { return std::vector{std::to_string(value)}; }});
-}
-
-Option Command::real(const std::string& name, double& value, const std::string& about, double lowest, double highest) {
-  const bool has_default = value >= lowest && value <= highest;
-  CLI::Option* option = app().add_option(name, value, about);
-  if (has_default) option->capture_default_str();
-  option->check(real_number(lowest, highest), "");
-  return parts_->declare({name, option, has_default, "NUMBER", [&value] { return std::vector{shortest(value)}; }});
-}
-
-Option Command::positive(const std::string& name, double& value, const std::string& about) {
-  return real(name, value, about, std::numeric_limits<double>::denorm_min());
-}
-
-void Command::require_one_of(const std::vector<std::string>& names) {
-  parts_->groups.push_back(names);
-  parts_->note_others(names, "Give either this or ");
-}
-
-void Command::allow_one_of(const std::vector<std::string>& names) {
-  for (const std::string& name : names)
-    for (const std::string& other : names)
-      if (name != other) app().get_option(name)->excludes(app().get_option(other));
-  parts_->note_others(names, "Not with ");
-}
-
-Option Command::seed(std::uint64_t& value, const std::string& about) { return whole("--seed", value, about); }
-
-Option Command::threads(unsigned& value, const std::string& about) {
-  constexpr unsigned kMost = 1024;
-  return whole("--threads", value, about, 1, kMost);
-}
-
-Option Command::methods(std::vector<std::string>& values, const std::string& about) {
-  return names("--methods", values, about);
-}
-
-Option Command::families(std::vector<std::string>& values) {
-  return names("--families", values, "Families of polygons, separated by commas, or all");
-}
-
-Option Command::meshes(std::vector<std::string>& files, const std::string& about) {
-  return texts("MESH", files, about, check_utf8).required();
-}
-
-Option Command::output(std::string& folder, const std::string& about) {
-  return text("--output", folder, about).takes("FOLDER");
-}
-
-Option Command::no_pictures(bool& value) { return flag("--no-pictures", value, "Write the data only"); }
-
-Option Command::force(bool& value) {
-  const auto has = [&](const std::string& name) { return app().get_option_no_throw(name) != nullptr; };
-  return flag("--force", value,
-              has("--output") || has("FOLDER") ? "Overwrite what is there; without it, a folder must be empty or new"
-                                               : "Overwrite existing files");
-}
-
-Option Command::json(bool& value, const std::string& about) { return flag("--json", value, about); }
-
-Option Command::quiet(bool& value, const std::string& about) { return flag("--quiet", value, about); }
-
-void Command::heading(const std::string& heading) { parts_->heading = heading; }
-
-void Command::footer(const std::string& text) { parts_->footer = text; }
-
-void Command::example(const std::string& line) { parts_->examples.push_back(line); }
-
-void Command::runs(std::function<int()> run) { parts_->run = std::move(run); }
-
-void Command::keep_line(std::string& line) { parts_->kept_line = &line; }
-
-void Command::keep_result_options(std::function<std::vector<std::pair<std::string, std::string>>()>& options) {
-  parts_->kept_result_options = &options;
-}
+void Command::take_parts() { parts().takes_parts = true; }
 
 void Command::writes(const std::vector<TableDescription>& tables) {
-  parts_->tables.insert(parts_->tables.end(), tables.begin(), tables.end());
+  parts().tables.insert(parts().tables.end(), tables.begin(), tables.end());
 }
-
-void Command::merges(std::vector<std::filesystem::path>& parts) { parts_->merged_parts = &parts; }
 
 std::string Command::name() const { return app().get_name(); }
 
-bool Command::has_parts() const { return parts_->merged_parts != nullptr; }
+bool Command::has_parts() const { return parts().takes_parts; }
 
-const std::vector<TableDescription>& Command::tables() const { return parts_->tables; }
+const std::vector<TableDescription>& Command::tables() const { return parts().tables; }
 
-const std::vector<Command>& Command::subcommands() const { return parts_->subcommands; }
+const std::vector<Command>& Command::subcommands() const { return parts().subcommands; }
 
 CommandDescription CommandParts::description() const {
   CommandDescription description{.name = app->get_name(),
-                                 .heading = heading,
+                                 .heading = help.heading,
                                  .about = app->get_description(),
-                                 .footer = footer,
+                                 .footer = help.footer,
                                  .options = {},
-                                 .examples = examples,
+                                 .examples = help.examples,
                                  .subcommands = {}};
   for (const auto& declared : options) {
     const CLI::Option& option = *declared->option;
@@ -439,7 +181,7 @@ CommandDescription CommandParts::description() const {
   return description;
 }
 
-CommandDescription Command::description() const { return parts_->description(); }
+CommandDescription Command::description() const { return parts().description(); }
 
 int Command::operator()(std::vector<std::string> arguments) const {
   std::ranges::reverse(arguments);
@@ -448,13 +190,13 @@ int Command::operator()(std::vector<std::string> arguments) const {
   } catch (const CLI::ParseError& error) {
     throw fault_of(&app(), error);
   }
-  for (const Command& command : parts_->subcommands)
-    if (command.app().parsed()) return command.parts_->status;
-  return parts_->status;
+  for (const Command& command : parts().subcommands)
+    if (command.parts().app->parsed()) return command.parts().status;
+  return parts().status;
 }
 
-int Command::merge(const std::vector<std::filesystem::path>& parts, const std::vector<std::string>& arguments) const {
-  *parts_->merged_parts = parts;
+int Command::merge(const std::vector<std::filesystem::path>& folders, const std::vector<std::string>& arguments) const {
+  parts().call->parts = folders;
   return (*this)(arguments);
 }
 
@@ -478,8 +220,6 @@ CommandDescription description_of(const std::string& about, const std::vector<Co
   for (const Command& command : commands) program.subcommands.push_back(command.description());
   return program;
 }
-
-unsigned all_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 namespace {
 
@@ -517,7 +257,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
 
 int run_program(const ProgramText& text, const std::vector<Command>& commands, int argc, char** argv) {
   const Command program(kProgram, text.about, commands);
-  CLI::App& app = program.app();
+  CLI::App& app = *program.parts().app;
   app.set_version_flag("--version", text.version);
   app.formatter_fn([&](const CLI::App*, const std::string&, CLI::AppFormatMode) {
     return help_text(description_of(text.about, commands), help_width());
@@ -532,10 +272,10 @@ int run_program(const ProgramText& text, const std::vector<Command>& commands, i
     return app.exit(error);
   }
   for (const Command& command : commands) {
-    if (!command.app().parsed()) continue;
-    for (const Command& sub : command.parts_->subcommands)
-      if (sub.app().parsed()) return sub.parts_->status;
-    return command.parts_->status;
+    if (!command.parts().app->parsed()) continue;
+    for (const Command& sub : command.parts().subcommands)
+      if (sub.parts().app->parsed()) return sub.parts().status;
+    return command.parts().status;
   }
   return 0;
 }

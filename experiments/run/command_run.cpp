@@ -10,11 +10,11 @@
 namespace touchstone::run {
 
 void declare_output(Command& command, FolderOptions& options, const std::string& about, bool has_pictures) {
-  command.output(options.output, about);
+  declare_folder(command, options.output, about);
   options.needs_folder = !options.output.empty();
-  command.force(options.force);
-  if (has_pictures) command.no_pictures(options.no_pictures);
-  command.keep_line(options.line);
+  declare_force(command, options.force);
+  if (has_pictures) declare_no_pictures(command, options.no_pictures);
+  command.keep_call(options.call);
 }
 
 CommandRun::CommandRun(const FolderOptions& options) : options_(options) {
@@ -35,7 +35,7 @@ ProgressLine CommandRun::progress(const std::string& what, std::uint64_t total) 
 }
 
 void CommandRun::write_record(Run record) const {
-  record.command = options_.line;
+  record.command = options_.call.line;
   record.seconds = seconds();
   write_run_record(folder(), record);
 }

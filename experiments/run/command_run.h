@@ -22,7 +22,7 @@ struct FolderOptions {
   std::string output;
   bool force = false, no_pictures = false, quiet = false;
   bool needs_folder = false;  ///< whether there is no run without a folder; set by declare_output
-  std::string line;           ///< repeats the run; set by the command before it runs
+  Call call;                  ///< set by the command before it runs
 };
 
 /// Declares --output and --force, and --no-pictures if the command draws any. `about`: the meaning of the folder. A

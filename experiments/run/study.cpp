@@ -13,17 +13,17 @@ namespace touchstone::run {
 
 Option declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about) {
   Option option = command.whole(samples, options.samples, about, 1, kMostSamples);
-  command.seed(options.seed).changes_results();
+  declare_seed(command, options.seed).changes_results();
   declare_parts(command, options);
   return option;
 }
 
 void declare_parts(Command& command, StudyOptions& options) {
-  command.threads(options.threads);
+  declare_threads(command, options.threads);
   declare_output(command, options,
                  options.has_pictures ? "The folder for tables and pictures" : "The folder for tables",
                  options.has_pictures);
-  command.quiet(options.quiet);
+  declare_quiet(command, options.quiet);
   declare_part(command, options);
 }
 
@@ -38,8 +38,8 @@ Option declare_part(Command& command, StudyOptions& options) {
   Option part = declare_part(command, options.part,
                              "Run only part I of N, for `touchstone merge`, which adds the parts up to the results of "
                              "one run");
-  command.merges(options.merged);
-  command.keep_result_options(options.result_options);
+  command.take_parts();
+  command.keep_call(options.call);
   return part;
 }
 
@@ -53,7 +53,7 @@ StudyRun::StudyRun(std::string study, int version, const StudyOptions& options)
 }
 
 ResultSettings StudyRun::settings(const Part& part, std::uint64_t items) const {
-  if (!result_options_) result_options_ = options_.result_options();
+  if (!result_options_) result_options_ = options_.call.result_options();
   return {version_, *result_options_, fmt::format("{} of {}", to_string(part), counted(items, "item"))};
 }
 
@@ -78,7 +78,7 @@ int StudyRun::finish(const End& end) {
        .samples_missing = end.missing,
        .threads = options_.threads,
        .part = options_.part,
-       .parts = std::max<std::uint64_t>(options_.merged.size(), 1),
+       .parts = std::max<std::uint64_t>(options_.call.parts.size(), 1),
        .interrupted = interrupted},
       fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), io::all_legible(options_.output)), script);
   if (interrupted)

@@ -23,10 +23,6 @@ struct StudyOptions : FolderOptions {
   unsigned threads = all_threads();
   std::string part;
   bool has_pictures = true;  ///< whether the study draws pictures at all
-
-  // Set by the command before it runs.
-  std::function<std::vector<std::pair<std::string, std::string>>()> result_options;
-  std::vector<std::filesystem::path> merged;  ///< the folders of all parts in their order, if the run adds them up
 };
 
 /// The largest number of samples of a study: products with the numbers of families, placements and the like do not
@@ -62,7 +58,7 @@ class StudyRun : public CommandRun {
   /// (see `add`), or in that of parts. Throws as PartFile does.
   template <class Sum, class Run>
   Sum phase(const std::string& what, const std::string& file, std::uint64_t items, Sum zero, const Run& run) {
-    if (!options_.merged.empty()) return sum_of_parts(file, items, zero);
+    if (!options_.call.parts.empty()) return sum_of_parts(file, items, zero);
     Sum sum = std::move(zero);
     ProgressLine line = progress(study_ + ": " + what, share().size(items));
     run(RunControl{stop(), [&line](std::uint64_t done) { line(done); }, share()}, sum);
@@ -98,9 +94,9 @@ class StudyRun : public CommandRun {
   template <class Sum>
   Sum sum_of_parts(const std::string& file, std::uint64_t items, const Sum& zero) const {
     Sum sum = zero;
-    for (std::uint64_t i = 0; i < options_.merged.size(); ++i) {
-      const Part part{i + 1, options_.merged.size()};
-      add(sum, PartFile(options_.merged[i] / file, settings(part, items)).read(zero, part.size(items)));
+    for (std::uint64_t i = 0; i < options_.call.parts.size(); ++i) {
+      const Part part{i + 1, options_.call.parts.size()};
+      add(sum, PartFile(options_.call.parts[i] / file, settings(part, items)).read(zero, part.size(items)));
     }
     return sum;
   }
@@ -109,7 +105,7 @@ class StudyRun : public CommandRun {
   int version_;
   const StudyOptions& options_;
   std::optional<Part> part_;
-  // What options_.result_options() has returned: it is called once, because it may read files.
+  // What options_.call.result_options() has returned: it is called once, because it may read files.
   mutable std::optional<std::vector<std::pair<std::string, std::string>>> result_options_;
 };
 

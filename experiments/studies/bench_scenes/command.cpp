@@ -102,14 +102,14 @@ run::Command bench_scenes_command() {
   options->output = "results/bench-scenes";
   command.whole("--samples", options->settings.samples, "Distinct balls, up to 10000000", 1, kMostSamples);
   command.whole("--repetitions", options->settings.repetitions, "The number of turns of each library", 1, 100'000);
-  command.seed(options->settings.seed, "Any number; the same seed gives the same balls");
+  run::declare_seed(command, options->settings.seed, "Any number; the same seed gives the same balls");
   command.whole("--max-faces", options->most_triangles,
                 "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)", kFewest, kMost);
   command.text("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated").takes("FOLDER");
   run::declare_output(command, *options, "The folder for tables and pictures", true);
-  command.quiet(options->quiet);
+  run::declare_quiet(command, options->quiet);
   command.writes(tables());
-  command.example("bench-scenes --max-faces 10000");
+  command.help().examples.emplace_back("bench-scenes --max-faces 10000");
   command.runs([options] { return measure_scenes(*options); });
   return command;
 }

@@ -72,7 +72,7 @@ run::Command meshes_command() {
   options->samples = kAllFaces;
   options->output = "results/meshes";
   options->has_pictures = false;
-  command.meshes(options->files, "Mesh files").changes_results([options] {
+  run::declare_meshes(command, options->files, "Mesh files").changes_results([options] {
     return workloads::with_hashes(options->files);
   });
   methods::declare_compared_methods(command, options->methods);
@@ -85,7 +85,7 @@ run::Command meshes_command() {
       .changes_results(
           [options] { return options->samples == kAllFaces ? std::string("all") : std::to_string(options->samples); });
   command.writes(tables());
-  command.example("meshes part.obj --methods fast,filtered");
+  command.help().examples.emplace_back("meshes part.obj --methods fast,filtered");
   command.runs(run::study_runner(command, kVersion, options, run_meshes));
   return command;
 }

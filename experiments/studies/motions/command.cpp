@@ -59,7 +59,7 @@ run::Command motions_command() {
       .changes_results();
   run::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement");
   command.writes(tables());
-  command.example("motions --methods fast,filtered --samples 20");
+  command.help().examples.emplace_back("motions --methods fast,filtered --samples 20");
   command.runs(run::study_runner(command, kVersion, options, run_motions));
   return command;
 }

@@ -113,7 +113,7 @@ run::Command near_edge_command() {
   options->samples = 1000;  // about 35 s on two cores
   options->output = "results/near-edge";
   methods::declare_compared_methods(command, options->methods);
-  command.families(options->families).changes_results([options] {
+  run::declare_families(command, options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
   command
@@ -134,7 +134,7 @@ run::Command near_edge_command() {
   run::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
   command.writes(tables());
   command.writes(search_tables());
-  command.example("near-edge --methods fast,filtered --samples 20 --search 0");
+  command.help().examples.emplace_back("near-edge --methods fast,filtered --samples 20 --search 0");
   command.runs(run::study_runner(command, kVersion, options,
                                  [](run::StudyRun& run, const Options& given) { return Run(run, given)(); }));
   return command;

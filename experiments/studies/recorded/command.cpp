@@ -246,7 +246,7 @@ run::Command recorded_command() {
   command.whole("--steps", options->steps, "Steps of 1/60 s", 1, 100'000).changes_results();
   run::declare_study(command, *options, "--samples", "Piles");
   command.writes({recorded::table().description(), recorded::near_table().description()});
-  command.example("recorded --samples 2");
+  command.help().examples.emplace_back("recorded --samples 2");
   command.runs(run::study_runner(command, kVersion, options, recorded::run_recorded));
   return command;
 }

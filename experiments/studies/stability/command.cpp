@@ -91,7 +91,7 @@ run::Command stability_command() {
   run::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels");
   command.writes(tables());
   command.writes(known_tables());
-  command.example("stability --methods fast,filtered --axes aspect,origin --samples 20");
+  command.help().examples.emplace_back("stability --methods fast,filtered --axes aspect,origin --samples 20");
   command.runs(run::study_runner(command, kVersion, options, run_stability));
   return command;
 }

@@ -47,7 +47,7 @@ int run_tunnelling(run::StudyRun& run, const Options& options) {
 
 run::Command tunnelling_command() {
   run::Command command("tunnelling", "Count the contacts that discrete steps of a moving ball miss");
-  command.footer("Counts are the same bytes for the same settings; cost.csv holds times, which are measured.");
+  command.help().footer = "Counts are the same bytes for the same settings; cost.csv holds times, which are measured.";
   auto options = std::make_shared<Options>();
   options->samples = 20'000;
   options->output = "results/tunnelling";
@@ -58,7 +58,7 @@ run::Command tunnelling_command() {
   command.whole("--repetitions", options->repetitions, "The number of turns of each way of asking", 1, 100'000);
   run::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");
   command.writes(tables());
-  command.example("tunnelling --samples 1000");
+  command.help().examples.emplace_back("tunnelling --samples 1000");
   command.runs(run::study_runner(command, kVersion, options, run_tunnelling));
   return command;
 }

@@ -155,20 +155,22 @@ run::Command area_command() {
   run::Command command("area", "Find where the storage may stand: the area of configuration and the heights");
   auto options = std::make_shared<AreaOptions>();
   options->output = "results/cell-area";
-  command.footer(
+  command.help().footer =
       "Runs the whole process with the storage at every place of a grid, and reports which runs complete, and why "
       "the others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and "
-      "radii at its angle), stations.csv, and pictures of them.");
+      "radii at its angle), stations.csv, and pictures of them.";
   command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, docs/formats.md has its keys")
       .required();
   add_cell_options(command, *options);
   command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
-  command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
-  command.threads(options->threads);
+  run::declare_positive(command, "--length-step", options->length_step,
+                        "Between radii, and between heights, in the cell's unit");
+  run::declare_threads(command, options->threads);
   run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
-  command.quiet(options->quiet);
+  run::declare_quiet(command, options->quiet);
   command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
-  command.example("cell area experiments/thesis/cell/cells/aristo.json --angle-step 90 --length-step 2000");
+  command.help().examples.emplace_back(
+      "cell area experiments/thesis/cell/cells/aristo.json --angle-step 90 --length-step 2000");
   command.runs([options] { return run(*options); });
   return command;
 }

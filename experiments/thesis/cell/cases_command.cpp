@@ -91,7 +91,7 @@ run::Command cases_command() {
   run::Command command("cases", "Print the gripper's cases of a run, as the corpus holds them");
   auto file = std::make_shared<std::string>();
   command.text("CELL", *file, "A cell file").required();
-  command.example("cell cases experiments/thesis/cell/cells/aristo.json");
+  command.help().examples.emplace_back("cell cases experiments/thesis/cell/cells/aristo.json");
   command.runs([file] {
     fmt::print("{}", gripper_cases(*file));
     return 0;

@@ -42,8 +42,8 @@ run::Command new_command() {
   run::Command command("new", "Write the least cell and its arm into a folder, to start from");
   auto options = std::make_shared<NewOptions>();
   command.text("FOLDER", options->folder, "The folder").required();
-  command.force(options->force);
-  command.example("cell new mine && touchstone cell show mine/cell.json");
+  run::declare_force(command, options->force);
+  command.help().examples.emplace_back("cell new mine && touchstone cell show mine/cell.json");
   command.runs([options] { return run(*options); });
   return command;
 }

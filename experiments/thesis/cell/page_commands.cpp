@@ -95,7 +95,7 @@ run::Command export_command() {
       .required();
   command.flag("--force", options->force, "Overwrite an existing file");
   add_run_options(command, options->run);
-  command.example("cell export experiments/thesis/cell/cells/aristo.json cell.html");
+  command.help().examples.emplace_back("cell export experiments/thesis/cell/cells/aristo.json cell.html");
   command.runs([options] { return run_export(*options); });
   return command;
 }
@@ -108,7 +108,7 @@ run::Command serve_command() {
   command.text("--host", options->host, "The address to listen at; only this machine can reach the default")
       .takes("ADDRESS");
   add_run_options(command, options->run);
-  command.example("cell serve experiments/thesis/cell/cells/aristo.json");
+  command.help().examples.emplace_back("cell serve experiments/thesis/cell/cells/aristo.json");
   command.runs([options] { return serve(*options); });
   return command;
 }

@@ -148,9 +148,9 @@ run::Command run_command() {
   run::declare_output(command, *options,
                       "A folder for moves, trajectory, distances, methods and disagreements; of each piece a folder if "
                       "there are several");
-  command.quiet(options->quiet);
+  run::declare_quiet(command, options->quiet);
   command.writes(run_tables());
-  command.example("cell run experiments/thesis/cell/cells/aristo.json --methods fast,thesis");
+  command.help().examples.emplace_back("cell run experiments/thesis/cell/cells/aristo.json --methods fast,thesis");
   command.runs([options] { return run(*options); });
   return command;
 }

@@ -192,9 +192,9 @@ run::Command show_command() {
   command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's").takes("FOLDER");
   run::declare_output(command, *options,
                       "A folder for faces.csv, one line per face, and models/, one model file (.txt) per link");
-  command.quiet(options->quiet);
+  run::declare_quiet(command, options->quiet);
   command.writes({faces_csv().description()});
-  command.example("cell show experiments/thesis/cell/cells/aristo.json");
+  command.help().examples.emplace_back("cell show experiments/thesis/cell/cells/aristo.json");
   command.runs([options] { return run(*options); });
   return command;
 }

@@ -66,19 +66,19 @@ run::Command thesis_command() {
   auto options = std::make_shared<Options>();
   options->output = "results/thesis";
   run::Command command("thesis", "Reproduce every figure and table of the 2008 thesis: compare its numbers with ours");
-  command.footer(
+  command.help().footer =
       "Makes one entry for each figure and table that the thesis lists, and for each known error of its method: the "
       "numbers that can be computed, the stated numbers, whether they agree, and a picture. Writes CSV files, "
-      "run.json, pictures (SVG and PNG) and index.html, which shows all of them.");
+      "run.json, pictures (SVG and PNG) and index.html, which shows all of them.";
   command.whole("--samples", options->samples, "Random balls for each outline and radius (20000; with --quick 2000)",
                 100, run::kMostSamples);
   command.flag("--quick", options->quick, "A tenth of the samples, and coarser steps between places of the storage");
-  command.seed(options->seed);
-  command.threads(options->threads);
+  run::declare_seed(command, options->seed);
+  run::declare_threads(command, options->threads);
   run::declare_output(command, *options, "Folder for all files", true);
-  command.quiet(options->quiet);
+  run::declare_quiet(command, options->quiet);
   command.writes(tables());
-  command.example("thesis --quick");
+  command.help().examples.emplace_back("thesis --quick");
   command.runs([options] { return run_thesis(*options); });
   return command;
 }

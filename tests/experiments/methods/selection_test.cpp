@@ -58,16 +58,14 @@ TEST(Selection, RefusesNamesThatAreTaken) {
 /// Parses these arguments. Returns the names of the selected methods, and the line that repeats the run.
 std::pair<std::string, std::string> selected(const std::vector<std::string>& arguments) {
   Selection selection{{"fast", "thesis"}};
-  std::string line;
-  std::function<std::vector<std::pair<std::string, std::string>>()> options;
+  run::Call call;
   run::Command command("measure", "Measures");
   declare_compared_methods(command, selection);
-  command.keep_line(line);
-  command.keep_result_options(options);
+  command.keep_call(call);
   command.runs([] { return 0; });
   (void)command(arguments);
-  EXPECT_EQ(options(), (std::vector<std::pair<std::string, std::string>>{{"methods", selection.text()}}));
-  return {selection.text(), line};
+  EXPECT_EQ(call.result_options(), (std::vector<std::pair<std::string, std::string>>{{"methods", selection.text()}}));
+  return {selection.text(), call.line};
 }
 
 TEST(Selection, EnginesAloneReplaceTheDefaultMethods) {

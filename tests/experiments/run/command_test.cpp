@@ -22,28 +22,28 @@ struct Declared {
   Light colour = Light::Green;
   std::vector<std::string> methods{"all"}, meshes, changes;
   bool quick = false, force = false;
-  std::string line;
+  Call call;
   int runs = 0;
 
   int run(const std::vector<std::string>& arguments) {
     Command command("measure", "Measures");
-    command.keep_line(line);
+    command.keep_call(call);
     command.texts("MESH", meshes, "Meshes");
-    command.seed(seed);
-    command.threads(threads);
-    command.methods(methods);
+    declare_seed(command, seed);
+    declare_threads(command, threads);
+    declare_methods(command, methods);
     command.whole("--count", count, "A count", 1, 1000);
     command.whole("--most", most, "At most so much", 1);
     command.integer("--offset", offset, "An offset");
     command.real("--step", step, "A step", 0, 90);
-    command.positive("--limit", limit, "A limit");
+    declare_positive(command, "--limit", limit, "A limit");
     command.choice("--oracle", truth, {"exact", "filtered"}, "The truth");
     command.choice("--colour", colour, std::vector{Light::Red, Light::Green}, "A colour");
     command.texts("--set", changes, "Changes");
     command.text("--file", file, "A file").needs("--step");
     command.flag("--quick", quick, "Quickly");
-    command.output(folder, "The folder");
-    command.force(force);
+    declare_folder(command, folder, "The folder");
+    declare_force(command, force);
     command.runs([this] { return ++runs; });
     return command(arguments);
   }
@@ -58,7 +58,7 @@ TEST(Command, KeepsWhatTheVariablesHeldWhereNothingIsSaid) {
   EXPECT_EQ(declared.run({}), 1);
   EXPECT_EQ(declared.seed, 7U);
   EXPECT_EQ(declared.methods, std::vector<std::string>{"all"});
-  EXPECT_EQ(declared.line, kUnchanged);
+  EXPECT_EQ(declared.call.line, kUnchanged);
 }
 
 // The line holds every option that was given, with the given values.
@@ -85,12 +85,12 @@ TEST(Command, ItsLineRepeatsTheRun) {
   for (const auto& [arguments, expected] : given) {
     Declared declared;
     declared.run(arguments);
-    EXPECT_NE(declared.line.find(expected), std::string::npos) << expected << " is not in " << declared.line;
-    EXPECT_NE(declared.line, kUnchanged);
+    EXPECT_NE(declared.call.line.find(expected), std::string::npos) << expected << " is not in " << declared.call.line;
+    EXPECT_NE(declared.call.line, kUnchanged);
   }
   Declared forced;
   forced.run({"--force"});
-  EXPECT_EQ(forced.line, kUnchanged);
+  EXPECT_EQ(forced.call.line, kUnchanged);
 }
 
 TEST(Command, TakesTheWholeRangeOfItsNumbers) {
@@ -148,10 +148,10 @@ TEST(Command, ItsGroupsOfOptionsTakeOne) {
     Command command("ask", "Asks");
     command.text("--file", file, "A file");
     command.text("--random", random, "Random ones");
-    command.require_one_of({"--file", "--random"});
+    require_one_of(command, {"--file", "--random"});
     command.flag("--any", any, "Any");
     command.flag("--all", all, "All");
-    command.allow_one_of({"--any", "--all"});
+    allow_one_of(command, {"--any", "--all"});
     return command(arguments);
   };
   EXPECT_EQ(run({"--file", "a"}), 0);
@@ -166,7 +166,7 @@ TEST(Command, HelpListsTheOptionsOfAGroup) {
   Command command("ask", "Asks");
   command.text("--file", file, "A file");
   command.text("--random", random, "Random ones");
-  command.require_one_of({"--file", "--random"});
+  require_one_of(command, {"--file", "--random"});
   std::array<char[10], 3> words{"program", "ask", "--help"};
   std::array<char*, 3> arguments{words[0], words[1], words[2]};
   testing::internal::CaptureStdout();
@@ -177,16 +177,16 @@ TEST(Command, HelpListsTheOptionsOfAGroup) {
 }
 
 TEST(Command, RunsTheSubcommandThatIsNamed) {
-  auto ran = std::make_shared<std::string>();
+  auto ran = std::make_shared<Call>();
   const auto named = [&](const std::string& name) {
     Command command(name, name);
-    command.keep_line(*ran);
+    command.keep_call(*ran);
     command.runs([] { return 5; });
     return command;
   };
   const Command group("group", "Groups", {named("one"), named("two")});
   EXPECT_EQ(group({"two"}), 5);
-  EXPECT_EQ(*ran, "touchstone group two");
+  EXPECT_EQ(ran->line, "touchstone group two");
   EXPECT_THROW(group({}), UsageError);
   EXPECT_THROW(group({"three"}), UsageError);
 }
@@ -195,20 +195,20 @@ TEST(Command, RunsTheSubcommandThatIsNamed) {
 TEST(Command, KeepsTheOptionsThatChangeResults) {
   std::uint64_t samples = 10, seed = 3;
   std::vector<std::string> methods{"all"};
-  std::function<std::vector<std::pair<std::string, std::string>>()> kept;
+  Call kept;
   Command command("measure", "Measures");
   command.whole("--samples", samples, "Samples");
-  command.seed(seed).changes_results();
-  command.methods(methods).changes_results([&] {
+  declare_seed(command, seed).changes_results();
+  declare_methods(command, methods).changes_results([&] {
     if (methods.front() == "none") throw UsageError("no methods");
     return std::string("fast,thesis");
   });
-  command.keep_result_options(kept);
+  command.keep_call(kept);
   command.runs([] { return 0; });
   EXPECT_EQ(command({"--seed", "4"}), 0);
-  EXPECT_EQ(kept(), (std::vector<std::pair<std::string, std::string>>{{"seed", "4"}, {"methods", "fast,thesis"}}));
+  EXPECT_EQ(kept.result_options(), (std::vector<std::pair<std::string, std::string>>{{"seed", "4"}, {"methods", "fast,thesis"}}));
   EXPECT_EQ(command({"--methods", "none"}), 0);
-  EXPECT_THROW((void)kept(), UsageError);
+  EXPECT_THROW((void)kept.result_options(), UsageError);
 }
 
 TEST(Command, KnowsTheTablesThatItWrites) {

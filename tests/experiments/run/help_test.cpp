@@ -55,13 +55,13 @@ std::pair<int, std::string> run(std::vector<std::string> words) {
   measure.text("FILE", file, "A file");
   measure.names("--methods", methods, "Methods");
   measure.flag("--alone", flag, "Alone").excludes_all_but({"--oracle"});
-  measure.footer("A note.\n  as it is");
-  measure.example("measure --samples 3");
-  measure.heading("Studies");
+  measure.help().footer = "A note.\n  as it is";
+  measure.help().examples.emplace_back("measure --samples 3");
+  measure.help().heading = "Studies";
   measure.runs([] { return 0; });
   Command shrink("shrink", "Shrinks");
   shrink.flag("--fast", flag, "Quickly");
-  shrink.example("corpus shrink");
+  shrink.help().examples.emplace_back("corpus shrink");
   shrink.runs([] { return 0; });
   const std::vector<Command> commands{measure, Command("corpus", "Cases", {shrink})};
   words.insert(words.begin(), "touchstone");

@@ -26,7 +26,7 @@ TEST(Printing, IsOfTheTextOrNothing) {
 bool runs_with(const char* file, int flags, const std::vector<std::string>& arguments, std::string& complaint) {
   bool quiet = false;
   Command command("measure", "Measures");
-  command.quiet(quiet);
+  declare_quiet(command, quiet);
   bool ran = false;
   command.runs([&] {
     ran = true;

@@ -80,7 +80,7 @@ StudyOptions numbers_options(const std::filesystem::path& folder, std::uint64_t 
   options.samples = samples;
   options.output = folder.string();
   options.part = part;
-  options.result_options = [] { return std::vector<std::pair<std::string, std::string>>{{"seed", "1"}}; };
+  options.call.result_options = [] { return std::vector<std::pair<std::string, std::string>>{{"seed", "1"}}; };
   return options;
 }
 
@@ -92,8 +92,8 @@ TEST(StudyRun, AddsPartsUpToAllItems) {
     std::uint64_t count = 0;
     for (std::uint64_t number = 1; number <= 3; ++number) {
       const Part part{number, 3};
-      all.merged.push_back(scratch.path / std::to_string(number));
-      const Numbers numbers = run_numbers(numbers_options(all.merged.back(), samples, to_string(part)));
+      all.call.parts.push_back(scratch.path / std::to_string(number));
+      const Numbers numbers = run_numbers(numbers_options(all.call.parts.back(), samples, to_string(part)));
       EXPECT_EQ(numbers.count, part.size(samples));
       count += numbers.count;
     }
@@ -115,10 +115,10 @@ TEST(StudyRun, NamesTheFolderOfAPartThatIsNotOfTheStudy) {
   (void)run_numbers(numbers_options(folder("one"), 10, "1/2"));
   (void)run_numbers(numbers_options(folder("two"), 11, "2/2"));
   StudyOptions all = numbers_options(folder("all"), 10, "");
-  all.merged = {folder("one"), folder("two")};
+  all.call.parts = {folder("one"), folder("two")};
   EXPECT_EQ(fault_of(all),
             (folder("two") / "part.json").string() + ": is of --part 2/2 of 11 items, not of --part 2/2 of 10 items");
-  all.merged = {folder("one"), folder("none")};
+  all.call.parts = {folder("one"), folder("none")};
   EXPECT_EQ(fault_of(all),
             (folder("none") / "part.json").string() + ": is missing: its part has not ended, so run it again");
   EXPECT_FALSE(std::filesystem::exists(folder("all"))) << "nothing is written";

@@ -195,16 +195,16 @@ run::Command missed_command() {
   auto options = std::make_shared<MissedOptions>();
   options->output = "results/cell-missed";
   run::Command command("missed", "Contacts that stepping misses and the certified search finds");
-  command.footer(
+  command.help().footer =
       "Moves one joint of the arm through thin sheets at random. Counts how often stepping, which tests for contact "
-      "only after each step, misses the first contact, for spheres and steps of several sizes.");
+      "only after each step, misses the first contact, for spheres and steps of several sizes.";
   command.whole("--samples", options->samples, "Moves", 1, run::kMostSamples);
-  command.seed(options->seed);
-  command.threads(options->threads);
+  run::declare_seed(command, options->seed);
+  run::declare_threads(command, options->threads);
   run::declare_output(command, *options, "Folder for missed.csv, run.json and the picture", true);
-  command.quiet(options->quiet);
+  run::declare_quiet(command, options->quiet);
   command.writes(kinematics::missed_tables());
-  command.example("cell missed --samples 100");
+  command.help().examples.emplace_back("cell missed --samples 100");
   command.runs([options] { return run_missed(*options); });
   return command;
 }

@@ -251,15 +251,15 @@ run::Command layout_command() {
   auto options = std::make_shared<LayoutOptions>();
   options->output = "results/cell-layout";
   run::Command command("layout", "Find the home pose and places that reproduce the thesis's captioned angles");
-  command.footer(
+  command.help().footer =
       "Solves for the home pose, storage and machine that reproduce both case studies' angles to the degree. Shows "
-      "the family of solutions, the chosen one, and how far each of its values may be moved alone.");
+      "the family of solutions, the chosen one, and how far each of its values may be moved alone.";
   command.flag("--quick", options->quick,
                "Coarser steps between the home poses of the family; the chosen layout is the same");
   run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
-  command.quiet(options->quiet);
+  run::declare_quiet(command, options->quiet);
   command.writes(kinematics::layout_tables());
-  command.example("cell layout --quick");
+  command.help().examples.emplace_back("cell layout --quick");
   command.runs([options] { return run_layout(*options); });
   return command;
 }
