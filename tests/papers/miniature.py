@@ -45,12 +45,7 @@ FILES = {
         "first-failure.csv": table(AXES + " first_failure failed_samples samples", ("aspect", "close", "contact", "fast", "1e4", 1, 4)),
         "onset.csv": table("origin_distance method offset_exponent failed_triangles triangles wrong_answers answers rate lower upper",
                            ([0, 1000000], ["ericson-absolute", "fast"], -36, 0, 4, 0, 8, 0, 0, 0.5),
-                           ([0, 1000000], ["ericson-absolute", "fast"], -51, 1, 4, 2, 8, 0.25, 0, 0.9)),
-        "tightness.csv": table("stage quantity axis observations max exceeded",
-                               (["maxima", "permanent"], ["vertex", "along", "beyond", "line", "front", "plane", "side", "above", "normal"], "all", 8, 0.2, 0),
-                               ("frame", ["height", "along"], "all", 8, 0.1, 0)),
-        "contraction.csv": table("sign family trials plain_wrong plain_lower plain_upper fused_wrong fused_lower fused_upper",
-                                  ("orientation", ["exactly zero", "one double beside"], 8, 0, 0, 0.3, 8, 0.7, 1))},
+                           ([0, 1000000], ["ericson-absolute", "fast"], -51, 1, 4, 2, 8, 0.25, 0, 0.9))},
     "tradeoff": {
         "points.csv": table("family method quantity asked correctly_rounded worst", ("all", "fast", "distance", 8, 4, 17),
                             ("all", "filtered", "distance", 8, 8, 0)),
