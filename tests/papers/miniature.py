@@ -120,21 +120,17 @@ def quartiles(median):
 def contest(family, name):
     first = {"name": "fast", "asked": 8, "nanoseconds": quartiles(20), "wrong": {"count": 1, "of": 8}}
     names = ("filtered", "EPICK", "EPICK, compare", "EPECK", "EPECK, compare")
-    if family == "variants":
-        names = ("filtered", "all stages", "no double", "no permanent", "no double-double", "no fixed-integer", "only unlimited", "only expansions",
-                 "generated filter")
     if family == "batches":
         names = ("filtered", "filtered, set", "filtered, no floats")
     others = [{"name": other, "asked": 8, "nanoseconds": quartiles(30), "wrong": {"count": 0, "of": 8},
-               "ratio": quartiles(1 if other == "no permanent" else 1.5)} for other in names]
-    return {"family": family, "name": name, "contestants": others if family == "variants" else [first, *others]}
+               "ratio": quartiles(1.5)} for other in names]
+    return {"family": family, "name": name, "contestants": [first, *others]}
 
 
 STAGES = ("double", "permanent", "double-double", "fixed-integer", "unlimited")
 BENCH = {"contests": [*(contest(family, "") for family in ("random-triangles", "half-near", "lattice-tangent", "slivers", "far", "extreme")),
                       contest("motions", "contact, random triangles"), contest("polygons-8", "all outlines"), contest("polygons-100000", "all outlines"),
                       *(contest("polygons-8", f"asked {how}") for how in ("once", "2 times", "8 times")),
-                      *(contest("variants", family) for family in ("random-triangles", "2^-44", "near", "lattice-tangent")),
                       *(contest("batches", f"one ball, 1024 triangles{where}") for where in ("", ", all near its surface")),
                       *(contest("nearness", f"2^-{k}") | {"shares": {stage: 0.2 for stage in STAGES} if k > 20 else dict(zip(STAGES, (1, 0, 0, 0, 0)))}
                         for k in (52, 24, 1))]}
