@@ -184,19 +184,19 @@ constexpr const char* kFooter =
 run::Command bench_command() {
   constexpr std::uint64_t kMostSamples = 10'000'000;  // all are held, at 100 bytes each and more
   run::Command command("bench", "Compare the times of filtered, fast and other methods on the same queries");
-  command.footer(kFooter);
+  command.help().footer = kFooter;
   auto options = std::make_shared<Options>();
   options->output = "results/bench";
   command.names("--family", options->families, "Families of queries, separated by commas, or all");
   command.whole("--samples", options->settings.samples,
                 "Distinct queries, up to 10000000; branch predictors may learn fewer than 100000", 1, kMostSamples);
   command.whole("--repetitions", options->repetitions, "The number of turns of each candidate", 1, 100'000);
-  command.seed(options->settings.seed, "Any number; the same seed gives the same queries");
+  run::declare_seed(command, options->settings.seed, "Any number; the same seed gives the same queries");
   command.text("--count", options->count,
                "Do not time: run this candidate of one family on all queries, for a profiler");
   run::declare_output(command, *options, "The folder for bench.json, which has all numbers, and run.json");
-  command.quiet(options->quiet);
-  command.example("bench --family near --samples 100");
+  run::declare_quiet(command, options->quiet);
+  command.help().examples.emplace_back("bench --family near --samples 100");
   command.runs([options] { return options->count.empty() ? measure_all(*options) : count(*options); });
   return command;
 }

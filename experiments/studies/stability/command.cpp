@@ -271,7 +271,7 @@ run::Command stability_command() {
   run::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels");
   command.writes({stability::failures_table().description(), stability::first_failure_table().description(),
                   stability::errors_table().description(), stability::onset_description()});
-  command.example("stability --methods fast,filtered --axes aspect,origin --samples 20");
+  command.help().examples.emplace_back("stability --methods fast,filtered --axes aspect,origin --samples 20");
   command.runs(run::study_runner(command, stability::kVersion, options, stability::run_stability));
   return command;
 }
