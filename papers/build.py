@@ -142,9 +142,8 @@ def data_digests(results, files):
 
 def sources():
     """What the paper is made of besides the data: its text, what reads and draws the data, and files that it counts."""
-    text = [path for kind in ("*.tex", "*.bib", "*.py") for path in PAPERS.rglob(kind)]
-    return [*text, *(path for kind in ("*.py", "*.html", "*.css") for path in (ROOT / "experiments/report").rglob(kind)), *corpus.files(), *proofs.files(), *(PAPERS / "listings").glob("*.txt"),
-            ROOT / "robust/filtered/detail/signs/bounds.h"]
+    text = [path for kind in ("*.tex", "*.bib", "*.py", "*.json") for path in PAPERS.rglob(kind)]
+    return [*text, *(path for kind in ("*.py", "*.html", "*.css") for path in (ROOT / "experiments/report").rglob(kind)), *corpus.files(), *proofs.files(), *(PAPERS / "listings").glob("*.txt")]
 
 
 def run_latex(output, studies):

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times of filtered beside fast and CGAL."""
+"""Times of filtered beside fast and CGAL; and what each of its stages saves, measured once, as variants.json says."""
+import json
+import pathlib
+
 from noise import of_contestant
 from studies.bench import SET, WITHOUT_FLOATS, contests, named, polygons, sets
-from values.latex import count, percent, table, times
+from values.latex import count, escaped, percent, table, times
 
 TRIANGLES = {  # family: in words
     "random-triangles": "random triangles", "half-near": r"half of the balls at $2^{-50}$",
@@ -13,12 +16,13 @@ TRIANGLES = {  # family: in words
 ASKED_ONCE = {"asked once": 1, "asked 2 times": 2, "asked 8 times": 8, "asked 32 times": 32, "asked 128 times": 128}
 
 
-VARIANTS = {  # of the family of this name: in words
+MEASURED_ONCE = json.loads((pathlib.Path(__file__).resolve().parents[1] / "variants.json").read_text())
+ALL_STAGES = "all stages"  # compiled and called as the variants are, whose times are relative to its nanoseconds
+VARIANTS = {
     "no double": "without doubles over the whole query", "no permanent": "without doubles for one sign",
     "no double-double": "without double-doubles", "no fixed-integer": "without integers of fixed width",
     "only unlimited": "doubles, then integers of any size", "only expansions": "doubles, then expansions",
     "generated filter": "intervals, then integers of any size"}
-ALL_STAGES = "all stages"  # filtered, compiled and called as the variants are, whose times are relative to it
 VARIANTS_ASKED = {"random-triangles": "anywhere", "2^-44": r"at $2^{-44}$", "near": r"at $2^{-50}$", "lattice-tangent": "tangent, lattices"}
 
 
@@ -37,24 +41,6 @@ def nearness(study):
     for key, exponent in (("near", max(found)), ("far", min(found))):
         yield key, nanoseconds(found[exponent]["contestants"]["filtered"])
     yield "onset", f"$2^{{-{min(k for k, contest in found.items() if contest['shares']['double'] < 0.99)}}}$"
-
-
-def variants(study):
-    """By questions: the contestants. Each stage that the text calls worth its place must be, and none else."""
-    found = {family: named(study, "variants")[family]["contestants"] for family in VARIANTS_ASKED}
-    for family, contestants in found.items():
-        for name, contestant in contestants.items():
-            if contestant["wrong"]["count"]:
-                raise ValueError(f"{name} is wrong about {family}")
-    for family, name in (*((family, "no double") for family in found), ("near", "no double-double"), ("lattice-tangent", "no fixed-integer")):
-        ratio = found[family][name]["ratio"]
-        if ratio["median"] < 1 and not ratio.get("too_noisy"):
-            raise ValueError(f"{name} costs nothing on {family}, against the text")
-    for family in found:
-        ratio = found[family]["no permanent"]["ratio"]
-        if not 0.8 < ratio["median"] < 1.25 and not ratio.get("too_noisy"):
-            raise ValueError(f"no permanent changes the time on {family}, against the text")
-    return found
 
 
 def sets_without_floats(study):
@@ -78,6 +64,8 @@ def values(study):
             predicate, distance = (every[family, ""][name]["nanoseconds"]["median"] for name in (f"{kernel}, compare", kernel))
             if predicate < 0.95 * distance:
                 raise ValueError(f"{kernel}'s compare_squared_distance is faster, against the text")
+    yield "variants/commit", MEASURED_ONCE["commit"][:12]
+    yield "variants/processor", escaped(MEASURED_ONCE["processor"])
     for key, value in nearness(study):
         yield f"nearness/{key}", value
     yield "queries", count(every["random-triangles", ""]["filtered"]["asked"])
@@ -111,14 +99,18 @@ def preparation_rows(study):
             yield [count(vertices), *("" if n not in found else quoted(found[n]) or "too noisy" for n in ASKED_ONCE.values())]
 
 
+def variants():
+    found = [MEASURED_ONCE["times"][asked] for asked in VARIANTS_ASKED]
+    rows = [["all stages, nanoseconds", *(count(round(each[ALL_STAGES])) for each in found)], None]
+    rows += [[words, *(times(each[name]) for each in found)] for name, words in VARIANTS.items()]
+    return table("lrrrr", ["", *VARIANTS_ASKED.values()], rows)
+
+
 def tables(study):
     every = contests(study)
     rows = [row(words, every[family, ""]) for family, words in TRIANGLES.items()]
     rows += [None, *(row(f"polygons of {count(vertices)} vertices", c) for vertices, c in polygons(every).items())]
     head = ["nanoseconds a query", r"\method{fast}", r"\method{filtered}", "ratio", "goal", "same tree", r"\method{fast} wrong"]
     yield "bench", table("@{}lrrrrrr@{}", head, rows)
-    found = variants(study)
-    rows = [["all stages, nanoseconds", *(nanoseconds(found[family][ALL_STAGES]) or "too noisy" for family in found)], None]
-    rows += [[words, *(quoted(found[family][name]["ratio"]) or "too noisy" for family in found)] for name, words in VARIANTS.items()]
-    yield "variants", table("lrrrr", ["", *VARIANTS_ASKED.values()], rows)
+    yield "variants", variants()
     yield "preparation", table("rrrrrr", ["vertices", "1 query", *(f"{n}" for n in list(ASKED_ONCE.values())[1:])], list(preparation_rows(study)))

@@ -1,33 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where answers fail under stress, and how much room the proofs leave."""
-import pathlib
-import re
-
+"""Where answers fail under stress."""
 from shares import upper_limit
 from studies.stability import STAND_IN, Data, asked
-from values.latex import count, decimal, percent, table
+from values.latex import count, decimal, percent
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 FAR = 1000000
-SIGNS = [  # of tightness.csv: expression, maxima, constant of bounds.h
-    ("vertex", r"$w\cdot w-r^2$", "$m_w^2$", "kVertex"),
-    ("along", r"$w\cdot e$", "$m_wm_e$", "kAlong"),
-    ("beyond", r"$w\cdot e-e\cdot e$", r"$m_e\max(m_w,m_e)$", "kBeyond"),
-    ("line", r"$|e\times w|^2-r^2\,e\cdot e$", "$m_w^2m_e^2$", "kLine"),
-    ("front", r"$N\cdot w$", "$m_Nm_w$", "kFront"),
-    ("plane", r"$(N\cdot w)^2-r^2\,N\cdot N$", "$m_N^2m_w^2$", "kPlane"),
-    ("side", r"$N\cdot(e\times w)$", "$m_Nm_em_w$", "kSide"),
-    ("above", r"$(N\cdot N)\,w_k-(N\cdot w)\,N_k$", "$m_N^2m_w$", "kAbove"),
-    ("normal", r"$u\times v$", "$2m_um_v$", "kNormal"),
-]
-FRAME = [("height", "height above the plane in the frame", "$S$", "kHeight"),
-         ("along", "along, across an edge in the frame", "$S$", "kEdgeFrame")]
-
-
-def constants():
-    """Those of bounds.h."""
-    text = (ROOT / "robust/filtered/detail/signs/bounds.h").read_text()
-    return {name: float(value) for name, value in re.findall(r"constexpr double (k\w+) = ([\d.]+);", text)}
 
 
 def onset(data):
@@ -40,11 +17,6 @@ def onset(data):
         if row["offset_exponent"] == -36:
             entry[1] = row["wrong_answers"] / row["answers"]
     return found
-
-
-def tightest(data):
-    """The largest observed share of its bound, by stage and quantity."""
-    return {(row["stage"], row["quantity"]): row["max"] for row in data.tightness}
 
 
 def values(study):
@@ -66,17 +38,3 @@ def values(study):
             yield f"first/{where}/{method}", f"$2^{{{first}}}$"
         if distance == FAR:
             yield f"wrong36/{method}", percent(wrong)
-    for stage in ("maxima", "permanent"):
-        yield f"tightest-{stage}", percent(max(value for (its, _), value in tightest(data).items() if its == stage))
-    for row in data.contraction:
-        for compiled in ("plain", "fused"):
-            share = row[f"{compiled}_wrong"] / row["trials"]
-            yield f"contraction/{row['sign']}/{row['family']}/{compiled}", percent(share) if share else "none"
-        yield f"contraction/{row['sign']}/{row['family']}/trials", count(row["trials"])
-
-
-def tables(study):
-    seen, proved = tightest(Data(study)), constants()
-    row = lambda stage, name, words, maxima, constant: [words, maxima, f"{proved[constant]:.4f}", percent(seen[stage, name])]
-    yield "bounds", table("llrr", ["sign of", "maxima", "constant", "observed"],
-                          [*(row("maxima", *sign) for sign in SIGNS), None, *(row("frame", *entry) for entry in FRAME)])

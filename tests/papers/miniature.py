@@ -45,12 +45,7 @@ FILES = {
         "first-failure.csv": table(AXES + " first_failure failed_samples samples", ("aspect", "close", "contact", "fast", "1e4", 1, 4)),
         "onset.csv": table("origin_distance method offset_exponent failed_triangles triangles wrong_answers answers rate lower upper",
                            ([0, 1000000], ["ericson-absolute", "fast"], -36, 0, 4, 0, 8, 0, 0, 0.5),
-                           ([0, 1000000], ["ericson-absolute", "fast"], -51, 1, 4, 2, 8, 0.25, 0, 0.9)),
-        "tightness.csv": table("stage quantity axis observations max exceeded",
-                               (["maxima", "permanent"], ["vertex", "along", "beyond", "line", "front", "plane", "side", "above", "normal"], "all", 8, 0.2, 0),
-                               ("frame", ["height", "along"], "all", 8, 0.1, 0)),
-        "contraction.csv": table("sign family trials plain_wrong plain_lower plain_upper fused_wrong fused_lower fused_upper",
-                                  ("orientation", ["exactly zero", "one double beside"], 8, 0, 0, 0.3, 8, 0.7, 1))},
+                           ([0, 1000000], ["ericson-absolute", "fast"], -51, 1, 4, 2, 8, 0.25, 0, 0.9))},
     "tradeoff": {
         "points.csv": table("family method quantity asked correctly_rounded worst", ("all", "fast", "distance", 8, 4, 17),
                             ("all", "filtered", "distance", 8, 8, 0)),
@@ -125,21 +120,17 @@ def quartiles(median):
 def contest(family, name):
     first = {"name": "fast", "asked": 8, "nanoseconds": quartiles(20), "wrong": {"count": 1, "of": 8}}
     names = ("filtered", "EPICK", "EPICK, compare", "EPECK", "EPECK, compare")
-    if family == "variants":
-        names = ("filtered", "all stages", "no double", "no permanent", "no double-double", "no fixed-integer", "only unlimited", "only expansions",
-                 "generated filter")
     if family == "batches":
         names = ("filtered", "filtered, set", "filtered, no floats")
     others = [{"name": other, "asked": 8, "nanoseconds": quartiles(30), "wrong": {"count": 0, "of": 8},
-               "ratio": quartiles(1 if other == "no permanent" else 1.5)} for other in names]
-    return {"family": family, "name": name, "contestants": others if family == "variants" else [first, *others]}
+               "ratio": quartiles(1.5)} for other in names]
+    return {"family": family, "name": name, "contestants": [first, *others]}
 
 
 STAGES = ("double", "permanent", "double-double", "fixed-integer", "unlimited")
 BENCH = {"contests": [*(contest(family, "") for family in ("random-triangles", "half-near", "lattice-tangent", "slivers", "far", "extreme")),
                       contest("motions", "contact, random triangles"), contest("polygons-8", "all outlines"), contest("polygons-100000", "all outlines"),
                       *(contest("polygons-8", f"asked {how}") for how in ("once", "2 times", "8 times")),
-                      *(contest("variants", family) for family in ("random-triangles", "2^-44", "near", "lattice-tangent")),
                       *(contest("batches", f"one ball, 1024 triangles{where}") for where in ("", ", all near its surface")),
                       *(contest("nearness", f"2^-{k}") | {"shares": {stage: 0.2 for stage in STAGES} if k > 20 else dict(zip(STAGES, (1, 0, 0, 0, 0)))}
                         for k in (52, 24, 1))]}

@@ -169,7 +169,6 @@ def relative(contestants, name):
 def told(study):
     every = contests(study)
     ratios = [c["filtered"]["ratio"] for c in every.values() if "ratio" in c.get("filtered", {})]
-    variants = {name: contest["contestants"] for name, contest in named(study, "variants").items()}
     return {
         "steady": sum(not is_noisy(ratio) for ratio in ratios), "noisy": sum(map(is_noisy, ratios)), "queries": every["random-triangles", ""]["filtered"],
         "others": OTHERS, "too_noisy": TOO_NOISY, "nearness": nearness_picture(study), "break_even": break_even_picture(study),
@@ -177,6 +176,4 @@ def told(study):
         "ratios": [*(line(about, every[family, ""]) for family, about in TRIANGLES.items()),
                    *(line(f"polygons of {count(vertices)} vertices", contestants) for vertices, contestants in polygons(every).items())],
         "motions": [line(escaped(name), contestants, ("exact",)) for (family, name), contestants in every.items() if family == "motions"],
-        "variants_of": ["variant", *map(escaped, variants)],
-        "variants": [[escaped(name), *(relative(c, name) for c in variants.values())] for name in next(iter(variants.values()), {}) if name != "filtered"],
         "sets": [[SETS[name], relative(c, SET), relative(c, WITHOUT_FLOATS)] for name, c in sets(study).items()]}

@@ -5,12 +5,12 @@ import math
 import numpy as np
 
 from asked import Asked
-from looks import BLUE, ORANGE, RED, in_order
-from page import bar, code, count, escaped, level, percent, power, smaller, words
-from results import distinct, finite, maybe, natural, number, share
+from looks import in_order
+from page import code, level, percent, power, smaller, words
+from results import distinct, finite, natural, share
 from shares import unless_whole
 from studies import OUTPUT, Run
-from style import GREY, curve, draw, plt, rows_of, save
+from style import curve, draw, plt, rows_of, save
 
 RUN = Run(4, "polygons under stress",
           full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]],
@@ -36,11 +36,6 @@ AXES = {"aspect": ("slivers", "length / width"),
         "rounding": ("rounding direction", "mode"),
         "flush": ("subnormals flushed", "mode")}
 MODES = {"rounding", "flush"}  # axes whose levels are not in an order
-# Signs that are computed with plain and with fused products.
-SIGNS = {"orientation": "on which side of a line in the plane a point is: (b − a) × (c − a)",
-         "side": "on which side of an edge the foot is: ((b − a) × (c − a)) · n",
-         "line": "whether an edge's line comes within the radius: |(c − a) × (b − a)|² − r² |b − a|²",
-         "plane": "whether the plane does: ((c − a) · n)² − r² n · n"}
 NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
               "close": "radius off by 2⁻³⁰ of the distance",
               "ample": "radius off by a quarter of the distance"}
@@ -57,12 +52,8 @@ class Data:
         self.rows = [row for row in rows if row["test"] == "contact"]
         self.first = [row for row in study.rows("first-failure.csv", axis=str, nearness=str, test=str, method=str, first_failure=str,
                                                 failed_samples=natural, samples=natural) if row["test"] == "contact"]
-        self.tightness = [row for row in study.rows("tightness.csv", stage=str, quantity=str, axis=str, observations=natural,
-                                                    exceeded=natural, max=maybe(number)) if row["axis"] == "all"]
         self.onset = study.rows("onset.csv", origin_distance=finite, method=str, offset_exponent=int, failed_triangles=natural,
                                 triangles=natural, wrong_answers=natural, answers=natural, rate=share)
-        self.contraction = study.rows("contraction.csv", sign=str, family=str, trials=natural, plain_wrong=natural, plain_lower=share,
-                                      plain_upper=share, fused_wrong=natural, fused_lower=share, fused_upper=share)
         self.methods = distinct(self.rows, "method")
         self.axes = distinct(self.rows, "axis", AXES)
 
@@ -105,16 +96,6 @@ def onsets(data):
         yield f"{place}, wrong answers of {words(seen)}"
 
 
-def contraction_row(row):
-    """What a compiler does that fuses a product and a sum into one rounding."""
-    def wrong(compiled):
-        share = row[f"{compiled}_wrong"] / row["trials"]
-        limits = f"{percent(row[f'{compiled}_lower'])} to {percent(row[f'{compiled}_upper'])}"
-        return bar(share, f"{percent(share) if share else '0'} <small>({limits})</small>")
-
-    return [escaped(SIGNS[row["sign"]]), escaped(row["family"]), count(row["trials"]), wrong("plain"), wrong("fused")]
-
-
 def told(study):
     data = Data(study)
     failed = {method: data.failed(method, "ample") for method in data.methods}
@@ -122,12 +103,9 @@ def told(study):
         "data": data, "ample": NEARNESSES["ample"], "failures": smaller(study.folder, "failures"), "onset": smaller(study.folder, "onset"),
         "first_failures": [said.format(shown(found)) for axis, (said, shown) in SAID.items() if (found := data.first_failure(axis, "close", "fast"))],
         "failed": [f"{code(method)} {percent(wrong / samples) if wrong else 'none'}" for method, (wrong, samples) in failed.items()],
-        "onsets": list(onsets(data)), "contraction": [contraction_row(row) for row in data.contraction]}
+        "onsets": list(onsets(data))}
 
 
-# Where products underflow, bounds have an absolute part, which a line cannot show.
-UNDERFLOWING = ("small", "mixed", "flush")
-CONDITIONED = ["vertex", "along", "beyond", "line", "front", "plane", "side", "above"]
 MAPPED = ("close", "ample")  # nearnesses; within one double nearly all fail
 
 
@@ -247,95 +225,6 @@ def draw_errors(folder, rows, quantity):
     save(figure, folder, f"errors-{quantity}")
 
 
-def draw_conditions(folder, rows, stage, words):
-    rows = [row for row in rows if row["stage"] == stage and row["axis"] not in UNDERFLOWING]
-    names = distinct(rows, "quantity", ["height", *CONDITIONED, "across"])
-    if not names:
-        return
-    columns = min(4, len(names))
-    least_error = 1e-40 if stage == "double-double" else 1e-20
-    lines = math.ceil(len(names) / columns)
-    figure, grid = plt.subplots(lines, columns, figsize=(2.75 * columns, 2.6 * lines + 0.9), squeeze=False, layout="constrained")
-    for axes in list(grid.flat)[len(names):]:
-        axes.set_axis_off()
-    for i, (axes, name) in enumerate(zip(grid.flat, names)):
-        every = [(float(row["condition"]), float(row["relative_error"])) for row in rows if row["quantity"] == name]
-        points = np.array([(x, y) for x, y in every if least_error < y < 1e8 and x < (1e60 if stage == "double-double" else 1e22)])
-        exact = sum(y == 0 for _, y in every)
-        constant = next(float(row["constant"]) for row in rows if row["quantity"] == name)
-        if len(points):
-            axes.plot(*points.T, ".", color=BLUE, markersize=3, alpha=0.4, rasterized=True, zorder=2,
-                      markeredgewidth=0)
-            low, high = min(0.5, points[:, 0].min()), max(1e3, points[:, 0].max() * 3)
-            axes.plot([low, high], [constant * low, constant * high], color=RED, linewidth=1.2, zorder=3)
-            axes.axhline(1, color=GREY, linewidth=0.8, linestyle="--", zorder=1)
-            axes.set(xscale="log", yscale="log", xlim=(low, high),
-                     ylim=(least_error, 1e4 if stage == "double-double" else 1e9))
-        axes.set_title(f"{name}  ({len(points)} points; {exact} exact)")
-        axes.grid(color="#eeeeee", linewidth=0.5)
-        if i >= len(names) - columns:
-            axes.set_xlabel("condition number")
-        if i % columns == 0:
-            axes.set_ylabel("relative error")
-    figure.suptitle(f"Error against condition number, {words}", x=0.01, ha="left", fontsize=10)
-    figure.supxlabel("Points: single signs. Red: the bound. Dashed: an error as large as the value. Left out: points beyond the frame, and axes whose products "
-                     "underflow.", fontsize=8, x=0.01, ha="left")
-    save(figure, folder, f"conditions-{stage}")
-
-
-CONDITIONS = {"maxima": "signs in doubles; condition: product of the largest components / |value|",
-              "permanent": "signs in doubles; condition: permanent / |value|",
-              "double-double": "signs in double-doubles; condition: product of the largest components / |value|",
-              "frame": "in the frame of a prepared polygon; condition: size / |value|"}
-
-
-IN_WORDS = {"maxima": "doubles", "permanent": "sharper doubles", "double-double": "double-doubles", "frame": "prepared polygon",
-            "fast-planarity": "fast (stated, not proved)"}
-QUANTITIES = {"vertex": "vertex against ball", "along": "foot before an edge", "beyond": "foot beyond an edge", "line": "edge's line against ball",
-              "normal": "normal", "front": "above or below the plane", "plane": "plane against ball", "side": "foot beside an edge",
-              "above": "foot above a vertex", "height": "height above the plane", "across": "foot across an edge"}
-
-
-def draw_tightness(folder, rows):
-    rows = [row for row in rows if int(row["observations"]) > 0]
-    total = [row for row in rows if row["axis"] == "all"]
-    if not total:
-        return
-    keys = [(row["stage"], row["quantity"]) for row in total]
-    axes_names = [name for name in distinct(rows, "axis") if name != "all"]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(13, 0.26 * len(keys) + 1.9), width_ratios=[1, 1.15],
-                                         layout="constrained")
-    y = np.arange(len(keys))
-    median, most, largest = (np.array([max(float(row[key]), 1e-12) for row in total]) for key in
-                             ("median", "quantile_99", "max"))
-    left.hlines(y, median, largest, color=GREY, linewidth=1)
-    left.plot(median, y, "o", color=BLUE, markersize=4, label="median")
-    left.plot(most, y, "s", color=ORANGE, markersize=4, label="99 %")
-    left.plot(largest, y, "^", color=RED, markersize=5, label="largest")
-    left.axvline(1, color="k", linewidth=1)
-    left.set(xscale="log", xlim=(5e-13, 3))
-    left.set_yticks(y, [f"{IN_WORDS[stage]}: {QUANTITIES.get(name, name)}" for stage, name in keys])
-    left.set(ylim=(len(keys) - 0.5, -0.5), xlabel="observed error / bound (the bound: 1; below $10^{-12}$ shown there)")
-    left.grid(axis="x", color="#dddddd", linewidth=0.5)
-    left.legend(loc="lower left", frameon=False, ncol=3, bbox_to_anchor=(0, 1))
-
-    table = np.full((len(keys), len(axes_names)), np.nan)
-    for row in rows:
-        if row["axis"] != "all":
-            cell = keys.index((row["stage"], row["quantity"])), axes_names.index(row["axis"])
-            table[cell] = np.nanmax([table[cell], float(row["max"])])
-    image = right.imshow(np.log10(np.where(table > 0, np.maximum(table, 1e-8), np.nan)), aspect="auto", cmap="viridis", vmin=-8, vmax=0)
-    for place in np.argwhere(table == 0):
-        right.annotate("0", place[::-1], ha="center", va="center", fontsize=6)
-    right.set_xticks(range(len(axes_names)), [AXES[name][0].replace("\n", " ") for name in axes_names], rotation=60, ha="right")
-    right.set_yticks(y, [])
-    right.set_title("largest observed error / bound on each axis (0: no error; blank: not observed)")
-    bar = figure.colorbar(image, ax=right, ticks=[-8, -6, -4, -2, 0])
-    bar.set_ticklabels(["$10^{-8}$ or less", "$10^{-6}$", "$10^{-4}$", "$10^{-2}$", "1"])
-    figure.suptitle("How tight the bounds on rounding errors are", x=0.01, ha="left")
-    save(figure, folder, "tightness")
-
-
 def draw_onset(folder, rows):
     distances = distinct(rows, "origin_distance")
     methods = distinct([row for row in rows if int(row["failed_triangles"])], "method", distinct(rows, "method"))
@@ -362,9 +251,6 @@ def draw_onset(folder, rows):
 
 def main(folder):
     failures, errors = rows_of(folder / "failures.csv"), rows_of(folder / "errors.csv")
-    conditions = rows_of(folder / "conditions.csv")
     draw([(draw_failures, folder, failures),
           *((draw_errors, folder, errors, quantity) for quantity in ("distance", "point")),
-          *((draw_conditions, folder, conditions, stage, words) for stage, words in CONDITIONS.items()),
-          (draw_tightness, folder, rows_of(folder / "tightness.csv")),
           (draw_onset, folder, rows_of(folder / "onset.csv"))])

@@ -25,7 +25,6 @@ const std::vector<Family>& all_families() {
     list.push_back(batch_family());
     list.push_back(motion_family());
     list.push_back(nearness_family());
-    list.push_back(variants_family());
     return list;
   }();
   return families;

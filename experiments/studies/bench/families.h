@@ -32,6 +32,5 @@ struct Family {
 [[nodiscard]] Family batch_family();
 [[nodiscard]] Family motion_family();
 [[nodiscard]] Family nearness_family();
-[[nodiscard]] Family variants_family();
 
 }  // namespace touchstone::bench

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include "experiments/studies/bench/asked_polygons.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/polygon_queries.h"
-#include "experiments/studies/bench/variants.h"
+#include "experiments/studies/bench/yardsticks.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"

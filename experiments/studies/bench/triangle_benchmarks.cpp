@@ -12,7 +12,6 @@
 #include "experiments/methods/ericson.h"
 #include "experiments/run/statistics/shares.h"
 #include "experiments/studies/bench/families.h"
-#include "experiments/studies/bench/variants.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
@@ -146,17 +145,6 @@ timing::Benchmark nearness(int exponent, const Settings& settings) {
   return asked.benchmark;
 }
 
-timing::Benchmark variants_benchmark(const std::string& name, const DrawQuery& draw, const Settings& settings) {
-  TriangleBenchmark asked(name, draw, settings, kMostCostly, kMostCostlyChecked);
-  asked.add("filtered", kFiltered);
-  std::string other = "filtered";
-  for (const Variant& variant : variants()) {
-    asked.add(std::string(variant.name), variant.contact, timing::Comparison{other, {}});
-    other = variants().front().name;  // compiled as the others are
-  }
-  return asked.benchmark;
-}
-
 }  // namespace
 
 std::vector<Family> triangle_families() {
@@ -172,20 +160,6 @@ Family nearness_family() {
   Family family{"nearness", "the radius at (1 +- 2^-k) x the exact distance, for k from 52 to 1", {}};
   for (const int exponent : {52, 50, 48, 46, 44, 40, 36, 30, 24, 16, 8, 1})
     family.benchmarks.emplace_back([exponent](const Settings& settings) { return nearness(exponent, settings); });
-  return family;
-}
-
-Family variants_family() {
-  Family family{"variants", "filtered without one of its stages, or with other exact arithmetic behind the first", {}};
-  using workloads::TriangleFamily;
-  const auto add = [&family](const std::string& name, const DrawQuery& draw) {
-    family.benchmarks.emplace_back(
-        [name, draw](const Settings& settings) { return variants_benchmark(name, draw, settings); });
-  };
-  add("random-triangles", of_family(TriangleFamily::Random));
-  add("2^-44", at_distance(44));  // where doubles for one sign decide
-  add("near", of_family(TriangleFamily::Near));
-  add("lattice-tangent", of_family(TriangleFamily::LatticeTangent));
   return family;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <span>
 
 #include "experiments/run/table.h"
 #include "experiments/run/timing.h"
@@ -18,8 +19,6 @@ double seconds_a_million(const SceneResult& result, const Build& build) {
 bool has_build_goals(const SceneResult& result) {
   return std::lround(static_cast<double>(result.triangles) / 1e6) == 1;
 }
-
-std::string verdict(const timing::Goal& goal, double value) { return goal.met_by(value) ? "met" : "MISSED"; }
 
 /// Lines of goals, and their sums.
 class Goals {
@@ -158,30 +157,27 @@ const run::Table<BuildRow>& builds_csv() {
   return table;
 }
 
+std::vector<BuildRow> build_rows(std::span<const SceneResult> results) {
+  std::vector<BuildRow> rows;
+  for (const SceneResult& result : results)
+    for (const Build& build : result.builds) rows.push_back({&result, &build});
+  return rows;
+}
+
 }  // namespace
 
 std::string builds_table(const SceneResult& result) {
-  std::string text =
-      fmt::format("\n== {}\n\n  {:<20}{:>13}{:>20}\n", title(result), "", "s a million", "bytes a triangle");
-  for (const Build& build : result.builds) {
-    const double seconds = seconds_a_million(result, build);
-    text += fmt::format("  {:<20}{:>13.3f}{:>20.1f}", build.library, seconds, build.bytes);
-    if (&build == &result.builds.front() && has_build_goals(result))
-      text += fmt::format("   build <= {:g} {}, memory <= {:g} {}", kBuildGoal.ratio, verdict(kBuildGoal, seconds),
-                          kMemoryGoal.ratio, verdict(kMemoryGoal, build.bytes));
-    text += "\n";
-  }
-  return text;
+  return fmt::format("\n== {}\n\n", title(result)) + builds_csv().aligned(build_rows({&result, 1}));
 }
 
 std::string poses_table(const SceneResult& result) {
-  std::string text;
+  std::vector<std::vector<std::string>> lines{{"poses", "median", "lower quartile", "upper quartile"}};
   for (const PoseRow& row : pose_rows(result.poses)) {
     const timing::Quartiles q = timing::quartiles(*row.values);
-    text += fmt::format("  {:<46}{:>7.3g} ({:.3g} - {:.3g})   <= {:g} {}\n", row.name, q.median, q.lower, q.upper,
-                        row.goal.ratio, verdict(row.goal, q.median));
+    auto& line = lines.emplace_back(1, row.name);
+    for (const double value : {q.median, q.lower, q.upper}) line.push_back(fmt::format("{:.3g}", value));
   }
-  return text.empty() ? "" : fmt::format("\n{}, poses\n", title(result)) + text;
+  return lines.size() == 1 ? "" : fmt::format("\n{}, poses\n", title(result)) + run::aligned(lines);
 }
 
 std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library) {
@@ -233,13 +229,10 @@ that was built of the posed triangles.
 }
 
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results) {
-  std::vector<BuildRow> builds;
-  for (const SceneResult& result : results)
-    for (const Build& build : result.builds) builds.push_back({&result, &build});
   queries_table().write(folder, timed_rows(results, &SceneResult::benchmarks));
   motions_table().write(folder, timed_rows(results, &SceneResult::motions));
   points_table().write(folder, timed_rows(results, &SceneResult::points));
-  builds_csv().write(folder, builds);
+  builds_csv().write(folder, build_rows(results));
 }
 
 std::vector<run::TableDescription> tables() {

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "experiments/cases/workloads/placement.h"
-#include "experiments/studies/stability/stress.h"
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
 
@@ -25,7 +24,7 @@ Eigen::Vector3d product(const Eigen::Matrix3d& m, const Eigen::Vector3d& p) {
 
 }  // namespace
 
-Eigen::Matrix3d small_rotation(workloads::Random& random) {
+Eigen::Matrix3d small_rotation(Random& random) {
   // A quaternion (a, v) turns by 2 atan(|v| / a): 1.0 degree for |v| / a = 1 / 115.
   std::int64_t x = 0, y = 0, z = 0;
   while (x * x + y * y + z * z < 400) {

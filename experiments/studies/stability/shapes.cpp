@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/stability/shapes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include "experiments/cases/workloads/outline.h"
 #include "experiments/cases/workloads/ulp.h"
+#include "experiments/studies/stability/scene.h"
 
 namespace touchstone::stability {
 namespace {
@@ -36,13 +35,6 @@ workloads::LatticeLoop lattice_outline(Random& random) {
     case 4: return workloads::letter_u(random);
     default: return workloads::letter_e(random);
   }
-}
-
-double distance_to_edge(FlatPoint a, FlatPoint b, FlatPoint p) {
-  const double x = b.x - a.x, y = b.y - a.y, length2 = x * x + y * y;
-  const double along = length2 > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length2, 0.0, 1.0) : 0;
-  const double dx = p.x - a.x - along * x, dy = p.y - a.y - along * y;
-  return std::sqrt(dx * dx + dy * dy);
 }
 
 /// The point at `t` in [0, 8) on the boundary of the square |x|, |y| <= 1, counterclockwise.
@@ -129,6 +121,11 @@ Flat flat_star(Random& random, std::size_t count) {
   return flat;
 }
 
+namespace {
+
+using Site = BallPlacement::Site;
+
+/// By the even-odd rule in doubles: possibly wrong near the boundary.
 bool contains(const Flat& flat, FlatPoint point) {
   bool inside = false;
   for (std::size_t i = 0; i < flat.points.size(); ++i) {
@@ -139,6 +136,14 @@ bool contains(const Flat& flat, FlatPoint point) {
   return inside;
 }
 
+double distance_to_edge(FlatPoint a, FlatPoint b, FlatPoint p) {
+  const double x = b.x - a.x, y = b.y - a.y, length2 = x * x + y * y;
+  const double along = length2 > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length2, 0.0, 1.0) : 0;
+  const double dx = p.x - a.x - along * x, dy = p.y - a.y - along * y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+/// The distance to the nearest edge, in doubles.
 double clearance(const Flat& flat, FlatPoint point) {
   double least = INFINITY;
   for (std::size_t i = 0; i < flat.points.size(); ++i)
@@ -146,6 +151,7 @@ double clearance(const Flat& flat, FlatPoint point) {
   return least;
 }
 
+/// Signed, in doubles; positive for a counterclockwise outline.
 double twice_area(const Flat& flat) {
   double sum = 0;
   for (std::size_t i = 0; i < flat.points.size(); ++i) {
@@ -154,10 +160,6 @@ double twice_area(const Flat& flat) {
   }
   return sum;
 }
-
-namespace {
-
-using Site = BallPlacement::Site;
 
 /// Draws in the plane of an outline, and heights above it.
 class Draw {

@@ -201,23 +201,11 @@ bool vanishes(const EdgeOperands& operands) {
   return linear || (kind != SignKind::Beyond && operands.radius == 0);
 }
 
-/// Returns whether a stage takes part. All do, unless Counts has a function `uses` that leaves some out: so benchmarks
-/// measure what a stage saves. The last one always takes part.
-template <class Counts>
-constexpr bool uses([[maybe_unused]] Stage stage) {
-  if constexpr (requires { Counts::uses(stage); })
-    return Counts::uses(stage);
-  else
-    return true;
-}
-
 /// Returns the exact sign. Calls `bigint()` only if no other stage decides. Leaves out the stages before `first`.
 /// Requires round to nearest, without flush-to-zero.
 template <SignKind kind, Stage first = Stage::Permanent, class BigInteger, class Counts>
 int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& bigint) {
-  constexpr bool permanent = first <= Stage::Permanent && uses<Counts>(Stage::Permanent);
-  constexpr bool double_double = first <= Stage::DoubleDouble && uses<Counts>(Stage::DoubleDouble);
-  constexpr bool fixed_integer = uses<Counts>(Stage::FixedInteger);
+  constexpr bool permanent = first <= Stage::Permanent, double_double = first <= Stage::DoubleDouble;
   if (const int sign = permanent ? certain_sign(expression<kind>(PermanentView{operands}), bounds::kTiny) : 0) {
     counts.count(Stage::Permanent);
     return sign;
@@ -226,7 +214,7 @@ int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& b
     counts.count(Stage::DoubleDouble);
     return 0;
   }
-  if (fixed_integer && !operands.lifted) {
+  if (!operands.lifted) {
     if (const IntegerView<30> view(operands); view.fits()) {
       counts.count(Stage::FixedInteger);
       return expression<kind>(view).sign();
@@ -236,7 +224,7 @@ int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& b
     counts.count(Stage::DoubleDouble);
     return sign;
   }
-  if (fixed_integer && !operands.lifted) {
+  if (!operands.lifted) {
     if (const IntegerView<62> view(operands); view.fits()) {
       counts.count(Stage::FixedInteger);
       return expression<kind>(view).sign();

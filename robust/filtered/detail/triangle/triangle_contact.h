@@ -76,19 +76,15 @@ __attribute__((noinline)) bool contact_by(const BallTriangleView& view, const Ma
 template <SignKind kind, class Counts>
 TOUCHSTONE_INLINE bool contact_by(const BallTriangleView& view, const LoneSign& sign, int i, Counts& counts) {
   Maxima maxima{sign.to_center[i], std::max(std::max(sign.edge[0], sign.edge[1]), sign.edge[2]), 0};
-  if constexpr (uses<Counts>(Stage::DoubleDouble)) {
-    if (has_few_bits(view.center)) return contact_by<kind, Stage::DoubleDouble>(view, maxima, i, counts);
-    maxima.normal = 2 * maxima.edge * maxima.edge;
-    const Estimate<double> number =
-        estimate(expression<kind>(LaneView{view, i}), bounds::kUnnormalised * bound<kind>(maxima));
-    if (std::abs(number.value) > number.error) [[likely]] {
-      counts.count(Stage::DoubleDouble);
-      return number.value < 0;
-    }
-    return contact_by<kind, Stage::FixedInteger>(view, maxima, i, counts);
-  } else {
-    return contact_by<kind, Stage::Permanent>(view, maxima, i, counts);
+  if (has_few_bits(view.center)) return contact_by<kind, Stage::DoubleDouble>(view, maxima, i, counts);
+  maxima.normal = 2 * maxima.edge * maxima.edge;
+  const Estimate<double> number =
+      estimate(expression<kind>(LaneView{view, i}), bounds::kUnnormalised * bound<kind>(maxima));
+  if (std::abs(number.value) > number.error) [[likely]] {
+    counts.count(Stage::DoubleDouble);
+    return number.value < 0;
   }
+  return contact_by<kind, Stage::FixedInteger>(view, maxima, i, counts);
 }
 
 /// Returns whether ball and triangle touch. Requires that `sign` alone decides it, round to nearest, and no

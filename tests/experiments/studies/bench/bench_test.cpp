@@ -201,7 +201,7 @@ TEST(BenchFamilies, AreAllThere) {
     EXPECT_FALSE(family.benchmarks.empty());
   }
   for (const char* name : {"polygons-8", "polygons-32", "polygons-128", "polygons-1024", "polygons-10000",
-                           "polygons-100000", "off-plane", "questions", "batches", "nearness", "variants"})
+                           "polygons-100000", "off-plane", "questions", "batches", "nearness"})
     EXPECT_EQ(std::ranges::count(names, name), 1) << name;
 }
 
@@ -227,20 +227,6 @@ TEST(BenchFamilies, NearnessTellsWhichStageDecides) {
     }
   }
   EXPECT_NEAR(before, 1, 1e-9);
-}
-
-// A stage that is left out, or other exact arithmetic, changes no answer.
-TEST(BenchFamilies, VariantsAnswerAsExactDoes) {
-  Settings settings;
-  settings.samples = 1000;
-  const auto variants = std::ranges::find(all_families(), "variants", &Family::name);
-  ASSERT_NE(variants, all_families().end());
-  for (const auto& draw : variants->benchmarks) {
-    const timing::Benchmark benchmark = draw(settings);
-    EXPECT_EQ(benchmark.candidates.size(), 9U);
-    for (const timing::Candidate& candidate : benchmark.candidates)
-      EXPECT_EQ(candidate.count_wrong(settings.samples), 0U) << benchmark.name << ", " << candidate.name;
-  }
 }
 
 // Without floats a set answers as with them. Balls near all surfaces leave triangles to both ways; the last set has 3.

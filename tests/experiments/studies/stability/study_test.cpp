@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of stress: that it finds planted errors, that filtered and the bounds hold at every level, and that it
-// keeps its promises.
+// The study of stress: that it finds planted errors, that filtered holds at every level, and that it keeps its promises.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfenv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "experiments/cases/case.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/stability/summary.h"
-#include "tests/experiments/studies/stability/small_study.h"
+#include "experiments/studies/stability/measure.h"
+#include "experiments/studies/stability/onset.h"
 #include "tests/experiments/support/planted_method.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
@@ -33,6 +39,25 @@ using Tested = cases::Test;  // within TEST, Test is GoogleTest's
 
 using run_tests::kNeverStop;
 using run_tests::kSilent;
+
+Settings settings(const std::vector<std::string>& methods, std::vector<Axis> axes, std::uint64_t samples) {
+  return {methods::find_methods(methods), std::move(axes), samples, 5, 1};
+}
+
+Summary whole(const Settings& settings) {
+  Summary summary;
+  run_study(settings, {kNeverStop, kSilent}, summary);
+  return summary;
+}
+
+int run_command(std::vector<std::string> arguments) {
+  return run_tests::run_command(commands::stability_command, std::move(arguments));
+}
+
+fs::path run_into(const fs::path& folder, std::vector<std::string> arguments) {
+  arguments.emplace_back("--no-pictures");
+  return run_tests::run_into(folder, commands::stability_command, std::move(arguments));
+}
 
 /// `filtered`, with this change of its answers.
 run_tests::PlantedMethod planted(std::function<PartialAnswer(PartialAnswer, QueryKind)> change) {
@@ -57,22 +82,21 @@ TEST(StabilityStudy, FilteredNeverDiffersFromExact) {
   for (const Axis axis : all_axes())
     if (!against_motion(axis)) axes.push_back(axis);
   const auto setting = settings({"filtered", "exact"}, axes, 5);
+  const Summary summary = whole(setting);
+  EXPECT_EQ(summary.missing, 0U);
+  EXPECT_EQ(summary.disputed, 0U);
+  EXPECT_TRUE(summary.worst.empty());
   std::uint64_t asked = 0, numbers = 0;
-  for (std::uint64_t number = 0; number < block_count(setting); ++number) {
-    const Block block = ask_block(setting, number);
-    EXPECT_EQ(block.missing, 0U) << to_string(block.axis);
-    EXPECT_EQ(block.disputed, 0U) << to_string(block.axis);
-    EXPECT_TRUE(block.worst.empty());
-    for (const TestResult& test : block.tests) {
-      EXPECT_EQ(test.wrong, 0U) << to_string(block.axis) << " " << levels(block.axis)[test.level].name << " sample "
-                                << block.sample << " " << to_string(test.test);
-      asked += test.asked;
-    }
-    for (const NumberError& error : block.errors) {
-      EXPECT_EQ(error.relative, 0) << to_string(block.axis) << " " << levels(block.axis)[error.level].name << " sample "
-                                   << block.sample << " " << to_string(error.quantity);
-      ++numbers;
-    }
+  for (const auto& [cell, failures] : summary.failures) {
+    const auto& [axis, nearness, test, method, level] = cell;
+    EXPECT_EQ(failures.answers.wrong, 0U)
+        << to_string(axis) << " " << levels(axis)[level].name << " " << to_string(test);
+    asked += failures.answers.trials;
+  }
+  for (const auto& [cell, errors] : summary.errors) {
+    const auto& [axis, quantity, method, level] = cell;
+    EXPECT_EQ(errors.largest(), 0) << to_string(axis) << " " << levels(axis)[level].name << " " << to_string(quantity);
+    numbers += errors.count();
   }
   EXPECT_GT(asked, 10'000U);
   EXPECT_GT(numbers, 2'000U);
@@ -84,19 +108,19 @@ TEST(StabilityStudy, AMotionIsNotWhatWasMeant) {
   for (const Axis axis : {Axis::ChainMotion, Axis::PoseMotion}) {
     const auto setting = settings({"exact", "filtered"}, {axis}, 4);
     const Summary summary = whole(setting);
-    const cases::Failures near = summary.at(0, Nearness::OneDouble, Tested::Contact, 0, 3)->samples;
+    const cases::Failures near = summary.at(axis, Nearness::OneDouble, Tested::Contact, 0, 3)->samples;
     EXPECT_GT(near.wrong, 0U);
     for (const Nearness nearness : kNearnesses)
       for (std::size_t level = 0; level < 5; ++level) {
-        const SampledFailures *exact = summary.at(0, nearness, Tested::Contact, 0, level),
-                              *filtered = summary.at(0, nearness, Tested::Contact, 1, level);
+        const SampledFailures *exact = summary.at(axis, nearness, Tested::Contact, 0, level),
+                              *filtered = summary.at(axis, nearness, Tested::Contact, 1, level);
         EXPECT_EQ(exact->answers.wrong, filtered->answers.wrong);
         if (nearness == Nearness::Ample) {
           EXPECT_EQ(exact->answers.wrong, 0U);
         }
       }
     const auto median = [&](std::size_t level) {
-      return summary.errors.at({0, Quantity::Distance, 0, level}).quantile(0.5);
+      return summary.errors.at({axis, Quantity::Distance, 0, level}).quantile(0.5);
     };
     EXPECT_GT(median(4), 20 * median(1));
     EXPECT_LT(median(4), 1e-11);
@@ -138,11 +162,11 @@ TEST(StabilityStudy, FindsPlantedErrors) {
   EXPECT_EQ(sum_of(summary, Tested::Contact, 2).answers.wrong, 0U);
   EXPECT_EQ(sum_of(summary, Tested::Edges, 3).answers.trials, 0U);
   for (std::size_t level = 0; level < levels(Axis::OffPlane).size(); ++level) {
-    EXPECT_NEAR(summary.errors.at({0, Quantity::Distance, 4, level}).quantile(0.5) / 0x1p-40, 1, 1.0 / 64);
-    EXPECT_EQ(summary.errors.at({0, Quantity::Distance, 0, level}).largest(), 0);
+    EXPECT_NEAR(summary.errors.at({Axis::OffPlane, Quantity::Distance, 4, level}).quantile(0.5) / 0x1p-40, 1, 1.0 / 64);
+    EXPECT_EQ(summary.errors.at({Axis::OffPlane, Quantity::Distance, 0, level}).largest(), 0);
   }
-  EXPECT_EQ(summary.first_level(setting, 0, Nearness::Ample, Tested::Contact, 0, 0.5), 0U);
-  EXPECT_EQ(summary.first_level(setting, 0, Nearness::Ample, Tested::Contact, 1, 0), std::nullopt);
+  EXPECT_EQ(summary.first_failure(Axis::OffPlane, Nearness::Ample, Tested::Contact, 0), 0U);
+  EXPECT_EQ(summary.first_failure(Axis::OffPlane, Nearness::Ample, Tested::Contact, 1), std::nullopt);
 }
 
 // A method finds the mode that its level names, and the study leaves none behind.
@@ -159,83 +183,132 @@ TEST(StabilityStudy, AsksInTheModeOfTheLevel) {
   EXPECT_EQ(sum_of(summary, Tested::Contact, 0).answers.wrong, 0U);
 }
 
-// All bounds hold on all axes; were they a thousandth, the study would see it of every quantity.
-TEST(StabilityBounds, HoldAndWouldBeFoundWrong) {
-  auto setting = settings({}, all_axes(), 5);
-  const Summary right = whole(setting);
-  std::uint64_t observations = 0;
-  ASSERT_EQ(right.all_bounds.size(), bounded_quantities().size());
-  for (const auto& [quantity, bound] : right.all_bounds) {
-    const BoundedQuantity& about = bounded_quantities()[quantity];
-    EXPECT_GT(bound.polygons, 20U) << about.name;
-    observations += bound.tightness.count();
-    if (about.stage == BoundStage::FastPlanarity) continue;  // not proved
-    EXPECT_EQ(bound.exceeded, 0U) << to_string(about.stage) << " " << about.name;
-    EXPECT_LE(bound.tightness.largest(), 1) << to_string(about.stage) << " " << about.name;
-    EXPECT_GE(bound.tightness.quantile(0), 0) << "errors to either side count: " << about.name;
+// Published figures, found again: see Onset.
+TEST(StabilityOnset, WrongSignsBeginWhereTheyAreKnownTo) {
+  const auto found = methods::find_methods(std::vector<std::string>{"fast", "thesis", "filtered"});
+  const std::uint64_t triangles = 4 * TOUCHSTONE_SAMPLES;
+  Onset onset(found);
+  find_onset(found, triangles, 3, 1, {kNeverStop, kSilent}, onset);
+  ASSERT_EQ(onset.methods(), (std::vector<std::string>{"ericson-absolute", "ericson", "fast", "thesis", "filtered"}));
+  EXPECT_EQ(onset.triangles(), triangles);
+  constexpr std::size_t kAbsolute = 0, kEricson = 1, kFast = 2, kThesis = 3, kFiltered = 4;
+  for (const std::size_t method : {kAbsolute, kEricson, kFast, kThesis}) {
+    const int first = onset.first(0, method).value();  // about 2^-51 at zero
+    EXPECT_GE(first, 46) << onset.methods()[method];
+    EXPECT_LE(first, 52) << onset.methods()[method];
   }
-  EXPECT_GT(observations, 20'000U);
-  // Levels of which fewer samples are drawn have their share. (Beyond its window, at extreme exponents, no bound is
-  // used.)
-  for (std::size_t axis = 0; axis < all_axes().size(); ++axis)
-    for (std::size_t level = 0; level < levels(all_axes()[axis]).size(); ++level) {
-      const Axis about = all_axes()[axis];
-      const bool extreme = about == Axis::Small || about == Axis::Large || about == Axis::Mixed;
-      if (levels(about)[level].one_in > 4 || against_motion(about) || extreme) continue;
-      const auto at_level = [&](const auto& cell) {
-        return std::get<1>(cell.first) == axis && std::get<2>(cell.first) == level;
-      };
-      EXPECT_TRUE(std::any_of(right.bounds.begin(), right.bounds.end(), at_level))
-          << to_string(about) << " " << levels(about)[level].name;
+  // 1e6 is 2^20: absolute coordinates lose twenty bits, differences none.
+  for (const std::size_t method : {kAbsolute, kThesis}) {
+    EXPECT_GE(onset.first(1, method).value(), 24) << onset.methods()[method];
+    EXPECT_LE(onset.first(1, method).value(), 34) << onset.methods()[method];
+    EXPECT_GT(2 * onset.failures(1, method, 36), triangles) << onset.methods()[method];
+  }
+  // The known 2^-36 is where two of five naive answers are wrong, not where the first is.
+  EXPECT_NEAR(onset.first(0, kAbsolute).value() - onset.first(1, kAbsolute).value(), 20, 3);
+  EXPECT_NEAR(static_cast<double>(onset.wrong(1, kAbsolute, 36)) / static_cast<double>(2 * triangles), 0.38, 0.08);
+  for (std::size_t method = 0; method < onset.methods().size(); ++method)
+    for (int k = kCoarsest; k <= kFinest; ++k) {
+      EXPECT_GE(onset.wrong(1, method, k), onset.failures(1, method, k));
+      EXPECT_LE(onset.wrong(1, method, k), 2 * onset.failures(1, method, k));
     }
-
-  setting.bound_factor = 1.0 / 1000;
-  const Summary wrong = whole(setting);
-  for (const auto& [quantity, bound] : wrong.all_bounds) {
-    const BoundedQuantity& about = bounded_quantities()[quantity];
-    EXPECT_GT(bound.exceeded, 0U) << to_string(about.stage) << " " << about.name;
-    EXPECT_GT(bound.failed, 0U);
-    EXPECT_GT(bound.tightness.largest(), 1);
-  }
+  EXPECT_EQ(onset.failures(1, kEricson, 36), 0U);
+  EXPECT_EQ(onset.failures(1, kFast, 36), 0U);
+  for (std::size_t distance = 0; distance < 2; ++distance) EXPECT_EQ(onset.first(distance, kFiltered), std::nullopt);
 }
 
-// In the pictures the bound is a line: constant times condition, where nothing underflows.
-TEST(StabilityBounds, AreTheirConstantTimesTheCondition) {
-  const auto setting = settings({}, {Axis::Aspect, Axis::Origin, Axis::Rounding}, 5);
-  std::uint64_t compared = 0;
-  for (std::uint64_t number = 0; number < block_count(setting); ++number)
-    for (const auto& [level, o] : ask_block(setting, number).bounds) {
-      if (!(o.relative_error > 0) || !(o.tightness > 0)) continue;
-      const double line = bounded_quantities()[o.quantity].constant * o.condition;
-      EXPECT_NEAR(o.relative_error / o.tightness / line, 1, 1e-6) << bounded_quantities()[o.quantity].name;
-      ++compared;
-    }
-  EXPECT_GT(compared, 1000U);
-}
-
-void write_all(const fs::path& folder, const Settings& setting) {
-  fs::create_directories(folder);
+// As cases for the judge: right by exact, wrong by the method in the first tag.
+TEST(StabilityWorst, AreCasesOnWhichTheMethodErrs) {
+  const auto setting = settings({"fast", "fast-float", "thesis", "filtered"}, all_axes(), 3);
   const Summary summary = whole(setting);
-  const Known known{onset_of({"fast", "thesis"}, 20, setting.threads), count_contractions(20, setting.seed)};
-  write_failures(folder, setting, summary);
-  write_errors(folder, setting, summary);
-  write_bounds(folder, setting, summary);
-  write_worst(folder, summary);
-  write_known(folder, known);
-  std::ofstream(folder / "table.txt") << table(setting, summary, known);
+  for (const auto& [place, worst] : summary.worst) {
+    const cases::Case read = cases::read_case(worst.line);
+    ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << worst.line;
+    const auto& shapes = std::get<cases::Shapes>(read.content);
+    const auto differences = [&](std::string_view name) {
+      const auto prepared = methods::find_method(name)->prepare(shapes.polygon);
+      return cases::differences(*read.expected, prepared->ask(shapes.ball(), QueryKind::Answer));
+    };
+    const std::string name = nlohmann::json::parse(worst.line)["tags"][0];
+    EXPECT_TRUE(differences("exact").empty()) << worst.line;
+    EXPECT_FALSE(differences(name).empty()) << worst.line;
+    EXPECT_NE(name, "filtered");
+  }
+  EXPECT_GT(summary.worst.size(), 30U);
 }
 
-TEST(StabilityStudy, TheNumberOfThreadsChangesNothing) {
+// A method that errs about the final answer anywhere is shown with such a case, though other tests fail further from
+// the boundary; in the file such cases come first, those further from the boundary before others.
+TEST(StabilityWorst, AreRankedByTheFinalAnswer) {
+  const std::vector<Axis> axes{Axis::Aspect, Axis::Parallel, Axis::Origin, Axis::OffPlane};
+  const auto setting = settings({"fast", "thesis", "thesis-signed"}, axes, 3);
+  const Summary summary = whole(setting);
+  std::uint64_t ranked = 0;
+  for (const Axis axis : axes)
+    for (std::size_t m = 0; m < setting.methods.size(); ++m) {
+      int furthest = 0;
+      for (const auto& [cell, failures] : summary.failures) {
+        const auto& [of_axis, nearness, test, method, level] = cell;
+        if (of_axis == axis && method == m && test == Tested::Contact && failures.answers.wrong > 0)
+          furthest = std::max(furthest, 1 + static_cast<int>(nearness));
+      }
+      const auto worst = summary.worst.find({axis, m});
+      EXPECT_EQ(worst == summary.worst.end() ? 0 : worst->second.rank, furthest)
+          << to_string(axis) << " " << setting.methods[m]->name();
+      ranked += furthest > 0 ? 1 : 0;
+    }
+  EXPECT_GT(ranked, 8U);
+
   const Scratch scratch;
-  for (const unsigned threads : {1U, 2U})
-    write_all(scratch.path / std::to_string(threads),
-              settings({"fast", "thesis"}, {Axis::Aspect, Axis::Parallel, Axis::ChainMotion, Axis::Flush}, 6, threads));
-  int files = 0;
-  for (const auto& file : fs::directory_iterator(scratch.path / "1")) {
-    EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "2" / file.path().filename())) << file.path();
-    ++files;
+  const auto folder = run_into(scratch.path, {"--methods", "fast,thesis,thesis-signed", "--axes",
+                                              "aspect,parallel,origin,off-plane", "--samples", "3", "--seed", "5"});
+  std::ifstream lines(folder / "worst.jsonl");
+  std::uint64_t wrong = 0;
+  bool others = false;
+  for (std::string line; std::getline(lines, line);) {
+    const auto read = nlohmann::json::parse(line);
+    const bool final_answer = read["expected"].contains("contact");
+    EXPECT_EQ(read["tags"][2], final_answer ? "wrong final answer" : "right final answer");
+    EXPECT_FALSE(final_answer && others) << line;
+    wrong += final_answer ? 1 : 0;
+    others = others || !final_answer;
   }
-  EXPECT_EQ(files, 9);
+  EXPECT_EQ(wrong, ranked);
+}
+
+// A level without failures is told with its number of samples and the limit of their rate.
+TEST(StabilityFirstFailure, TellsHowMuchNoneSeenBeforeMeans) {
+  const Scratch scratch;
+  const auto& all = levels(Axis::Origin);
+  const auto folder = run_into(
+      scratch.path, {"--methods", "thesis-signed,filtered", "--axes", "origin", "--samples", "4", "--seed", "5"});
+  const auto number = [](const Level& level) { return nlohmann::json::parse(level.name); };
+  int none = 0, failed = 0;
+  for (const auto& row : run_tests::rows_of(folder / "first-failure.csv")) {
+    if (row["method"] == "filtered") {
+      ++none;
+      EXPECT_TRUE(row["first_failure"].is_null()) << row;
+      EXPECT_EQ(row["level_before"], number(all.back()));
+    }
+    const auto first = std::ranges::find(all, row["first_failure"], number);
+    if (first == all.begin()) {
+      EXPECT_TRUE(row["level_before"].is_null()) << row;
+    } else if (first != all.end()) {
+      EXPECT_EQ(row["level_before"], number(*std::prev(first)));
+      ++failed;
+    }
+    if (row["level_before"].is_null()) continue;
+    EXPECT_EQ(row["samples_before"], 4);
+    EXPECT_NEAR(row["upper_before"].get<double>(), 1 - std::pow(0.025, 0.25), 1e-6);
+  }
+  EXPECT_GT(none, 0);
+  EXPECT_GT(failed, 0);
+}
+
+TEST(StabilityCommand, TheNumberOfThreadsChangesNothing) {
+  run_tests::expect_that_threads_change_nothing(
+      commands::stability_command,
+      {"--methods", "fast,thesis", "--axes", "aspect,parallel,chain-motion,flush", "--samples", "6", "--no-pictures"},
+      {"failures.csv", "first-failure.csv", "errors.csv", "worst.jsonl", "onset.csv"});
 }
 
 // What one axis gives does not depend on which others, and which methods, are asked for.
@@ -246,16 +319,12 @@ TEST(StabilityStudy, AxesAndMethodsStandAlone) {
   std::uint64_t compared = 0;
   for (const auto& [cell, failures] : one.failures) {
     const auto [axis, nearness, test, method, level] = cell;
-    const SampledFailures* other = two.at(1, nearness, test, 1, level);
+    const SampledFailures* other = two.at(axis, nearness, test, 1, level);
     ASSERT_NE(other, nullptr);
     EXPECT_EQ(failures.answers, other->answers);
     ++compared;
   }
   EXPECT_GT(compared, 50U);
-}
-
-int run_command(std::vector<std::string> arguments) {
-  return run_tests::run_command(commands::stability_command, std::move(arguments));
 }
 
 TEST(StabilityCommand, WritesResultsAndASidecar) {
@@ -267,8 +336,7 @@ TEST(StabilityCommand, WritesResultsAndASidecar) {
   const auto record = nlohmann::json::parse(text_of(folder / "run.json"));
   EXPECT_EQ(record["seed"], 5);
   EXPECT_EQ(record["samples_done"], 1);
-  for (const char* file : {"failures.csv", "first-failure.csv", "errors.csv", "tightness.csv", "conditions.csv",
-                           "worst.jsonl", "onset.csv", "contraction.csv"})
+  for (const char* file : {"failures.csv", "first-failure.csv", "errors.csv", "worst.jsonl", "onset.csv"})
     EXPECT_GT(fs::file_size(folder / file), 50U) << file;
 }
 
