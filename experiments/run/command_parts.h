@@ -26,8 +26,10 @@ struct Declared {
   std::function<std::string()> canonical{};
   std::vector<std::string> limits{};  ///< sentences for the help: other options that it needs or excludes
 
-  /// Returns the value that is compared when a run continues another one.
-  [[nodiscard]] std::string compared() const { return canonical ? canonical() : joined(words()); }
+  /// Returns the value that is compared when parts are merged.
+  [[nodiscard]] std::string compared() const {
+    return canonical ? canonical() : value.empty() ? (words().empty() ? "no" : "yes") : joined(words());
+  }
 };
 
 struct CommandParts {

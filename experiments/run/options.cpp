@@ -184,8 +184,7 @@ Option declare_seed(OptionList& options, std::uint64_t& value, const std::string
 }
 
 Option declare_threads(OptionList& options, unsigned& value, const std::string& about) {
-  constexpr unsigned kMost = 1024;
-  return options.whole("--threads", value, about, 1, kMost);
+  return options.whole("--threads", value, about, 1, 1024);
 }
 
 Option declare_methods(OptionList& options, std::vector<std::string>& values, const std::string& about) {
