@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/container_hash/hash.hpp>
 #include <cmath>
 #include <cstdio>
@@ -28,10 +29,10 @@ namespace {
 using nlohmann::json;
 
 bool is_code(const json& value) {
-  if (!value.is_string()) return false;
-  for (int code = 0; !to_string(RejectionCode(code)).empty(); ++code)
-    if (to_string(RejectionCode(code)) == value.get_ref<const std::string&>()) return true;
-  return false;
+  using enum RejectionCode;
+  constexpr std::array kCodes{MalformedCase, NotFinite,       NegativeRadius, TooFewVertices, RepeatedVertex,
+                              ZeroNormal,    LoopMeetsItself, LoopsMeet,      HoleOutside};
+  return std::ranges::any_of(kCodes, [&](RejectionCode code) { return value == json(to_string(code)); });
 }
 
 bool is_finite(const json& value) {

@@ -27,8 +27,8 @@
 namespace touchstone::judge {
 namespace {
 
+using cases::Json;
 using cases::PartialAnswer;
-using cases::Verdict;
 
 /// Returns the ball of a line, of which the comment is cut off. Throws std::invalid_argument.
 cases::Question question_of(std::string_view text) {
@@ -70,14 +70,14 @@ std::vector<ListedBall> read_balls(std::istream& stream, const std::string& name
 }
 
 /// Returns the keys that name a face of the mesh, and those of the answer about it.
-Verdict face(const AskedMesh& mesh, scene::FaceId id, const PartialAnswer& answer = {}) {
-  Verdict keys = {{"object", mesh.scene.name(id.object)}, {"face", mesh.numbers[id.face]}};
+Json face(const AskedMesh& mesh, scene::FaceId id, const PartialAnswer& answer = {}) {
+  Json keys = {{"object", mesh.scene.name(id.object)}, {"face", mesh.numbers[id.face]}};
   if (mesh.off_plane[id.face] > 0) keys["off_plane"] = mesh.off_plane[id.face];
   keys.update(cases::object_of(answer));
   return keys;
 }
 
-Verdict nearest_face(const AskedMesh& mesh, const scene::NearestFace& nearest) {
+Json nearest_face(const AskedMesh& mesh, const scene::NearestFace& nearest) {
   PartialAnswer answer;
   answer.feature = nearest.feature;
   answer.point = nearest.point;
@@ -87,16 +87,16 @@ Verdict nearest_face(const AskedMesh& mesh, const scene::NearestFace& nearest) {
   return face(mesh, nearest.face, answer);
 }
 
-Verdict touched_faces(const AskedMesh& mesh, std::vector<scene::FaceId> touched) {
+Json touched_faces(const AskedMesh& mesh, std::vector<scene::FaceId> touched) {
   // The scene numbers triangles first, the mesh does not.
   std::ranges::sort(touched, {}, [&](scene::FaceId id) { return mesh.numbers[id.face]; });
-  Verdict faces = Verdict::array();
+  Json faces = Json::array();
   for (const scene::FaceId id : touched) faces.push_back(face(mesh, id));
   return faces;
 }
 
-Verdict touched_faces(const AskedMesh& mesh, const std::vector<scene::FirstFace>& touched) {
-  Verdict faces = Verdict::array();
+Json touched_faces(const AskedMesh& mesh, const std::vector<scene::FirstFace>& touched) {
+  Json faces = Json::array();
   for (const auto& [id, first] : touched) {
     PartialAnswer answer = PartialAnswer::of(first, 0, "");
     answer.contact.reset();    // it is one of those that are touched
@@ -151,7 +151,7 @@ std::string answers_about(const AskedMesh& mesh, std::span<const ListedBall> bal
   std::vector<std::string> lines(balls.size());
   const auto write = [&](std::size_t i) {
     const cases::Question& question = balls[i].question;
-    Verdict line{{"id", std::to_string(balls[i].line)}, {"ball", cases::object_of(cases::ball_of(question))}};
+    Json line{{"id", std::to_string(balls[i].line)}, {"ball", cases::object_of(cases::ball_of(question))}};
     if (const auto* motion = std::get_if<Motion>(&question)) {
       line["motion"] = cases::object_of(*motion);
       line["touched"] = touched_faces(mesh, touched_on_ways[numbers[i]]);
