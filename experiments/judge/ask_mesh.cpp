@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/ask_mesh.h"
+#include "experiments/judge/ask.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

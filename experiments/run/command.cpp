@@ -100,8 +100,10 @@ struct Declared {
   std::function<std::string()> canonical{};
   std::vector<std::string> limits{};  ///< sentences for the help: other options that it needs or excludes
 
-  /// Returns the value that is compared when a run continues another one.
-  [[nodiscard]] std::string compared() const { return canonical ? canonical() : joined(words()); }
+  /// Returns the value that is compared when parts are merged.
+  [[nodiscard]] std::string compared() const {
+    return canonical ? canonical() : value.empty() ? (words().empty() ? "no" : "yes") : joined(words());
+  }
 };
 
 struct CommandParts {
@@ -348,10 +350,7 @@ void Command::allow_one_of(const std::vector<std::string>& names) {
 
 Option Command::seed(std::uint64_t& value, const std::string& about) { return whole("--seed", value, about); }
 
-Option Command::threads(unsigned& value, const std::string& about) {
-  constexpr unsigned kMost = 1024;
-  return whole("--threads", value, about, 1, kMost);
-}
+Option Command::threads(unsigned& value, const std::string& about) { return whole("--threads", value, about, 1, 1024); }
 
 Option Command::methods(std::vector<std::string>& values, const std::string& about) {
   return names("--methods", values, about);

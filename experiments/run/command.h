@@ -50,7 +50,7 @@ class Option {
   /// Excludes every option that was declared before, except these.
   Option& excludes_all_but(const std::vector<std::string>& others);
   /// Declares that results depend on this option, so that parts with other values are not merged. `canonical` returns
-  /// the value in its canonical form; without it, the value itself is compared.
+  /// the value in its canonical form; without it, the value itself is compared, of a flag yes or no.
   Option& changes_results(std::function<std::string()> canonical = {});
   /// Sets what the help calls the value, such as `FILE`.
   Option& takes(const std::string& word);

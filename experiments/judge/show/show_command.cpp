@@ -61,33 +61,33 @@ Printed read_verdicts(const std::string& file) {
 
 /// Returns the selected cases; complains about lines that are not cases, and sets the status.
 std::vector<show::CaseView> views_of(const ShowOptions& options, int& status) {
-  constexpr int kWrongInput = 2;
   const auto methods = options.verdicts.empty() ? options.methods.methods() : std::vector<const cases::Method*>();
   const Printed printed = options.verdicts.empty() ? Printed() : read_verdicts(options.verdicts);
   std::vector<show::CaseView> views;
   std::uint64_t left_out = 0;
   const auto files = options.files == std::vector<std::string>{"-"} ? std::vector<std::string>() : options.files;
-  cases::read_lines(files, [&](cases::Line&& line) {
-    const auto complain = [&](const std::string& why) {
-      fmt::print(stderr, "touchstone: {}\n", io::all_legible(why));
-      status = kWrongInput;
-      return true;
-    };
-    if (!line.read) return complain(line.complaint);
-    const auto& id = line.read->id;
-    if (!options.ids.empty() && (!id || std::ranges::find(options.ids, *id) == options.ids.end())) return true;
-    if (const auto* rejection = std::get_if<Rejection>(&line.read->content))
-      return complain(fmt::format("{}: rejected: {}: {}", line.place, to_string(rejection->code), rejection->message));
-    if (views.size() == options.most) {
-      ++left_out;
-      return true;
+  const auto complain = [&](const std::string& why) {
+    fmt::print(stderr, "touchstone: {}\n", io::all_legible(why));
+    status = 2;
+  };
+  for (cases::LineReader reader(files); const auto line = reader.next_case();) {
+    if (!line->read) {
+      complain(line->complaint);
+      continue;
     }
-    views.push_back(show::view_of(*id, line.read->tags, line.read->shapes()));
-    for (const auto* method : methods) views.back().verdicts.push_back(show::verdict_of(views.back(), *method));
-    const auto [begin, end] = printed.equal_range(*id);
-    for (auto verdict = begin; verdict != end; ++verdict) views.back().verdicts.push_back(verdict->second);
-    return true;
-  });
+    const cases::Case& read = *line->read;
+    if (!options.ids.empty() && (!read.id || std::ranges::find(options.ids, *read.id) == options.ids.end())) continue;
+    if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
+      complain(fmt::format("{}: rejected: {}: {}", line->place, to_string(rejection->code), rejection->message));
+    } else if (views.size() == options.most) {
+      ++left_out;
+    } else {
+      views.push_back(show::view_of(*read.id, read.tags, read.shapes()));
+      for (const auto* method : methods) views.back().verdicts.push_back(show::verdict_of(views.back(), *method));
+      const auto [begin, end] = printed.equal_range(*read.id);
+      for (auto verdict = begin; verdict != end; ++verdict) views.back().verdicts.push_back(verdict->second);
+    }
+  }
   if (left_out > 0)
     fmt::print(stderr, "touchstone: not shown: {}; --samples and --id select others\n",
                run::counted(left_out, "more case"));

@@ -15,7 +15,7 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/commands.h"
-#include "experiments/judge/ask_mesh.h"
+#include "experiments/judge/ask.h"
 #include "experiments/run/output.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/run_command.h"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
-#include "experiments/judge/polygon_text.h"
+#include "experiments/judge/ask.h"
 #include "geometry/shapes/rejection.h"
 #include "tests/experiments/judge/run_judge.h"
 #include "tests/experiments/support/message_of.h"
