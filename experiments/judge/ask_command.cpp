@@ -18,7 +18,6 @@
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/judge/ask.h"
 #include "experiments/judge/show/case_view.h"
-#include "experiments/judge/show/page.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command.h"
