@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/check.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
+#include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/methods/registry.h"
 #include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"

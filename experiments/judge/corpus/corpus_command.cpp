@@ -17,9 +17,8 @@
 #include <vector>
 
 #include "experiments/cases/case.h"
-#include "experiments/judge/corpus/check.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/make.h"
+#include "experiments/judge/corpus/families.h"
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
