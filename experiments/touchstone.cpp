@@ -20,7 +20,7 @@ std::vector<touchstone::run::Command> all_commands() {
   touchstone::convex::add_methods();
   std::vector<touchstone::run::Command> commands;
   const auto add = [&](const std::string& heading, std::vector<touchstone::run::Command> some) {
-    for (auto& command : some) command.heading(heading);
+    for (auto& command : some) command.help().heading = heading;
     commands.insert(commands.end(), some.begin(), some.end());
   };
   add("Ask and judge", {ask_command(), judge_command(), show_command(), cases_command(), methods_command(),

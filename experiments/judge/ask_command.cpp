@@ -211,7 +211,7 @@ run::Command ask_command() {
             run::not_empty)
       .takes("LOOPS");
   command.text("--mesh", options->mesh, "A mesh instead: OBJ, OFF, PLY or STL", run::not_empty).takes("FILE");
-  command.require_one_of({"--polygon", "--mesh"});
+  run::require_one_of(command, {"--polygon", "--mesh"});
   methods::declare_methods(command, options->methods);
   command.text("--show", options->show, "Also draw it, on a page in this file (HTML, self-contained)", run::not_empty)
       .takes("FILE");
@@ -219,7 +219,7 @@ run::Command ask_command() {
       .excludes("--methods")
       .excludes("--engine")
       .excludes("--show");
-  command.force(options->force);  // before --output, which is a file here
+  run::declare_force(command, options->force);  // before --output, which is a file here
   command
       .text(
           "--balls", options->balls,
@@ -232,12 +232,12 @@ run::Command ask_command() {
   command.text("--output", options->output, "Write the lines to this file", run::not_empty)
       .takes("FILE")
       .needs("--balls");
-  command.require_one_of({"--ball", "--balls"});
-  command.footer(
+  run::require_one_of(command, {"--ball", "--balls"});
+  command.help().footer =
       "exact is certified. Another method is listed by what it answers otherwise. Exit status: 2 for wrong input, else "
-      "0.");
-  command.example("ask --ball 1,1,1,1.1547005383792515 --polygon '1 0 0, 0 1 0, 0 0 1'");
-  command.example("ask --mesh part.obj --balls balls.txt --nearest");
+      "0.";
+  command.help().examples.emplace_back("ask --ball 1,1,1,1.1547005383792515 --polygon '1 0 0, 0 1 0, 0 0 1'");
+  command.help().examples.emplace_back("ask --mesh part.obj --balls balls.txt --nearest");
   command.runs([options] {
     if (!options->show.empty()) run::refuse_overwrite(options->show, options->force);
     const methods::KillEngineOnSignal kill_engine_on_signal;

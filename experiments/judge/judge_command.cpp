@@ -106,7 +106,7 @@ std::optional<std::uint64_t> size_of(const std::vector<std::string>& files) {
 
 /// Judges a part, or tells what the merged parts found. Returns the exit status.
 int judge_parts(judge::Question question, const judge::Output& output, JudgeOptions& options) {
-  if (options.part.empty() && options.merged.empty())
+  if (options.part.empty() && options.call.parts.empty())
     throw run::UsageError("--output", "only a part has a folder: see --part");
   if (options.reads_standard_input())
     throw run::UsageError("--part", "cases on standard input cannot be counted; name their files");
@@ -130,7 +130,7 @@ int judge_parts(judge::Question question, const judge::Output& output, JudgeOpti
   if (study.is_part()) return study.finish({.done = judgement.lines, .items = lines});
   judge::Teller teller(output);
   for (judge::Entry& entry : judgement.entries) teller.tell(std::move(entry));
-  study.write_record({.samples_asked = lines, .samples_done = lines, .parts = options.merged.size()});
+  study.write_record({.samples_asked = lines, .samples_done = lines, .parts = options.call.parts.size()});
   return teller.finish();
 }
 
@@ -245,8 +245,9 @@ void declare_telling(run::Command& command, const std::shared_ptr<JudgeOptions>&
       .flag("--summary", options->summary,
             "Instead of verdicts and differences, print how many cases were wrong, by key, family and tag, with limits")
       .changes_results();
-  command.json(options->json, "Instead of verdicts and differences, print the summary as one JSON object");
-  command.quiet(options->quiet, "Print verdicts only; report mismatches by exit status");
+  run::declare_json(command, options->json,
+                    "Instead of verdicts and differences, print the summary as one JSON object");
+  run::declare_quiet(command, options->quiet, "Print verdicts only; report mismatches by exit status");
   command.text("--junit", options->junit, "Also write the outcome of every case to this file, in the XML of JUnit")
       .takes("FILE");
   command
@@ -254,12 +255,12 @@ void declare_telling(run::Command& command, const std::shared_ptr<JudgeOptions>&
             "Also write a page to this file: the summary, and the worst cases as pictures (HTML, self-contained)")
       .takes("FILE")
       .changes_results([options] { return options->report.empty() ? "no" : "yes"; });
-  command.force(options->force);
+  run::declare_force(command, options->force);
 }
 
 /// Declares the files of cases, and that parts are of the same ones.
 void declare_parts(run::Command& command, const std::shared_ptr<JudgeOptions>& options) {
-  command.output(options->output, "The folder of the part; `touchstone merge` tells the judgement");
+  run::declare_folder(command, options->output, "The folder of the part; `touchstone merge` tells the judgement");
   command.texts("FILE", options->files, "Files of cases; none, or -: standard input").changes_results([options] {
     const cases::LineCount& counted = options->counted;
     const std::string meshes = counted.meshes.empty() ? "" : ", meshes " + workloads::with_hashes(counted.meshes);
@@ -267,7 +268,7 @@ void declare_parts(run::Command& command, const std::shared_ptr<JudgeOptions>& o
                        counted.hash, meshes);
   });
   run::declare_part(command, *options).needs("--output");
-  command.keep_line(options->line);
+  command.keep_call(options->call);
 }
 
 }  // namespace
@@ -278,11 +279,12 @@ run::Command judge_command() {
   declare_question(command, options);
   declare_telling(command, options);
   declare_parts(command, options);
-  command.footer(
+  command.help().footer =
       "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for wrong input "
-      "or an engine that cannot be started, 130 if interrupted.");
-  command.example("judge --part 1/2 --output one --methods fast tests/corpus/edge.jsonl");
-  command.example("judge --engine './engine --flags =mine' --keys contact --at-rest --summary tests/corpus/*.jsonl");
+      "or an engine that cannot be started, 130 if interrupted.";
+  command.help().examples.emplace_back("judge --part 1/2 --output one --methods fast tests/corpus/edge.jsonl");
+  command.help().examples.emplace_back(
+      "judge --engine './engine --flags =mine' --keys contact --at-rest --summary tests/corpus/*.jsonl");
   command.runs([options] { return run_judge(*options); });
   return command;
 }
@@ -290,8 +292,8 @@ run::Command judge_command() {
 run::Command methods_command() {
   run::Command command("methods", "List the methods, one per line");
   auto json = std::make_shared<bool>(false);
-  command.json(*json, "Print them as a JSON array");
-  command.example("methods --json");
+  run::declare_json(command, *json, "Print them as a JSON array");
+  command.help().examples.emplace_back("methods --json");
   command.runs([json] {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const auto& method : methods::all_methods()) {

@@ -36,10 +36,10 @@ int draw_pictures(const std::string& name, const OutputFolder& folder) {
 }
 
 void declare_output(Command& command, FolderOptions& options, const std::string& about, bool has_pictures) {
-  command.output(options.output, about);
+  declare_folder(command, options.output, about);
   options.needs_folder = !options.output.empty();
-  command.force(options.force);
-  if (has_pictures) command.no_pictures(options.no_pictures);
+  declare_force(command, options.force);
+  if (has_pictures) declare_no_pictures(command, options.no_pictures);
   command.keep_line(options.line);
 }
 

@@ -165,9 +165,9 @@ run::Command make_command() {
   run::Command command("make", "Write every file of the corpus, with its page");
   auto options = std::make_shared<MakeOptions>();
   command.text("FOLDER", options->folder, "Destination; the corpus is tests/corpus").required();
-  command.threads(options->threads, "Number of threads; does not affect the files");
-  command.force(options->force);
-  command.example("corpus make new-corpus");
+  run::declare_threads(command, options->threads, "Number of threads; does not affect the files");
+  run::declare_force(command, options->force);
+  command.help().examples.emplace_back("corpus make new-corpus");
   command.runs([options] { return make(*options); });
   return command;
 }
@@ -178,7 +178,7 @@ run::Command check_command() {
   command.texts("FILES", options->files, "Files of cases with whole answers (default: the corpus)");
   run::declare_part(command, options->part,
                     "Check only part I of N of the cases; the parts' faults are those of one run");
-  command.example("corpus check");
+  command.help().examples.emplace_back("corpus check");
   command.runs([options] { return check(*options); });
   return command;
 }
@@ -190,10 +190,10 @@ run::Command shrink_command() {
   command.text("--method", options->method, "The method that fails").takes("METHOD");
   methods::declare_engines(command, options->engines,
                            "Instead: an engine of yours that fails, COMMAND or COMMAND=NAME");
-  command.require_one_of({"--method", "--engine"});
+  run::require_one_of(command, {"--method", "--engine"});
   command.text("--key", options->key, "The key of the answer that must stay wrong; default: all wrong decisive keys")
       .takes("KEY");
-  command.example("corpus shrink failing.jsonl --method fast");
+  command.help().examples.emplace_back("corpus shrink failing.jsonl --method fast");
   command.runs([options] { return shrink(*options); });
   return command;
 }

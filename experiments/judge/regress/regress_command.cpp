@@ -200,13 +200,13 @@ int run(const Options& options) {
 run::Command regress_command() {
   run::Command command("regress", "Compare the failures of every method with a baseline");
   auto options = std::make_shared<Options>();
-  command.footer(
+  command.help().footer =
       "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative "
       "offsets of 2^-8 to 2^-52 from the exact distance; then with as many cases whose coordinates and radii are floats, "
       "at offsets of 2^-8 to 2^-23. Cases are a function of the seed, so that the change of a single answer is noticed. "
       "Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right or unsure, or unsure "
       "instead of right; 2 if the baseline cannot be read or lacks a method that --methods or --engine names, or if "
-      "--write names an existing file without --force.");
+      "--write names an existing file without --force.";
   command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used")
       .takes("FILE");
   command
@@ -215,17 +215,18 @@ run::Command regress_command() {
       .needs("--baseline");
   command.text("--write", options->write, "Write the outcomes as a baseline").takes("FILE");
   methods::declare_methods(command, options->methods);
-  command.seed(options->settings.seed).excludes("--baseline");
+  run::declare_seed(command, options->settings.seed).excludes("--baseline");
   command
       .whole("--samples", options->settings.samples, "Of each family of polygons and place of the ball", 1,
              kMostSamples)
       .excludes("--baseline");
-  command.threads(options->threads);
+  run::declare_threads(command, options->threads);
   run::declare_output(command, *options,
                       "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
-  command.quiet(options->quiet, "Print no table, no changes and no progress; the exit status tells");
+  run::declare_quiet(command, options->quiet, "Print no table, no changes and no progress; the exit status tells");
   command.writes({outcomes_csv().description()});
-  command.example("regress --baseline tests/experiments/judge/regress/baseline.json --methods fast,thesis");
+  command.help().examples.emplace_back(
+      "regress --baseline tests/experiments/judge/regress/baseline.json --methods fast,thesis");
   command.runs([options] { return run(*options); });
   return command;
 }

@@ -84,12 +84,12 @@ run::Command show_command() {
   methods::declare_methods(command, options->methods);
   command.whole("--samples", options->most, "Draw at most this number of cases", 1, 1000);
   command.text("--html", options->html, "Write the page to this file instead of standard output").takes("FILE");
-  command.force(options->force);
-  command.footer(
+  run::declare_force(command, options->force);
+  command.help().footer =
       "From above: the polygon, the ball, the foot of its centre and the nearest point (of a moving ball: its way, "
       "and the first touched point). From the side: a section. Below: the radii next to the ball's, in doubles, and "
-      "what exact and each method say of contact with each. Exit status: 2 for wrong input, else 0.");
-  command.example("show tests/corpus/edge.jsonl --samples 3 --html edge.html");
+      "what exact and each method say of contact with each. Exit status: 2 for wrong input, else 0.";
+  command.help().examples.emplace_back("show tests/corpus/edge.jsonl --samples 3 --html edge.html");
   command.runs([options] {
     const methods::KillEngineOnSignal kill_engine_on_signal;
     return show_cases(*options);

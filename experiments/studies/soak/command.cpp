@@ -79,7 +79,7 @@ run::Command soak_command() {
       .excludes_all_but({"--from", "--moving", "--samples", "--seed"});
   command.writes(tables());
   const auto compare = run::study_runner(command, kVersion, options, run_cases);
-  command.example("soak --samples 10000");
+  command.help().examples.emplace_back("soak --samples 10000");
   command.runs([options, compare] {
     if (options->from > std::numeric_limits<std::uint64_t>::max() - options->samples)
       throw std::invalid_argument("--from and --samples together go beyond 2^64 - 1");
