@@ -51,7 +51,7 @@ endforeach()
 if(TOUCHSTONE_EXPERIMENTS)
   list(APPEND CPACK_COMPONENTS_ALL program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME touchstone)
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3, python3-matplotlib, python3-numpy, python3-jinja2, librsvg2-bin")  # they draw the pictures
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3, python3-matplotlib, python3-numpy, python3-jinja2")  # they draw the pictures
 endif()
 if(TOUCHSTONE_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)

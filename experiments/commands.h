@@ -14,7 +14,6 @@ namespace touchstone::commands {
 [[nodiscard]] run::Command judge_command();
 [[nodiscard]] run::Command methods_command();
 [[nodiscard]] run::Command cases_command();
-[[nodiscard]] run::Command scenes_command();
 [[nodiscard]] run::Command cell_command();
 [[nodiscard]] run::Command regress_command();
 [[nodiscard]] run::Command corpus_command();

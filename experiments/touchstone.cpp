@@ -23,8 +23,8 @@ std::vector<touchstone::run::Command> all_commands() {
     for (auto& command : some) command.help().heading = heading;
     commands.insert(commands.end(), some.begin(), some.end());
   };
-  add("Ask and judge", {ask_command(), judge_command(), show_command(), scenes_command(), cases_command(),
-                        methods_command(), regress_command(), corpus_command()});
+  add("Ask and judge", {ask_command(), judge_command(), show_command(), cases_command(), methods_command(),
+                        regress_command(), corpus_command()});
 #ifndef TOUCHSTONE_WITHOUT_STUDIES
   add("Studies", study_commands());
   add("The cell and the thesis", {cell_command(), thesis_command()});

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/container_hash/hash.hpp>
 #include <cmath>
 #include <cstdio>
@@ -28,10 +29,10 @@ namespace {
 using nlohmann::json;
 
 bool is_code(const json& value) {
-  if (!value.is_string()) return false;
-  for (int code = 0; !to_string(RejectionCode(code)).empty(); ++code)
-    if (to_string(RejectionCode(code)) == value.get_ref<const std::string&>()) return true;
-  return false;
+  using enum RejectionCode;
+  constexpr std::array kCodes{MalformedCase, NotFinite,       NegativeRadius, TooFewVertices, RepeatedVertex,
+                              ZeroNormal,    LoopMeetsItself, LoopsMeet,      HoleOutside};
+  return std::ranges::any_of(kCodes, [&](RejectionCode code) { return value == json(to_string(code)); });
 }
 
 bool is_finite(const json& value) {
@@ -257,25 +258,6 @@ MeshShapes read_mesh_shapes(const Reader& reader, const std::filesystem::path& f
   return {std::move(question), std::move(posed)};
 }
 
-using Take = std::function<bool(Line&&)>;
-
-/// Calls `take` with each line that is not blank, without its case.
-bool walk_stream(std::istream& stream, const std::string& name, std::uint64_t& bytes, const Take& take) {
-  std::string text;
-  for (std::size_t number = 1; std::getline(stream, text); ++number) {
-    bytes += text.size() + 1;
-    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    Line line{.text = text, .place = fmt::format("{}: line {}", name, number), .read = {}, .complaint = {}};
-    line.file = name;
-    line.end = bytes;
-    if (!take(std::move(line))) return false;
-  }
-  // Only the C stream records errors of standard input.
-  const bool failed = &stream == &std::cin ? std::ferror(stdin) != 0 : stream.bad();
-  if (!failed) return true;
-  return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
-}
-
 std::filesystem::path folder_of(const Line& line) { return std::filesystem::path(line.file).parent_path(); }
 
 void read_case_of(Line& line) {
@@ -384,47 +366,52 @@ Case read_case(std::string_view line, const std::filesystem::path& folder) {
   return result;
 }
 
-void walk_lines(const std::vector<std::string>& files, const Take& take) {
-  std::uint64_t bytes = 0;
-  if (files.empty()) {
-    run::announce_standard_input("cases");
-    walk_stream(std::cin, "standard input", bytes, take);
-  }
-  for (const std::string& file : files) {
-    std::ifstream stream;
-    std::string complaint;
-    try {
-      stream = run::open_file(file);
-    } catch (const std::runtime_error& error) {
-      complaint = error.what();
-    }
-    const bool continues = complaint.empty()
-                               ? walk_stream(stream, file, bytes, take)
-                               : take({.text = {}, .place = {}, .read = {}, .complaint = complaint, .file = file});
-    if (!continues) return;
-  }
+LineReader::LineReader(std::vector<std::string> files) : files_(std::move(files)) {
+  if (!files_.empty()) return;
+  run::announce_standard_input("cases");
+  stream_ = &std::cin;
+  name_ = "standard input";
 }
 
-void read_lines(const std::vector<std::string>& files, const Take& take, LineRange range) {
-  std::uint64_t number = 0;
-  walk_lines(files, [&](Line&& line) {
-    const std::uint64_t n = number++;
-    if (n < range.first) return true;
-    if (n - range.first >= range.count) return false;
-    if (line.complaint.empty()) read_case_of(line);
-    return take(std::move(line));
-  });
+std::optional<Line> LineReader::next() {
+  for (; stream_ != nullptr || opened_ < files_.size(); stream_ = nullptr) {
+    if (stream_ == nullptr) {
+      name_ = files_[opened_++];
+      number_ = 0;
+      try {
+        file_ = run::open_file(name_);
+      } catch (const std::runtime_error& error) {
+        return Line{.text = {}, .place = {}, .read = {}, .complaint = error.what(), .file = name_};
+      }
+      stream_ = &file_;
+    }
+    for (std::string text; std::getline(*stream_, text);) {
+      ++number_;
+      bytes_ += text.size() + 1;
+      if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+      return Line{std::move(text), fmt::format("{}: line {}", name_, number_), {}, {}, name_, bytes_};
+    }
+    // Only the C stream records errors of standard input.
+    if (stream_ == &std::cin ? std::ferror(stdin) == 0 : !stream_->bad()) continue;
+    stream_ = nullptr;
+    return Line{.text = {}, .place = {}, .read = {}, .complaint = name_ + ": cannot be read to its end"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Line> LineReader::next_case() {
+  std::optional<Line> line = next();
+  if (line && line->complaint.empty()) read_case_of(*line);
+  return line;
 }
 
 LineCount count_lines(const std::vector<std::string>& files) {
   LineCount count;
   std::set<std::string> meshes;
-  walk_lines(files, [&](Line&& line) {
-    ++count.lines;
-    boost::hash_combine(count.hash, std::hash<std::string>()(line.text));
-    if (auto mesh = mesh_file_of(line)) meshes.insert(*std::move(mesh));
-    return true;
-  });
+  for (LineReader reader(files); const auto line = reader.next(); ++count.lines) {
+    boost::hash_combine(count.hash, std::hash<std::string>()(line->text));
+    if (auto mesh = mesh_file_of(*line)) meshes.insert(*std::move(mesh));
+  }
   count.meshes.assign(meshes.begin(), meshes.end());
   return count;
 }

@@ -3,8 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <limits>
+#include <fstream>
 #include <optional>
 #include <span>
 #include <string>
@@ -90,17 +89,27 @@ struct Line {
   std::uint64_t end = 0;  ///< the number of bytes read up to the end of the line, of all files
 };
 
-/// Lines of files that are not blank, by their numbers from 0. A file that cannot be read is a line, too.
-struct LineRange {
-  std::uint64_t first = 0, count = std::numeric_limits<std::uint64_t>::max();
+/// The lines of files, one after the other, that are not blank. A file that cannot be read is a line, too.
+class LineReader {
+ public:
+  /// Without files, reads standard input.
+  explicit LineReader(std::vector<std::string> files);
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+
+  /// Returns the next line without its case; nothing at the end.
+  [[nodiscard]] std::optional<Line> next();
+  /// Returns the next line with its case.
+  [[nodiscard]] std::optional<Line> next_case();
+
+ private:
+  std::vector<std::string> files_;
+  std::size_t opened_ = 0;  ///< files
+  std::ifstream file_;
+  std::istream* stream_ = nullptr;  ///< what is read now
+  std::string name_;                ///< of that
+  std::uint64_t number_ = 0, bytes_ = 0;
 };
-
-/// Calls `take` with the lines of the files, until it returns false, and reads no case. Without files, reads standard
-/// input.
-void walk_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take);
-
-/// Likewise calls `take` with the lines in this range, and reads their cases.
-void read_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take, LineRange range = {});
 
 /// How many lines files have, and a hash of them: parts of a run are of the same lines.
 struct LineCount {

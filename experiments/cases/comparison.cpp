@@ -108,18 +108,18 @@ Key key_of(Test test) {
   return key_of(&PartialAnswer::contact);
 }
 
-cases::QueryKind query_kind(Test test) {
+QueryKind query_kind(Test test) {
   switch (test) {
-    case Test::Plane: return cases::QueryKind::PlaneSide;
-    case Test::Foot: return cases::QueryKind::Foot;
-    case Test::Edges: return cases::QueryKind::EdgesHit;
-    case Test::Relation: return cases::QueryKind::Relation;
+    case Test::Plane: return QueryKind::PlaneSide;
+    case Test::Foot: return QueryKind::Foot;
+    case Test::Edges: return QueryKind::EdgesHit;
+    case Test::Relation: return QueryKind::Relation;
     case Test::Contact: break;
   }
-  return cases::QueryKind::Contact;
+  return QueryKind::Contact;
 }
 
-std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer, const cases::PartialAnswer& truth,
+std::optional<Outcome> compare(Test test, const PartialAnswer& answer, const PartialAnswer& truth,
                                bool knows_boundary) {
   switch (test) {
     case Test::Plane:
@@ -141,9 +141,9 @@ std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer, co
   return std::nullopt;
 }
 
-bool knows_boundary(const cases::Method& method) {
+bool knows_boundary(const Method& method) {
   const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
-  return method.prepare(square)->ask({{1, 0, 0}, 1}, cases::QueryKind::Foot).foot == PointLocation::Boundary;
+  return method.prepare(square)->ask({{1, 0, 0}, 1}, QueryKind::Foot).foot == PointLocation::Boundary;
 }
 
 }  // namespace touchstone::cases

@@ -45,7 +45,7 @@ inline constexpr std::array kTests{Test::Plane, Test::Foot, Test::Edges, Test::C
 /// Returns the key that the test compares.
 [[nodiscard]] Key key_of(Test test);
 /// Returns the query that yields the key of the test.
-[[nodiscard]] cases::QueryKind query_kind(Test test);
+[[nodiscard]] QueryKind query_kind(Test test);
 
 /// An answer compared with the truth. `In` is the larger answer: plane intersected, foot not outside, edge hit,
 /// contact.
@@ -64,11 +64,11 @@ enum class Outcome {
 ///  - Edges: the whole list. WronglyIn if the answer lists an edge that is not hit, else WronglyOut.
 ///  - Contact: yes or no.
 ///  - Relation: all three words.
-[[nodiscard]] std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer,
-                                             const cases::PartialAnswer& truth, bool knows_boundary);
+[[nodiscard]] std::optional<Outcome> compare(Test test, const PartialAnswer& answer, const PartialAnswer& truth,
+                                             bool knows_boundary);
 
 /// Returns whether the method reports the boundary in the simplest case: in the plane of a square, at the midpoint of
 /// an edge.
-[[nodiscard]] bool knows_boundary(const cases::Method& method);
+[[nodiscard]] bool knows_boundary(const Method& method);
 
 }  // namespace touchstone::cases

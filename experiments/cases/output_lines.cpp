@@ -9,8 +9,8 @@
 namespace touchstone::cases {
 namespace {
 
-Verdict begin(const Verdict& id, std::string_view method) {
-  Verdict verdict = Verdict::object();
+Json begin(const Json& id, std::string_view method) {
+  Json verdict = Json::object();
   verdict["id"] = id;
   verdict["method"] = method;
   return verdict;
@@ -19,7 +19,7 @@ Verdict begin(const Verdict& id, std::string_view method) {
 }  // namespace
 
 std::string unanswered_line(const std::string& id, std::string_view method) {
-  Verdict verdict = begin(id, method);
+  Json verdict = begin(id, method);
   verdict["unanswered"] = "motion";
   return to_line(verdict);
 }
@@ -38,7 +38,7 @@ std::string verdict_line(const std::string& id, std::string_view method, const S
   add_stated("error");
   add_stated("message");
   const PartialAnswer& values = answer.values;
-  if (explained_radius && !values.stage.empty()) add("stage", Verdict(values.stage).dump());
+  if (explained_radius && !values.stage.empty()) add("stage", Json(values.stage).dump());
   if (explained_radius && !values.first)
     add("margin", values.distance && !std::isnan(*values.distance)
                       ? std::to_string(workloads::doubles_between(*values.distance, *explained_radius))
@@ -47,7 +47,7 @@ std::string verdict_line(const std::string& id, std::string_view method, const S
 }
 
 std::string verdict_line(const std::optional<std::string>& id, std::string_view method, const Rejection& rejection) {
-  Verdict verdict = begin(id ? Verdict(*id) : Verdict(nullptr), method);
+  Json verdict = begin(id ? Json(*id) : Json(nullptr), method);
   verdict["error"] = to_string(rejection.code);
   verdict["message"] = (id ? "case " + *id + ": " : "") + rejection.message;
   return to_line(verdict);
@@ -55,7 +55,7 @@ std::string verdict_line(const std::optional<std::string>& id, std::string_view 
 
 std::string case_line(const std::string& id, const AnyShapes& shapes, const std::vector<std::string>& tags,
                       const std::optional<PartialAnswer>& expected) {
-  return to_line(case_of(id, shapes, tags, expected ? object_of(*expected) : Verdict(nullptr)));
+  return to_line(case_of(id, shapes, tags, expected ? object_of(*expected) : Json(nullptr)));
 }
 
 }  // namespace touchstone::cases

@@ -23,22 +23,22 @@ using nlohmann::json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Verdict number(double value) {
+Json number(double value) {
   if (!std::isfinite(value)) return nullptr;
   return value == 0 ? 0.0 : value;  // exact: drops the sign of zero
 }
 
-Verdict value_of(PlaneSide value) { return to_string(value); }
-Verdict value_of(PointLocation value) { return to_string(value); }
-Verdict value_of(Relation value) { return to_string(value); }
-Verdict value_of(FirstContactKind value) { return to_string(value); }
-Verdict value_of(bool value) { return value; }
-Verdict value_of(std::size_t value) { return value; }
-Verdict value_of(const std::vector<std::size_t>& value) { return value; }
-Verdict value_of(double value) { return number(value); }
-Verdict value_of(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
-Verdict value_of(const Feature& nearest) {
-  Verdict object = Verdict::object();
+Json value_of(PlaneSide value) { return to_string(value); }
+Json value_of(PointLocation value) { return to_string(value); }
+Json value_of(Relation value) { return to_string(value); }
+Json value_of(FirstContactKind value) { return to_string(value); }
+Json value_of(bool value) { return value; }
+Json value_of(std::size_t value) { return value; }
+Json value_of(const std::vector<std::size_t>& value) { return value; }
+Json value_of(double value) { return number(value); }
+Json value_of(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
+Json value_of(const Feature& nearest) {
+  Json object = Json::object();
   object["kind"] = to_string(nearest.kind);
   if (nearest.kind != Feature::Kind::Face) object["index"] = nearest.index;
   return object;
@@ -114,20 +114,20 @@ void read(const json& value, std::optional<Eigen::Vector3d>& point) {
   point = found;
 }
 
-Verdict loop(const Polygon& polygon, std::size_t number) {
-  Verdict points = Verdict::array();
+Json loop(const Polygon& polygon, std::size_t number) {
+  Json points = Json::array();
   for (std::size_t i = polygon.loop_begin(number); i < polygon.loop_end(number); ++i)
     points.push_back(value_of(polygon.vertex(i)));
   return points;
 }
 
-template <class Json>
-void write(std::string& line, const Json& value) {
+template <class Value>
+void write(std::string& line, const Value& value) {
   if (value.is_object()) {
     char separator = '{';
     for (const auto& [key, member] : value.items()) {
       line += separator;
-      line += Verdict(key).dump() + ':';
+      line += Json(key).dump() + ':';
       write(line, member);
       separator = ',';
     }
@@ -152,8 +152,8 @@ void write(std::string& line, const Json& value) {
   }
 }
 
-template <class Json>
-std::string text(const Json& value) {
+template <class Value>
+std::string text(const Value& value) {
   std::string line;
   write(line, value);
   return line;
@@ -161,8 +161,8 @@ std::string text(const Json& value) {
 
 }  // namespace
 
-Verdict object_of(const PartialAnswer& answer) {
-  Verdict object = Verdict::object();
+Json object_of(const PartialAnswer& answer) {
+  Json object = Json::object();
   for (const Key& key : kKeys) {
     key.visit([&](auto member) {
       if (answer.*member) object[std::string(key.name)] = value_of(*(answer.*member));
@@ -174,15 +174,14 @@ Verdict object_of(const PartialAnswer& answer) {
 
 StatedAnswer stated(const PartialAnswer& answer) {
   StatedAnswer result{.values = answer, .texts = {}};
-  const Verdict object = object_of(answer);
+  const Json object = object_of(answer);
   for (const auto& [key, value] : object.items()) result.texts[key] = text(value);
   return result;
 }
 
 StatedAnswer stated(const Rejection& rejection) {
-  return {
-      .values = {},
-      .texts = {{"error", text(Verdict(to_string(rejection.code)))}, {"message", text(Verdict(rejection.message))}}};
+  return {.values = {},
+          .texts = {{"error", text(Json(to_string(rejection.code)))}, {"message", text(Json(rejection.message))}}};
 }
 
 StatedAnswer stated_in(const json& object) {
@@ -202,31 +201,31 @@ StatedAnswer stated_in(const json& object) {
   return result;
 }
 
-Verdict object_of(const Ball& ball) { return {{"center", value_of(ball.center)}, {"radius", number(ball.radius)}}; }
+Json object_of(const Ball& ball) { return {{"center", value_of(ball.center)}, {"radius", number(ball.radius)}}; }
 
-Verdict object_of(const Motion& motion) { return {{"to", value_of(motion.to)}}; }
+Json object_of(const Motion& motion) { return {{"to", value_of(motion.to)}}; }
 
-Verdict object_of(const Polygon& polygon) {
-  Verdict holes = Verdict::array();
+Json object_of(const Polygon& polygon) {
+  Json holes = Json::array();
   for (std::size_t number = 1; number < polygon.loop_count(); ++number) holes.push_back(loop(polygon, number));
   return {{"outer", loop(polygon, 0)}, {"holes", std::move(holes)}};
 }
 
-Verdict object_of(const Mesh& mesh) {
-  Verdict vertices = Verdict::array();
+Json object_of(const Mesh& mesh) {
+  Json vertices = Json::array();
   for (const Eigen::Vector3d& vertex : mesh.vertices) vertices.push_back(value_of(vertex));
   return {{"vertices", std::move(vertices)}, {"faces", mesh.faces}};
 }
 
-Verdict object_of(const Pose& pose) {
-  Verdict rows = Verdict::array();
+Json object_of(const Pose& pose) {
+  Json rows = Json::array();
   for (Eigen::Index i = 0; i < 3; ++i) rows.push_back(value_of(Eigen::Vector3d(pose.rotation.row(i))));
   return {{"rotation", std::move(rows)}, {"translation", value_of(pose.translation)}};
 }
 
-Verdict case_of(const std::string& id, const AnyShapes& shapes, const std::vector<std::string>& tags,
-                const Verdict& expected) {
-  Verdict object = Verdict::object();
+Json case_of(const std::string& id, const AnyShapes& shapes, const std::vector<std::string>& tags,
+             const Json& expected) {
+  Json object = Json::object();
   object["id"] = id;
   const Question& question = question_of(shapes);
   object["ball"] = object_of(ball_of(question));
@@ -243,7 +242,7 @@ Verdict case_of(const std::string& id, const AnyShapes& shapes, const std::vecto
   return object;
 }
 
-std::string to_line(const Verdict& verdict) {
+std::string to_line(const Json& verdict) {
   std::string line;
   write(line, verdict);
   return line + '\n';

@@ -12,22 +12,22 @@
 namespace touchstone::cases {
 
 /// An object that keeps the order of its keys.
-using Verdict = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 /// Returns the keys that a method computed, in the form of a verdict or of `expected`. Numbers beyond the finite
 /// doubles become null, -0 becomes 0. Keys for which `is_null` holds are null.
-[[nodiscard]] Verdict object_of(const PartialAnswer& answer);
+[[nodiscard]] Json object_of(const PartialAnswer& answer);
 
 /// Returns `center` and `radius`.
-[[nodiscard]] Verdict object_of(const Ball& ball);
+[[nodiscard]] Json object_of(const Ball& ball);
 /// Returns `to`.
-[[nodiscard]] Verdict object_of(const Motion& motion);
+[[nodiscard]] Json object_of(const Motion& motion);
 /// Returns `outer` and `holes`.
-[[nodiscard]] Verdict object_of(const Polygon& polygon);
+[[nodiscard]] Json object_of(const Polygon& polygon);
 /// Returns `vertices` and `faces`.
-[[nodiscard]] Verdict object_of(const Mesh& mesh);
+[[nodiscard]] Json object_of(const Mesh& mesh);
 /// Returns `rotation` and `translation`.
-[[nodiscard]] Verdict object_of(const Pose& pose);
+[[nodiscard]] Json object_of(const Pose& pose);
 
 /// Reads the keys of an answer, `error` and `message` of an object: `expected` of a case, or the reply of an engine.
 /// Ignores other keys.
@@ -38,10 +38,10 @@ using Verdict = nlohmann::ordered_json;
 
 /// Returns a case in the form of the contract, without `expected` if that is null. The pose of a mesh is left out if it
 /// is the identity.
-[[nodiscard]] Verdict case_of(const std::string& id, const AnyShapes& shapes, const std::vector<std::string>& tags,
-                              const Verdict& expected = nullptr);
+[[nodiscard]] Json case_of(const std::string& id, const AnyShapes& shapes, const std::vector<std::string>& tags,
+                           const Json& expected = nullptr);
 
 /// Returns one line of JSON, with numbers in the shortest form that reads back as the same double (std::to_chars).
-[[nodiscard]] std::string to_line(const Verdict& verdict);
+[[nodiscard]] std::string to_line(const Json& verdict);
 
 }  // namespace touchstone::cases

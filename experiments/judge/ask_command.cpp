@@ -16,17 +16,16 @@
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/judge/polygon_text.h"
+#include "experiments/judge/ask.h"
 #include "experiments/judge/show/case_view.h"
-#include "experiments/judge/show/page.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command.h"
 #include "experiments/run/input.h"
 #include "experiments/run/numbers.h"
 #include "experiments/run/output.h"
+#include "experiments/run/printing.h"
 #include "geometry/io/detail/legible.h"
-#include "geometry/io/read_mesh.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
@@ -35,9 +34,9 @@ namespace touchstone::commands {
 namespace {
 
 struct AskOptions {
-  std::string ball, to, polygon, mesh, show;
+  std::string ball, balls, to, polygon, mesh, show, output;
   methods::Selection methods{{"fast"}};
-  bool print = false, force = false;
+  bool print = false, nearest = false, force = false;
 };
 
 /// Calls f, and names the option in what it throws.
@@ -152,37 +151,59 @@ std::string some_of(const std::vector<std::uint32_t>& numbers) {
 
 /// Prints which faces the ball touches, and returns the one that is nearest or touched first, as a polygon.
 Polygon ask_mesh(const AskOptions& options, const cases::Question& question) {
-  return of_option("--mesh", [&] {
-    const Mesh mesh = read_mesh(options.mesh).mesh;
-    mesh::MeshFaces faces = mesh::scene_faces(mesh);
-    scene::Scene scene;
-    scene.add(options.mesh, std::move(faces.faces));
-    const auto* motion = std::get_if<Motion>(&question);
-    std::vector<std::uint32_t> touched;
-    for (const scene::FaceId& id : motion != nullptr ? scene.touched(*motion) : scene.touched(std::get<Ball>(question)))
-      touched.push_back(faces.numbers[id.face]);
-    std::ranges::sort(touched);
-    std::uint32_t face = scene.nearest(cases::ball_of(question))->face.face;
-    if (motion != nullptr)
-      if (const auto first = scene.first_contact(*motion)) face = first->face.face;
-    if (!options.print) {
-      const std::string all = run::counted(mesh.faces.size(), "face");
-      fmt::print("The ball touches {} of {}{}{}.\n", touched.size(), all, touched.empty() ? "" : ": ",
-                 some_of(touched));
-      const char* which = motion == nullptr ? "nearest" : touched.empty() ? "nearest to the start" : "first";
-      fmt::print("Face {} is {}. About this face:\n\n", faces.numbers[face], which);
-    }
-    return mesh::face_polygon(mesh, faces.numbers[face]);
-  });
+  const judge::AskedMesh asked = of_option("--mesh", [&] { return judge::read_asked_mesh(options.mesh); });
+  const scene::Scene& scene = asked.scene;
+  const auto* motion = std::get_if<Motion>(&question);
+  std::vector<std::uint32_t> touched;
+  for (const scene::FaceId& id : motion != nullptr ? scene.touched(*motion) : scene.touched(std::get<Ball>(question)))
+    touched.push_back(asked.numbers[id.face]);
+  std::ranges::sort(touched);
+  std::uint32_t face = scene.nearest(cases::ball_of(question))->face.face;
+  if (motion != nullptr)
+    if (const auto first = scene.first_contact(*motion)) face = first->face.face;
+  if (!options.print) {
+    const std::string all = run::counted(asked.mesh.faces.size(), "face");
+    fmt::print("The ball touches {} of {}{}{}.\n", touched.size(), all, touched.empty() ? "" : ": ", some_of(touched));
+    const char* which = motion == nullptr ? "nearest" : touched.empty() ? "nearest to the start" : "first";
+    fmt::print("Face {} is {}. About this face:\n\n", asked.numbers[face], which);
+  }
+  return mesh::face_polygon(asked.mesh, asked.numbers[face]);
+}
+
+/// Prints or writes a line for each ball of the file.
+void ask_about_balls(const AskOptions& options) {
+  constexpr std::size_t kTogether = 1 << 14;  // so that their answers fit into memory, and many share a walk
+  if (!options.output.empty()) run::refuse_overwrite(options.output, options.force);
+  const judge::AskedMesh mesh = of_option("--mesh", [&] { return judge::read_asked_mesh(options.mesh); });
+  const auto balls = of_option("--balls", [&] { return judge::read_balls(options.balls); });
+  const auto moves = [](const judge::ListedBall& ball) { return std::holds_alternative<Motion>(ball.question); };
+  const auto moving = std::ranges::find_if(balls, moves);
+  if (options.nearest && moving != balls.end())
+    throw run::UsageError("--nearest",
+                          fmt::format("it is about balls at a place, but that of line {} moves; without it, "
+                                      "the faces on its way are listed, the first one first",
+                                      moving->line));
+  std::string file;
+  for (std::size_t first = 0; first < balls.size(); first += kTogether) {
+    const auto some = std::span(balls).subspan(first, std::min(kTogether, balls.size() - first));
+    const std::string lines = judge::answers_about(mesh, some, options.nearest);
+    const methods::DeferSignals whole;
+    if (options.output.empty())
+      fmt::print("{}", lines);
+    else
+      file += lines;
+    run::flush_standard_output();
+  }
+  if (!options.output.empty()) run::write_file(options.output, file, options.force);
 }
 
 }  // namespace
 
 run::Command ask_command() {
-  run::Command command("ask",
-                       "Answer one question about a ball and a polygon or mesh, in words: exact, and fast beside it");
+  run::Command command(
+      "ask", "Answer about a ball and a polygon or mesh in words, exact with fast beside it, or about many balls");
   auto options = std::make_shared<AskOptions>();
-  command.text("--ball", options->ball, "The centre and the radius: X,Y,Z,R").takes("BALL").required();
+  command.text("--ball", options->ball, "The centre and the radius: X,Y,Z,R").takes("BALL");
   command.text("--to", options->to, "The ball moves: its centre ends here, at X,Y,Z", run::not_empty).takes("POINT");
   command
       .text("--polygon", options->polygon,
@@ -198,14 +219,32 @@ run::Command ask_command() {
       .excludes("--methods")
       .excludes("--engine")
       .excludes("--show");
-  run::declare_force(command, options->force);
+  run::declare_force(command, options->force);  // before --output, which is a file here
+  command
+      .text(
+          "--balls", options->balls,
+          "Print a line of JSON for each ball of this file instead, with the faces that it touches; a line of the file "
+          "has the numbers x y z r, and the end of its way if the ball moves; - is standard input",
+          run::not_empty)
+      .takes("FILE")
+      .excludes_all_but({"--mesh", "--nearest", "--output", "--force"});
+  command.flag("--nearest", options->nearest, "Answer which face is nearest to the centre, and where").needs("--balls");
+  command.text("--output", options->output, "Write the lines to this file", run::not_empty)
+      .takes("FILE")
+      .needs("--balls");
+  run::require_one_of(command, {"--ball", "--balls"});
   command.help().footer =
       "exact is certified. Another method is listed by what it answers otherwise. Exit status: 2 for wrong input, else "
       "0.";
   command.help().examples.emplace_back("ask --ball 1,1,1,1.1547005383792515 --polygon '1 0 0, 0 1 0, 0 0 1'");
+  command.help().examples.emplace_back("ask --mesh part.obj --balls balls.txt --nearest");
   command.runs([options] {
     if (!options->show.empty()) run::refuse_overwrite(options->show, options->force);
     const methods::KillEngineOnSignal kill_engine_on_signal;
+    if (!options->balls.empty()) {
+      ask_about_balls(*options);
+      return 0;
+    }
     const cases::Question question = question_of(*options);
     answer(*options, {question, options->mesh.empty() ? polygon_of(*options) : ask_mesh(*options, question)});
     return 0;

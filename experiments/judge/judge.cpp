@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -29,12 +29,13 @@ std::string name(const cases::Line& line) { return line.read->id ? "case " + io:
 
 Entry complaint(Status status, std::string sentence) { return {.complaint = std::move(sentence), .status = status}; }
 
-/// Returns the keys of an expectation that the order compares.
-std::vector<std::string> compared_keys(const Order& order, const cases::StatedAnswer& expected) {
+/// Returns the keys of an expectation that the question compares.
+std::vector<std::string> compared_keys(const Question& question, const cases::StatedAnswer& expected) {
   std::vector<std::string> keys;
   for (const auto& [name, text] : expected.texts) {
     const auto key = cases::find_key(name);
-    if (order.keys.empty() || (key && std::ranges::find(order.keys, *key) != order.keys.end())) keys.push_back(name);
+    if (question.keys.empty() || (key && std::ranges::find(question.keys, *key) != question.keys.end()))
+      keys.push_back(name);
   }
   return keys;
 }
@@ -45,14 +46,15 @@ bool is_valid(const cases::Line& line) { return line.read && !std::holds_alterna
 
 bool is_triangle(const Polygon& polygon) { return polygon.vertex_count() == 3; }
 
-/// Returns whether the order leaves out cases of this kind.
-bool leaves_out(const Order& order, const cases::AnyShapes& shapes) {
-  if (order.at_rest && std::holds_alternative<Motion>(question_of(shapes))) return true;
-  return order.triangles && !std::ranges::all_of(faces_of(shapes), is_triangle);
+/// Returns whether the question leaves out cases of this kind.
+bool leaves_out(const Question& question, const cases::AnyShapes& shapes) {
+  if (question.at_rest && std::holds_alternative<Motion>(question_of(shapes))) return true;
+  return question.triangles && !std::ranges::all_of(faces_of(shapes), is_triangle);
 }
 
 /// Returns the case without a comparison. `fault`: why there is no answer; else empty.
-Judged not_compared(const Order& order, const cases::Line& line, std::string_view method, const std::string& fault) {
+Judged not_compared(const Question& question, const cases::Line& line, std::string_view method,
+                    const std::string& fault) {
   Judged judged;
   judged.method = method;
   judged.id = *line.read->id;
@@ -60,7 +62,7 @@ Judged not_compared(const Order& order, const cases::Line& line, std::string_vie
   judged.tags = line.read->tags;
   judged.fault = fault;
   judged.has_expectation = line.read->expected.has_value();
-  if (judged.has_expectation) judged.compared = compared_keys(order, *line.read->expected);
+  if (judged.has_expectation) judged.compared = compared_keys(question, *line.read->expected);
   return judged;
 }
 
@@ -75,18 +77,18 @@ std::string text_for_engines(const cases::Line& line) {
 }
 
 /// Compares an answer with the expectation of the case.
-Judged compared(const Order& order, const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer,
-                const std::string& fault) {
-  Judged judged = not_compared(order, line, method, fault);
+Judged compared(const Question& question, const cases::Line& line, std::string_view method,
+                const cases::StatedAnswer& answer, const std::string& fault) {
+  Judged judged = not_compared(question, line, method, fault);
   if (!judged.has_expectation) return judged;
   const cases::StatedAnswer& expected = *line.read->expected;
   std::optional<cases::AnswersWithin> within;
   const auto is_within = [&](const cases::Difference& difference) {
     const auto key = cases::find_key(difference.key);
-    if (!order.beyond || !difference.found || !key) return false;
+    if (!question.beyond || !difference.found || !key) return false;
     if (!within) {
       cases::AnyShapes shapes = line.read->shapes();
-      const double margin = order.beyond->length(shapes);
+      const double margin = question.beyond->length(shapes);
       within.emplace(std::move(shapes), margin);
     }
     return within->is_exact(*key, expected) && within->has(*key, answer);
@@ -101,7 +103,7 @@ Judged compared(const Order& order, const cases::Line& line, std::string_view me
     is_wrong = is_wrong || difference.found;
     judged.differences.push_back(std::move(difference));
   }
-  if (is_wrong && order.keeps_wrong) {
+  if (is_wrong && question.keeps_wrong) {
     judged.line = text_for_engines(line);
     judged.verdict = cases::verdict_line(judged.id, method, answer);
     const auto& distance = expected.values.distance;
@@ -111,137 +113,138 @@ Judged compared(const Order& order, const cases::Line& line, std::string_view me
   return judged;
 }
 
-void take_rejection(const Order& order, const cases::Line& line, const Take& take) {
-  const cases::Case& given = *line.read;
-  Rejection rejection = std::get<Rejection>(given.content);
-  const std::string reason = rejection.message;
-  if (!given.id) rejection.message = fmt::format("{}: {}", io::all_legible(line.place), reason);
-  const bool expected = given.expected && given.expected->rejects();
-  const auto give = [&](std::string_view method) {
-    take({.verdict = cases::verdict_line(given.id, method, rejection)});
-    if (!expected) return;
-    for (const cases::Difference& difference : cases::differences(*given.expected, cases::stated(rejection)))
-      take(complaint(ExpectationNotMet, fmt::format("{}: method {}: {}", name(line), method, to_string(difference))));
-  };
-  for (const auto* method : order.methods) give(method->name());
-  for (const methods::Engine& engine : order.engines) give(engine.name);
-  if (expected) return;
-  take(complaint(InputRejected, fmt::format("touchstone: {}{}: rejected: {}: {}", line.place,
-                                            given.id ? ": " + name(line) : "", to_string(rejection.code), reason)));
+/// What one says of a case.
+struct Reply {
+  std::optional<cases::StatedAnswer> answer{};  ///< nothing if it cannot answer about moving balls
+  std::string fault{};                          ///< why there is no answer, or an empty one; else empty
+  std::string ended_before{};                   ///< how an engine had ended before it read the case; else empty
+};
+
+/// One who answers cases: a method of this program or an engine.
+struct Asker {
+  std::string name;
+  const cases::Method* method = nullptr;
+  std::unique_ptr<methods::SupervisedEngine> engine{};
+
+  [[nodiscard]] Reply ask(const cases::Line& line, const cases::AnyShapes& shapes) const {
+    if (engine) {
+      auto [answer, reason, ended_before] = engine->ask(*line.read->id, text_for_engines(line));
+      return {answer.value_or(cases::StatedAnswer()), std::move(reason), std::move(ended_before)};
+    }
+    try {
+      const auto answer = cases::prepare(*method, shapes)->answer(question_of(shapes));
+      return answer ? Reply{.answer = cases::stated(*answer)} : Reply{.fault = Judged::kNoMotions};
+    } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
+      return {.answer = cases::StatedAnswer(), .fault = fmt::format("ended with: {}", error.what())};
+    }
+  }
+};
+
+std::vector<Asker> askers_of(const Question& question) {
+  std::vector<Asker> askers;
+  for (const auto* method : question.methods) askers.push_back({std::string(method->name()), method});
+  for (const auto& [name, command] : question.engines)
+    askers.push_back(
+        {.name = name, .engine = std::make_unique<methods::SupervisedEngine>(command, question.time_limit)});
+  return askers;
 }
 
-void ask_own_methods(const Order& order, const cases::Line& line, const Take& take) {
-  const cases::Case& given = *line.read;
-  const cases::AnyShapes shapes = given.shapes();
-  for (const auto* method : order.methods) {
-    std::optional<cases::PartialAnswer> answered = cases::PartialAnswer{};
-    std::string fault;
-    try {
-      answered = cases::prepare(*method, shapes)->answer(question_of(shapes));
-    } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
-      fault = fmt::format("ended with: {}", error.what());
-    }
+std::string about(const Asker& engine, const std::string& ending) {
+  return fmt::format("engine {}: {}", engine.name, ending);
+}
+
+void ask_about(const Question& question, const cases::Line& line, const std::vector<Asker>& askers, const Take& take) {
+  const std::string& id = *line.read->id;
+  const cases::AnyShapes shapes = line.read->shapes();
+  for (const Asker& asker : askers) {
+    const auto [answer, fault, ended_before] = asker.ask(line, shapes);
+    if (!ended_before.empty())
+      take({.complaint = fmt::format("{} before case {}", about(asker, ended_before), io::legible(id)),
+            .status = ExpectationNotMet,
+            .ending = about(asker, ended_before)});
     Entry entry;
-    if (answered) {
-      const cases::StatedAnswer answer = cases::stated(*answered);
-      entry.verdict = cases::verdict_line(*given.id, method->name(), answer,
-                                          order.explain ? std::optional(radius_of(shapes)) : std::nullopt);
-      entry.judged = compared(order, line, method->name(), answer, fault);
+    if (answer) {
+      const bool explains = question.explain && asker.method != nullptr;
+      entry.verdict =
+          cases::verdict_line(id, asker.name, *answer, explains ? std::optional(radius_of(shapes)) : std::nullopt);
+      entry.judged = compared(question, line, asker.name, *answer, fault);
     } else {
-      entry.verdict = cases::unanswered_line(*given.id, method->name());
-      if (given.expected) entry.judged = not_compared(order, line, method->name(), Judged::kNoMotions);
+      entry.verdict = cases::unanswered_line(id, asker.name);
+      if (line.read->expected) entry.judged = not_compared(question, line, asker.name, fault);
     }
     take(std::move(entry));
   }
 }
 
-/// One engine that is judged.
-class JudgedEngine {
- public:
-  JudgedEngine(const Order& order, const methods::Engine& engine, const Take& take)
-      : order_(order), engine_(engine), process_(engine.command, order.time_limit), take_(take) {}
-
-  /// Takes the answer to a case that is not rejected: an empty one, with the engine's fault, if it gave no verdict.
-  void ask(const cases::Line& line) {
-    const std::string& id = *line.read->id;
-    const auto [given, reason, ended_before] = process_.ask(id, text_for_engines(line));
-    if (!ended_before.empty())
-      take_({.complaint = fmt::format("{} before case {}", about(ended_before), io::legible(id)),
-             .status = ExpectationNotMet,
-             .ending = about(ended_before)});
-    const cases::StatedAnswer answer = given.value_or(cases::StatedAnswer());
-    take_({.verdict = cases::verdict_line(id, engine_.name, answer),
-           .judged = compared(order_, line, engine_.name, answer, reason)});
+/// Tells every asker's verdict on a case that the contract rejects, without asking.
+void tell_rejection(const cases::Line& line, const std::vector<Asker>& askers, const Take& take) {
+  const cases::Case& given = *line.read;
+  Rejection rejection = std::get<Rejection>(given.content);
+  const std::string reason = rejection.message;
+  if (!given.id) rejection.message = fmt::format("{}: {}", io::all_legible(line.place), reason);
+  const bool expected = given.expected && given.expected->rejects();
+  for (const Asker& asker : askers) {
+    take({.verdict = cases::verdict_line(given.id, asker.name, rejection)});
+    if (!expected) continue;
+    for (const cases::Difference& difference : cases::differences(*given.expected, cases::stated(rejection)))
+      take(complaint(ExpectationNotMet,
+                     fmt::format("{}: method {}: {}", name(line), asker.name, to_string(difference))));
   }
-
-  /// `last`: the last case that it got.
-  void complain_of_surplus(const cases::Line& last) {
-    if (process_.has_surplus())
-      take_(complaint(ExpectationNotMet,
-                      fmt::format("{}: method {}: printed more than a line", name(last), engine_.name)));
-  }
-
-  void end() {
-    const std::string ending = process_.end();
-    if (!ending.empty()) take_({.status = ExpectationNotMet, .ending = about(ending)});
-  }
-
- private:
-  [[nodiscard]] std::string about(const std::string& ending) const {
-    return fmt::format("engine {}: {}", engine_.name, ending);
-  }
-
-  const Order& order_;
-  const methods::Engine& engine_;
-  methods::SupervisedEngine process_;
-  const Take& take_;
-};
+  if (expected) return;
+  take(complaint(InputRejected, fmt::format("touchstone: {}{}: rejected: {}: {}", line.place,
+                                            given.id ? ": " + name(line) : "", to_string(rejection.code), reason)));
+}
 
 }  // namespace
 
-std::uint64_t ask(const Order& order, const Take& take, const std::function<bool(std::uint64_t lines)>& proceeds) {
-  std::deque<JudgedEngine> engines;
-  for (const methods::Engine& engine : order.engines) engines.emplace_back(order, engine, take);
-  std::optional<cases::Line> last;  // the last case that the engines got
+std::uint64_t ask(const Question& question, const Take& take,
+                  const std::function<bool(std::uint64_t lines, std::uint64_t bytes)>& proceeds) {
+  const std::vector<Asker> askers = askers_of(question);
+  std::optional<cases::Line> last;  // the last case that they got
   const auto complain_of_surplus = [&] {
-    if (!last) return;
-    for (JudgedEngine& engine : engines) engine.complain_of_surplus(*last);
+    for (const Asker& asker : askers)
+      if (last && asker.engine && asker.engine->has_surplus())
+        take(complaint(ExpectationNotMet,
+                       fmt::format("{}: method {}: printed more than a line", name(*last), asker.name)));
   };
-  std::uint64_t lines = 0;
-  bool continues = true;
-  cases::read_lines(
-      order.files,
-      [&](cases::Line&& line) {
-        complain_of_surplus();
-        continues = proceeds(lines);
-        if (!continues) return false;
-        ++lines;
-        const bool valid = is_valid(line);
-        if (valid && leaves_out(order, line.read->shapes())) return true;
-        if (line.read && line.read->id) take({.place = line.place, .id = *line.read->id});
-        if (!line.read)
-          take(complaint(InputRejected, "touchstone: " + line.complaint));
-        else if (!valid)
-          take_rejection(order, line, take);
-        else
-          ask_own_methods(order, line, take);
-        if (valid)
-          for (JudgedEngine& engine : engines) engine.ask(line);
-        if (order.progress) order.progress(line.end);
-        if (valid) last = std::move(line);
-        return true;
-      },
-      order.lines);
-  if (!continues) return lines;
+  cases::LineReader reader(question.files);
+  for (std::uint64_t i = 0; i < question.first_line && reader.next(); ++i) {
+  }
+  std::uint64_t lines = 0, bytes = 0;
+  for (; lines < question.lines; ++lines) {
+    std::optional<cases::Line> line = reader.next_case();
+    if (!line) break;
+    complain_of_surplus();
+    if (!proceeds(lines, bytes)) return lines;
+    bytes = line->end;
+    const bool valid = is_valid(*line);
+    if (valid && leaves_out(question, line->read->shapes())) continue;
+    if (line->read && line->read->id) take({.place = line->place, .id = *line->read->id});
+    if (!line->read) {
+      take(complaint(InputRejected, "touchstone: " + line->complaint));
+    } else if (!valid) {
+      tell_rejection(*line, askers, take);
+    } else {
+      ask_about(question, *line, askers, take);
+      last = std::move(line);
+    }
+  }
   complain_of_surplus();
-  for (JudgedEngine& engine : engines) engine.end();
+  (void)proceeds(lines, bytes);
+  for (const Asker& asker : askers)
+    if (const std::string ending = asker.engine ? asker.engine->end() : ""; !ending.empty())
+      take({.status = ExpectationNotMet, .ending = about(asker, ending)});
   return lines;
 }
 
-Status judge(const Order& order) {
-  Teller teller(order);
+Status judge(const Question& question, const Output& output, const std::function<void(std::uint64_t)>& progress) {
+  Teller teller(output);
   (void)ask(
-      order, [&](Entry&& entry) { teller.tell(std::move(entry)); }, [](std::uint64_t) { return true; });
+      question, [&](Entry&& entry) { teller.tell(std::move(entry)); },
+      [&](std::uint64_t, std::uint64_t bytes) {
+        if (progress) progress(bytes);
+        return true;
+      });
   return teller.finish();
 }
 

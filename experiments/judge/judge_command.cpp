@@ -16,7 +16,6 @@
 #include "experiments/cases/margin.h"
 #include "experiments/cases/workloads/meshes.h"
 #include "experiments/judge/judge.h"
-#include "experiments/judge/judgement.h"
 #include "experiments/judge/known_failures.h"
 #include "experiments/judge/report.h"
 #include "experiments/methods/process/engine_process.h"
@@ -59,29 +58,26 @@ std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
   return keys;
 }
 
-judge::Order order_of(const JudgeOptions& options) {
-  judge::Order order;
-  if (!options.reads_standard_input()) order.files = options.files;
-  order.keys = find_keys(options.keys);
-  order.keeps_wrong = !options.report.empty();
-  order.explain = options.explain;
-  order.at_rest = options.at_rest;
-  order.triangles = options.triangles;
-  order.prints_verdicts = !options.summary && !options.json;
-  // A summary does not name the new ones among many failures that are known.
-  order.prints_differences = !options.quiet && (order.prints_verdicts || (!options.known.empty() && !options.update));
-  order.methods = methods::find_methods(options.methods.names);
+judge::Question question_of(const JudgeOptions& options) {
+  judge::Question question{.keys = find_keys(options.keys),
+                           .explain = options.explain,
+                           .at_rest = options.at_rest,
+                           .triangles = options.triangles,
+                           .keeps_wrong = !options.report.empty()};
+  if (!options.reads_standard_input()) question.files = options.files;
+  question.methods = methods::find_methods(options.methods.names);
   for (const std::string& text : options.methods.engines) {
     methods::Engine engine = methods::engine_of(text);
+    const auto& engines = question.engines;
     const bool is_taken = methods::find_method(engine.name) != nullptr ||
-                          std::ranges::find(order.engines, engine.name, &methods::Engine::name) != order.engines.end();
+                          std::ranges::find(engines, engine.name, &methods::Engine::name) != engines.end();
     if (is_taken) throw run::UsageError("--engine", io::legible(engine.name) + " is the name of a method or engine");
-    order.engines.push_back(std::move(engine));
+    question.engines.push_back(std::move(engine));
   }
-  if (options.methods.empty()) order.methods = methods::find_methods({"exact"});
-  order.time_limit = std::chrono::milliseconds(std::lround(1000 * options.time_limit));
-  if (!options.beyond.empty()) order.beyond = cases::margin_of(options.beyond);
-  return order;
+  if (options.methods.empty()) question.methods = methods::find_methods({"exact"});
+  question.time_limit = std::chrono::milliseconds(std::lround(1000 * options.time_limit));
+  if (!options.beyond.empty()) question.beyond = cases::margin_of(options.beyond);
+  return question;
 }
 
 /// Tells which known failures are mended and how many are new; with `update`, writes those that there are now.
@@ -109,7 +105,7 @@ std::optional<std::uint64_t> size_of(const std::vector<std::string>& files) {
 }
 
 /// Judges a part, or tells what the merged parts found. Returns the exit status.
-int judge_parts(judge::Order order, JudgeOptions& options) {
+int judge_parts(judge::Question question, const judge::Output& output, JudgeOptions& options) {
   if (options.part.empty() && options.call.parts.empty())
     throw run::UsageError("--output", "only a part has a folder: see --part");
   if (options.reads_standard_input())
@@ -118,40 +114,38 @@ int judge_parts(judge::Order order, JudgeOptions& options) {
     if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
       throw run::UsageError("--part", io::legible(file) + " is not a file that can be read again");
   run::StudyRun study("judge", kVersion, options);
-  options.counted = cases::count_lines(order.files);
+  options.counted = cases::count_lines(question.files);
   const std::uint64_t lines = options.counted.lines;
   judge::Judgement judgement = study.phase(
       "cases", "part.json", lines, judge::Judgement(), [&](const run::RunControl& control, judge::Judgement& found) {
-        order.lines = {control.part.first(lines), control.part.size(lines)};
+        question.first_line = control.part.first(lines);
+        question.lines = control.part.size(lines);
         found.lines = judge::ask(
-            order, [&](judge::Entry&& entry) { found.entries.push_back(std::move(entry)); },
-            [&](std::uint64_t judged) {
+            question, [&](judge::Entry&& entry) { found.entries.push_back(std::move(entry)); },
+            [&](std::uint64_t judged, std::uint64_t) {
               control.progress(judged);
               return !control.stop;
             });
       });
   if (study.is_part()) return study.finish({.done = judgement.lines, .items = lines});
-  judge::Teller teller(order);
+  judge::Teller teller(output);
   for (judge::Entry& entry : judgement.entries) teller.tell(std::move(entry));
   study.write_record({.samples_asked = lines, .samples_done = lines, .parts = options.call.parts.size()});
   return teller.finish();
 }
 
 /// Judges and tells each case at once. Returns the exit status.
-int judge_at_once(judge::Order order, const JudgeOptions& options) {
-  std::optional<run::ProgressLine> progress;
-  const bool fills_terminal = order.prints_verdicts && isatty(STDOUT_FILENO) == 1;
-  if (const auto size = size_of(order.files); size && !options.quiet && !fills_terminal) {
-    progress.emplace("judge", *size);
-    order.progress = std::ref(*progress);
-    order.before_complaint = [&] { progress->erase(); };
-  }
+int judge_at_once(const judge::Question& question, judge::Output output, bool quiet) {
   const methods::KillEngineOnSignal kill_engine_on_signal;
-  return judge::judge(order);
+  const bool fills_terminal = output.prints_verdicts && isatty(STDOUT_FILENO) == 1;
+  const auto size = size_of(question.files);
+  run::ProgressLine progress("judge", size.value_or(0), size && !quiet && !fills_terminal);
+  output.before_complaint = [&] { progress.erase(); };
+  return judge::judge(question, output, std::ref(progress));
 }
 
 int run_judge(JudgeOptions& options) {
-  judge::Order order = order_of(options);
+  const judge::Question question = question_of(options);
   for (const std::string& file : {options.junit, options.report})
     if (!file.empty() && options.part.empty()) run::refuse_overwrite(file, options.force);
 
@@ -159,18 +153,24 @@ int run_judge(JudgeOptions& options) {
   if (!options.known.empty()) {
     const bool begins = options.update && !std::filesystem::exists(options.known);
     known = begins ? judge::KnownFailures() : judge::KnownFailures(options.known);
-    order.known = &*known;
-    order.new_ones_pass = options.update;
   }
   judge::Tally tally;
   judge::JunitReport junit;
   judge::Report report;
-  order.judged = [&](const judge::Judged& judged) {
-    tally.add(judged);
-    if (!options.junit.empty()) junit.add(judged);
-    if (!options.report.empty()) report.add(judged);
-  };
-  const int status = options.output.empty() ? judge_at_once(order, options) : judge_parts(order, options);
+  const bool prints_verdicts = !options.summary && !options.json;
+  const judge::Output output{.prints_verdicts = prints_verdicts,
+                             // A summary does not name the new ones among many failures that are known.
+                             .prints_differences = !options.quiet && (prints_verdicts || (known && !options.update)),
+                             .judged =
+                                 [&](const judge::Judged& judged) {
+                                   tally.add(judged);
+                                   if (!options.junit.empty()) junit.add(judged);
+                                   if (!options.report.empty()) report.add(judged);
+                                 },
+                             .known = known ? &*known : nullptr,
+                             .new_ones_pass = options.update};
+  const int status =
+      options.output.empty() ? judge_at_once(question, output, options.quiet) : judge_parts(question, output, options);
   if (!options.part.empty() || status == run::kInterrupted) return status;
   if (options.json)
     fmt::print("{}", judge::summary_json(tally));
@@ -182,11 +182,18 @@ int run_judge(JudgeOptions& options) {
   return status;
 }
 
-}  // namespace
+/// Returns the fault of a margin, or an empty text.
+std::string margin_fault(const std::string& text) {
+  try {
+    (void)cases::margin_of(text);
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
 
-run::Command judge_command() {
-  run::Command command("judge", "Answer cases (JSON Lines) by methods or engines; compare with `expected`");
-  auto options = std::make_shared<JudgeOptions>();
+/// Declares who is asked, and about which cases.
+void declare_question(run::Command& command, const std::shared_ptr<JudgeOptions>& options) {
   methods::declare_methods(command, options->methods,
                            "Methods, separated by commas: names, or all (default: exact, or none with --engine)")
       .changes_results([options] {
@@ -206,25 +213,22 @@ run::Command judge_command() {
   command
       .flag("--at-rest", options->at_rest,
             "Leave out the cases of moving balls, for an engine that knows only balls at rest")
-      .changes_results([options] { return std::string(run::yes_or_no(options->at_rest)); });
+      .changes_results();
   command
       .flag("--triangles", options->triangles,
             "Leave out the cases of other polygons than triangles, and of meshes with such faces")
-      .changes_results([options] { return std::string(run::yes_or_no(options->triangles)); });
+      .changes_results();
   command
       .text("--beyond", options->beyond,
             "Count an answer as wrong only if it is still wrong when the radius is changed by this much: 2^-20 or 1e-6 "
             "of the case's largest coordinate, or a length such as 1e-6m",
-            [](const std::string& text) -> std::string {
-              try {
-                (void)cases::margin_of(text);
-                return {};
-              } catch (const std::invalid_argument& error) {
-                return error.what();
-              }
-            })
+            margin_fault)
       .takes("MARGIN")
       .changes_results();
+}
+
+/// Declares what is told, and where.
+void declare_telling(run::Command& command, const std::shared_ptr<JudgeOptions>& options) {
   command
       .text(
           "--known", options->known,
@@ -236,12 +240,11 @@ run::Command judge_command() {
       .flag("--update", options->update,
             "Write the failures that there are now to the file of --known; new ones do not change the exit status")
       .needs("--known");
-  command.flag("--explain", options->explain, "Add the deciding stage and the margin in doubles")
-      .changes_results([options] { return std::string(run::yes_or_no(options->explain)); });
+  command.flag("--explain", options->explain, "Add the deciding stage and the margin in doubles").changes_results();
   command
       .flag("--summary", options->summary,
             "Instead of verdicts and differences, print how many cases were wrong, by key, family and tag, with limits")
-      .changes_results([options] { return std::string(run::yes_or_no(options->summary)); });
+      .changes_results();
   run::declare_json(command, options->json,
                     "Instead of verdicts and differences, print the summary as one JSON object");
   run::declare_quiet(command, options->quiet, "Print verdicts only; report mismatches by exit status");
@@ -251,8 +254,12 @@ run::Command judge_command() {
       .text("--report", options->report,
             "Also write a page to this file: the summary, and the worst cases as pictures (HTML, self-contained)")
       .takes("FILE")
-      .changes_results([options] { return std::string(run::yes_or_no(!options->report.empty())); });
+      .changes_results([options] { return options->report.empty() ? "no" : "yes"; });
   run::declare_force(command, options->force);
+}
+
+/// Declares the files of cases, and that parts are of the same ones.
+void declare_parts(run::Command& command, const std::shared_ptr<JudgeOptions>& options) {
   run::declare_folder(command, options->output, "The folder of the part; `touchstone merge` tells the judgement");
   command.texts("FILE", options->files, "Files of cases; none, or -: standard input").changes_results([options] {
     const cases::LineCount& counted = options->counted;
@@ -262,6 +269,16 @@ run::Command judge_command() {
   });
   run::declare_part(command, *options).needs("--output");
   command.keep_call(options->call);
+}
+
+}  // namespace
+
+run::Command judge_command() {
+  run::Command command("judge", "Answer cases (JSON Lines) by methods or engines; compare with `expected`");
+  auto options = std::make_shared<JudgeOptions>();
+  declare_question(command, options);
+  declare_telling(command, options);
+  declare_parts(command, options);
   command.help().footer =
       "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for wrong input "
       "or an engine that cannot be started, 130 if interrupted.";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/polygon_text.h"
+#include "experiments/judge/ask.h"
 
 #include <fmt/core.h>
 

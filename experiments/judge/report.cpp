@@ -12,7 +12,6 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/judge/show/case_view.h"
-#include "experiments/judge/show/page.h"
 #include "experiments/run/numbers.h"
 #include "experiments/run/quoting.h"
 #include "experiments/run/statistics/shares.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/judge/judgement.h"
+#include "experiments/judge/judge.h"
 
 // What the judge makes of many cases: counts, a summary, JSON, JUnit and a page.
 namespace touchstone::judge {

@@ -22,12 +22,8 @@ std::string about(const Judged& judged, const std::string& what) {
 }  // namespace
 
 void Teller::tell(Entry&& entry) {
-  if (!entry.ending.empty()) {
-    const auto known = std::ranges::find(endings_, entry.ending);
-    if (entry.complaint.empty() && known == endings_.end()) endings_.push_back(entry.ending);
-    // A part cannot know that the engine would have ended so before the next case, too.
-    if (!entry.complaint.empty() && known != endings_.end()) endings_.erase(known);
-  }
+  // A part cannot know that the engine would have ended so before the next case, too.
+  if (!entry.ending.empty()) (entry.complaint.empty() ? endings_ : told_endings_).insert(entry.ending);
   if (!entry.place.empty()) tell_repeated_id(entry);
   if (!entry.complaint.empty()) complain(entry.complaint);
   worsen(entry.status);
@@ -37,17 +33,18 @@ void Teller::tell(Entry&& entry) {
 }
 
 Status Teller::finish() {
-  for (const std::string& ending : endings_) complain(ending);
+  for (const std::string& ending : endings_)
+    if (!told_endings_.contains(ending)) complain(ending);
   return status_;
 }
 
 void Teller::complain(const std::string& sentence) {
-  if (order_.before_complaint) order_.before_complaint();
-  fmt::print(order_.complaints, "{}\n", io::all_legible(sentence));
+  if (output_.before_complaint) output_.before_complaint();
+  fmt::print(output_.complaints, "{}\n", io::all_legible(sentence));
 }
 
 void Teller::tell_repeated_id(const Entry& entry) {
-  if (order_.known == nullptr || ids_.insert(entry.id).second) return;
+  if (output_.known == nullptr || ids_.insert(entry.id).second) return;
   complain(fmt::format("touchstone: {}: case {}: its id is not unique, so its failures cannot be known", entry.place,
                        io::legible(entry.id)));
   worsen(InputRejected);
@@ -55,17 +52,17 @@ void Teller::tell_repeated_id(const Entry& entry) {
 
 void Teller::tell_fault(const Judged& judged) {
   const bool answers = judged.fault.empty();
-  if (order_.known != nullptr) order_.known->judged(no_answer(judged), !answers);
+  if (output_.known != nullptr) output_.known->judged(no_answer(judged), !answers);
   if (answers || knows(no_answer(judged))) return;
-  if (judged.fault != Judged::kNoMotions || order_.prints_differences) complain(about(judged, judged.fault));
+  if (judged.fault != Judged::kNoMotions || output_.prints_differences) complain(about(judged, judged.fault));
   worsen_by_new_failure();
 }
 
 void Teller::print(const std::string& verdict) {
-  if (!order_.prints_verdicts) return;
+  if (!output_.prints_verdicts) return;
   const methods::DeferSignals whole;
-  const bool written = std::fwrite(verdict.data(), 1, verdict.size(), order_.verdicts) == verdict.size();
-  if (!written || std::fflush(order_.verdicts) != 0)
+  const bool written = std::fwrite(verdict.data(), 1, verdict.size(), output_.verdicts) == verdict.size();
+  if (!written || std::fflush(output_.verdicts) != 0)
     throw std::system_error(errno, std::generic_category(), "the verdicts cannot be written");
 }
 
@@ -80,18 +77,18 @@ void Teller::tell_differences(Judged& judged) {
       ++known;
       continue;
     }
-    if (order_.prints_differences) complain(about(judged, to_string(difference)));
+    if (output_.prints_differences) complain(about(judged, to_string(difference)));
     worsen_by_new_failure();
   }
   judged.known = is_known_fault || (known > 0 && known == judged.differences.size());
-  if (order_.known != nullptr && answers)
+  if (output_.known != nullptr && answers)
     for (const std::string& key : judged.compared) {
       const auto found = std::ranges::find(judged.differences, key, &cases::Difference::key);
       const bool fails = found != judged.differences.end(), omits = fails && !found->found;
-      order_.known->judged(failure(key, false), fails && !omits);
-      order_.known->judged(failure(key, true), omits);
+      output_.known->judged(failure(key, false), fails && !omits);
+      output_.known->judged(failure(key, true), omits);
     }
-  if (order_.judged) order_.judged(judged);
+  if (output_.judged) output_.judged(judged);
 }
 
 }  // namespace touchstone::judge

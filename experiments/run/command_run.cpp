@@ -3,11 +3,37 @@
 
 #include <fmt/core.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
-#include "experiments/run/pictures.h"
+#include "experiments/run/input.h"
+#include "experiments/run/quoting.h"
 
 namespace touchstone::run {
+namespace {
+
+/// Returns the first Python interpreter that has the required packages.
+std::optional<std::string> find_python() {
+  for (const std::string python : {"/usr/bin/python3", "python3"})
+    if (std::system((python + " -c 'import jinja2, matplotlib, numpy' 2>/dev/null").c_str()) == 0) return python;
+  return std::nullopt;
+}
+
+}  // namespace
+
+int draw_pictures(const std::string& name, const OutputFolder& folder) {
+  folder.share();
+  const std::string path = folder.path().string();
+  const std::string script = shell_quoted(data("experiments/report/draw.py").string());
+  const auto python = find_python();
+  if (python && std::system(fmt::format("{} -B {} {} {}", *python, script, name, shell_quoted(path)).c_str()) == 0)
+    return 0;
+  fmt::print(stderr, "touchstone: {}; the data are in {}\n",
+             python ? "the pictures could not be drawn" : "no pictures: no python3 with jinja2, matplotlib and numpy",
+             path);
+  return 1;
+}
 
 void declare_output(Command& command, FolderOptions& options, const std::string& about, bool has_pictures) {
   declare_folder(command, options.output, about);

@@ -29,6 +29,11 @@ struct FolderOptions {
 /// command whose folder has a default does not run without one.
 void declare_output(Command& command, FolderOptions& options, const std::string& about, bool has_pictures = false);
 
+/// Draws the data of a folder by experiments/report/studies/<name>.py, with the first Python interpreter that has the
+/// required packages: that of Debian, else the one on the path. Returns the exit status of a study: 0, or 1 if not all
+/// pictures could be drawn; standard error then says why. Throws as data() does.
+[[nodiscard]] int draw_pictures(const std::string& name, const OutputFolder& folder);
+
 /// One run of a command that writes a folder: its lock, its time, the request to stop, and its end.
 class CommandRun {
  public:

@@ -65,14 +65,14 @@ def verdict(folder, record):
     faces = SQUARE if record.get("faces") == "square" else record.get("faces", [])
     asked = list(probes(faces)) if all(len(face) == 3 for face in faces) else []
     balls = [[0, 0, 0, 1e6], *([*point, 0] for point, _ in asked)]
-    run = subprocess.run([PROGRAM, "scenes", file.name, "--balls", "-", "--quiet"], cwd=folder, capture_output=True, text=True,
+    run = subprocess.run([PROGRAM, "ask", "--mesh", file.name, "--balls", "-"], cwd=folder, capture_output=True, text=True,
                          input="".join(" ".join(map(repr, ball)) + "\n" for ball in balls))
     said, answers = run.stderr.strip(), [json.loads(line) for line in run.stdout.splitlines()]
     if "refused" in record:
         place, word = record["refused"]["place"], record["refused"]["word"]
-        begin = f"touchstone: {file.name}: " + (f"{place}: " if place else "")
+        begin = f"touchstone: --mesh: {file.name}: " + (f"{place}: " if place else "")
         right = run.returncode == 2 and not answers and said.startswith(begin) and word in said and "\n" not in said
-        text = "``" + said.removeprefix(f"touchstone: {file.name}: ") + "``" if place else "the extension, or what it holds"
+        text = "``" + said.removeprefix(f"touchstone: --mesh: {file.name}: ") + "``" if place else "the extension, or what it holds"
         return f"refused: {text}", "" if right else f"exit status {run.returncode}, '{said}', {len(answers)} answers"
     warning = f"touchstone: warning: {file.name}: " + record["warning"] if "warning" in record else ""
     wrong = "" if run.returncode == 0 and said.startswith(warning) and bool(said) == bool(warning) else f"'{said}'"

@@ -83,12 +83,6 @@ CASES = {
     "bytes that are not UTF-8, and so no JSON": b"{\"id\": \"\x9b\xff END\"}\n",
 }
 
-BALLS = {
-    "number": WORD + b" 0 0 1\n",
-    "id": (json.dumps({"id": TEXT, "ball": {"center": [0, 0, 0], "radius": -1}}) + "\n").encode(),
-    "word that is no JSON": b"{" + WORD + b"}\n",
-}
-
 # An engine prints what lies in this file.
 REPLIES = {
     "line": WORD + b"\n",
@@ -125,14 +119,17 @@ class Checks:
                 self.faults.append(f"{what}: no {text!r} in {shown!r}")
 
 
+def ask(mesh, balls="balls"):
+    return "ask", "--mesh", mesh, "--balls", balls
+
+
 def check_meshes(checks):
+    checks.write("balls", b"0 0 0 1\n")
     for name, content in MESHES.items():
         checks.write(name, content)
-        for command in ("scenes", "--samples", "1"), ("meshes", "--methods", "fast", "--force"):
-            arguments = (command[0], name, *command[1:])
-            echo = (SHOWN, b"END")
-            checks.run(arguments, *arguments, echoes=echo)
-            checks.run((*arguments, "--skip-bad"), *arguments, "--skip-bad", status=(0, 2), echoes=echo)
+        meshes = ("meshes", name, "--methods", "fast", "--force")
+        for arguments in (ask(name), meshes, (*meshes, "--skip-bad")):
+            checks.run(arguments, *arguments, status=(0, 2) if "--skip-bad" in arguments else (2,), echoes=(SHOWN, b"END"))
 
 
 def check_names(checks):
@@ -140,23 +137,19 @@ def check_names(checks):
     for what, content in ("sound", TRIANGLE), ("bad", bad), ("broken", b"f 7 8 9\n"):
         name = NAME + what.encode() + b".obj"
         checks.write(name, content)
-        for command in ("scenes", "--samples", "1"), ("meshes", "--methods", "fast", "--force"):
-            arguments = (command[0], name, *command[1:])
-            echo = (b"END",) if what != "sound" or command[0] != "scenes" else ()
-            checks.run(arguments, *arguments, status=(0,) if what == "sound" else (2,), echoes=echo,
-                       json_lines=command[0] == "scenes")
-            checks.run((*arguments, "--skip-bad"), *arguments, "--skip-bad", status=(0, 2), echoes=echo,
-                       json_lines=command[0] == "scenes")
+        meshes = ("meshes", name, "--methods", "fast", "--force")
+        for arguments in (ask(name), meshes, (*meshes, "--skip-bad")):
+            status = (0,) if what == "sound" else (0, 2) if "--skip-bad" in arguments else (2,)
+            checks.run(arguments, *arguments, status=status, json_lines=arguments[0] == "ask",
+                       echoes=(b"END",) if what != "sound" or arguments[0] != "ask" else ())
     for arguments in (("judge", NAME), ("corpus", "check", NAME), ("corpus", "shrink", NAME, "--method", "fast"),
-                      ("scenes", NAME + b".obj", "--samples", "1"), ("meshes", NAME + b".xyz" + NAME, "--methods", "fast", "--force"),
+                      ask(NAME + b".obj"), ("meshes", NAME + b".xyz" + NAME, "--methods", "fast", "--force"),
                       ("regress", "--baseline", NAME), (NAME,), ("judge", b"--" + NAME), ("judge", "--methods", NAME)):
         checks.run(arguments, *arguments, status=(1, 2, *range(100, 120)),
                    echoes=(SHOWN,) if len(arguments) > 1 else ())
     checks.write("a.obj", TRIANGLE)
-    checks.run("object", "scenes", "a.obj", "--objects", NAME, "--samples", "1", echoes=(SHOWN,))
-    checks.write("balls", b"0 0 0 x\n")
-    os.rename(os.path.join(checks.folder, "balls"), os.path.join(os.fsencode(checks.folder), NAME))
-    checks.run("balls", "scenes", "a.obj", "--balls", NAME, echoes=(SHOWN,))
+    checks.write(NAME, WORD + b" 0 0 1\n")
+    checks.run("balls", *ask("a.obj", NAME), echoes=(SHOWN, b"END"))
 
 
 def check_cases(checks):
@@ -174,13 +167,6 @@ def check_cases(checks):
                    json_lines=True)
     checks.run("engine", "judge", "--engine", b"exit 1 # " + NAME, "cases.jsonl", status=(1,), echoes=(SHOWN,),
                json_lines=True)
-
-
-def check_balls(checks):
-    checks.write("a.obj", TRIANGLE)
-    for what, content in BALLS.items():
-        checks.write("balls", content)
-        checks.run(what, "scenes", "a.obj", "--balls", "balls")
 
 
 def check_baselines(checks):
@@ -221,7 +207,7 @@ def check_parts(checks):
 def main(program):
     with tempfile.TemporaryDirectory() as folder:
         checks = Checks(os.path.abspath(program), folder)
-        for check in check_meshes, check_names, check_cases, check_balls, check_baselines, check_parts:
+        for check in check_meshes, check_names, check_cases, check_baselines, check_parts:
             check(checks)
         if checks.faults:
             sys.exit("\n".join(checks.faults))

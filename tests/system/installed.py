@@ -28,7 +28,6 @@ CALLS = [
     (["cell", "layout", "--quick", "--output", "layout"], "layout/*.svg"),
     (["cell", "export", "new/cell.json", "cell.html"], "cell.html"),
     (["cell", "show", "new/cell.json", "--output", "show"], "show/run.json"),
-    (["show", "case.jsonl", "--png", "case.png"], "case.png"),
     (["thesis", "--quick", "--samples", "100", "--output", "thesis"], "thesis/index.html"),
     (["tunnelling", "--vertices", "4", "--samples", "5", "--repetitions", "1", "--output", "tunnelling"], "tunnelling/*.svg"),
 ]

@@ -56,7 +56,7 @@ def main(program):
         with open(mesh, "w") as file:
             file.write("OFF\n400000 1 0\n0 0 0\n1 0 0\n" + "0.12345678901 1 0\n" * 399_998 + "3 0 1 2\n")
         check([program, "judge", "--methods", "fast", cases])
-        check([program, "scenes", mesh, "--samples", "1", "--threads", "1"])
+        check([program, "ask", "--mesh", mesh, "--ball", "0,0,0,1"])
 
 
 if __name__ == "__main__":

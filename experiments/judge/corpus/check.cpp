@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/check.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
+#include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/methods/registry.h"
 #include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"
@@ -84,22 +83,20 @@ Findings check_files(const std::vector<std::string>& files, run::Part part, cons
   Findings findings;
   std::set<std::string> ids, files_with_lines;
   std::uint64_t place = 0;
-  cases::walk_lines(files, [&](cases::Line&& line) {
-    if (stop) return false;
+  cases::LineReader reader(files);
+  for (std::optional<cases::Line> line; !stop && (line = reader.next()); ++place) {
     const bool is_own = place >= first && place - first < size;
-    ++place;
-    files_with_lines.insert(line.file);
-    if (!line.complaint.empty()) {
-      if (is_own) findings.faults.push_back(line.complaint);
+    files_with_lines.insert(line->file);
+    if (!line->complaint.empty()) {
+      if (is_own) findings.faults.push_back(line->complaint);
     } else if (is_own) {
       ++findings.cases;
-      std::ranges::move(faults_of(line, ids), std::back_inserter(findings.faults));
-      progress(line.end);
-    } else if (place <= first) {
-      note_id(line.text, ids);
+      std::ranges::move(faults_of(*line, ids), std::back_inserter(findings.faults));
+      progress(line->end);
+    } else if (place < first) {
+      note_id(line->text, ids);
     }
-    return true;
-  });
+  }
   for (const std::string& file : files)
     if (!stop && part.number == 1 && !files_with_lines.contains(file))
       findings.faults.push_back(file + ": holds no case");

@@ -52,7 +52,7 @@ std::string line_of(const CorpusCase& given, const PartialAnswer& truth) {
   std::erase_if(tags, [](const std::string& tag) { return tag.starts_with("fails:"); });
   for (const auto* method : failing_witnesses(given.shapes, truth))
     tags.push_back("fails:" + std::string(method->name()));
-  cases::Verdict object = cases::case_of(given.id, given.shapes, tags, cases::object_of(truth));
+  cases::Json object = cases::case_of(given.id, given.shapes, tags, cases::object_of(truth));
   object["origin"] = given.origin;
   return cases::to_line(object);
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/key.h"
+#include "experiments/run/sweep.h"
 
 namespace touchstone::corpus {
 
@@ -52,5 +56,37 @@ struct Labels {
   std::string origin;
 };
 [[nodiscard]] Labels labels_of(std::string_view line);
+
+/// Returns whether every coordinate and the radius is a float, and a mesh has no pose.
+[[nodiscard]] bool is_in_floats(const cases::AnyShapes& shapes);
+
+/// Returns a case like this one whose coordinates and radius are floats.
+///
+/// Every coordinate becomes the nearest float, of a mesh that of its posed vertices. If the radius is within 2^-40 of
+/// the one at which the ball begins to touch, relatively, it becomes the least float with which the ball touches, or a
+/// neighbour of that: the last float without contact, or the next one with it, by the case's id, unless a point touches
+/// already. Any other radius becomes the nearest float. `origin` says how the case was made. A case that is in floats
+/// stays as it is. The id ends with `-float` in either case.
+///
+/// Returns nothing if a number is beyond the floats, if the contract rejects the rounded polygon or mesh, if the ball
+/// then touches with no float as its radius, or if rounding moves vertices off a plane from which they were off by
+/// 2^-30 sizes of the polygon at most: an engine that does not lift vertices would be asked about another polygon.
+[[nodiscard]] std::optional<CorpusCase> in_floats(CorpusCase given);
+
+/// The result of a check: the number of cases, and the faults as sentences that name file, line, case and key. A check
+/// that was stopped has those of the first cases.
+struct Findings {
+  std::size_t cases = 0;
+  std::vector<std::string> faults;
+};
+
+/// Derives the whole answer of every case by `exact` and by `filtered`, and every rejection of loops; all must agree with
+/// the expectation of the case. A missing key, an id that is not unique among all
+/// files, and a line that is not a case are faults; the check continues with the other cases.
+///
+/// A part checks its share of the lines. It reads the ids of the lines before, so that the findings of all parts add up
+/// to those of one check.
+[[nodiscard]] Findings check_files(const std::vector<std::string>& files, run::Part part, const std::atomic<bool>& stop,
+                                   const run::Progress& progress);
 
 }  // namespace touchstone::corpus

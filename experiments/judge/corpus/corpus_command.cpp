@@ -17,9 +17,8 @@
 #include <vector>
 
 #include "experiments/cases/case.h"
-#include "experiments/judge/corpus/check.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/make.h"
+#include "experiments/judge/corpus/families.h"
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
@@ -145,16 +144,16 @@ int shrink(const ShrinkOptions& options) {
   int status = 0;
   std::size_t lines = 0;
   const auto files = options.file == "-" ? std::vector<std::string>{} : std::vector{options.file};
-  cases::read_lines(files, [&](cases::Line&& line) {
+  for (cases::LineReader reader(files); const auto line = reader.next_case();) {
     ++lines;
-    if (const auto shrunk = shrunk_line(line, method, key, stop_signal.requested())) {
+    if (const auto shrunk = shrunk_line(*line, method, key, stop_signal.requested())) {
       if (std::fwrite(shrunk->data(), 1, shrunk->size(), stdout) != shrunk->size() || std::fflush(stdout) != 0)
         throw std::system_error(errno, std::generic_category(), "the case cannot be written");
     } else {
       status = 2;
     }
-    return !stop_signal.requested();
-  });
+    if (stop_signal.requested()) break;
+  }
   if (lines == 0) {
     fmt::print(stderr, "touchstone: {}: there is no case in it\n", io::all_legible(options.file));
     return 2;

@@ -21,7 +21,6 @@
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/in_floats.h"
 #include "experiments/run/input.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +18,7 @@ inline constexpr int kVersion = 9;
 /// The maximal size of a file, because people read it.
 inline constexpr std::size_t kMostBytes = 350'000;
 
-/// The numbers of the cases: any doubles, or floats alone (in_floats.h).
+/// The numbers of the cases: any doubles, or floats alone (see in_floats).
 enum class Numbers { Doubles, Floats };
 
 /// One file of the corpus, or two: one of doubles and one of floats.
@@ -41,5 +42,10 @@ struct Family {
 /// and ends are small integers and quarters, so that ties of faces are exact where there is no pose. Nothing if a posed
 /// face is rejected, or if the centre is on the mesh. A function of its arguments.
 [[nodiscard]] std::optional<CorpusCase> draw_mesh_case(std::uint64_t seed, std::uint64_t index, bool moves);
+
+/// Returns every file of the corpus by its name: `FAMILY.jsonl`, `floats/FAMILY.jsonl`, `corpus.json` (version and
+/// counts) and the page README.md. The result does not depend on the number of threads. Throws the exceptions of the
+/// texts of families, and std::logic_error if a file is too large or an id is not unique.
+[[nodiscard]] std::map<std::string, std::string> make_corpus(unsigned threads);
 
 }  // namespace touchstone::corpus

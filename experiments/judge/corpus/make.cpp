@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/make.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>

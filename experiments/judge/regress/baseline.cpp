@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/regress/baseline.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "experiments/judge/regress/regress.h"
 #include "experiments/run/input.h"
 #include "experiments/run/json.h"
 #include "geometry/io/detail/legible.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/regress/outcome_table.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <stdexcept>
 
 #include "experiments/cases/comparison.h"
+#include "experiments/judge/regress/regress.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/judge/regress/baseline.h"
+#include "experiments/judge/regress/regress.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command_run.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <ranges>
 #include <set>
 
 #include "experiments/cases/workloads/ulp.h"
@@ -18,18 +19,6 @@ namespace {
 
 constexpr std::int64_t kLast = workloads::ordinal(std::numeric_limits<double>::max());
 constexpr std::int64_t kNear = 20, kAround = 8;
-
-/// Returns the least number from 0 to `last` for which the rising predicate holds, or nothing.
-template <class Holds>
-std::optional<std::int64_t> least(std::int64_t last, const Holds& holds) {
-  if (!holds(last)) return std::nullopt;
-  std::int64_t low = -1;  // does not hold
-  while (last - low > 1) {
-    const std::int64_t middle = low + (last - low) / 2;
-    (holds(middle) ? last : low) = middle;
-  }
-  return last;
-}
 
 /// Returns the offsets to show, where the answer first is yes at `change`.
 std::vector<std::int64_t> offsets_to(std::optional<std::int64_t> change) {
@@ -45,11 +34,6 @@ std::vector<std::int64_t> offsets_to(std::optional<std::int64_t> change) {
     for (std::int64_t k = -2; k < 2; ++k) offsets.insert(*change + k);
   }
   return {offsets.begin(), offsets.end()};
-}
-
-std::string doubles(std::int64_t count) {
-  if (count > 1'000'000) return "over a million doubles";
-  return run::counted(static_cast<std::uint64_t>(count), "double");
 }
 
 }  // namespace
@@ -73,13 +57,14 @@ Radii radii_around(const cases::AnyShapes& shapes) {
         cases::with_radius(question, radius));
   };
   const std::int64_t own = workloads::ordinal(own_ball.radius);
-  const auto first = least(kLast, [&](std::int64_t rank) { return touches(workloads::from_ordinal(rank)); });
+  const std::int64_t first = *std::ranges::partition_point(  // kLast + 1: no radius has contact
+      std::views::iota(std::int64_t{0}, kLast + 1), [&](auto rank) { return !touches(workloads::from_ordinal(rank)); });
   Radii radii;
   std::optional<std::int64_t> change;
-  if (first) {
-    if (*first > 0) change = *first - own;  // else even a point touches
-    radii.margin = own - *first;
-    const Ball ball{own_ball.center, workloads::from_ordinal(*first)};
+  if (first <= kLast) {
+    if (first > 0) change = first - own;  // else even a point touches
+    radii.margin = own - first;
+    const Ball ball{own_ball.center, workloads::from_ordinal(first)};
     radii.exactly_touching =
         std::holds_alternative<Ball>(question) && std::ranges::all_of(faces, [&](const auto& face) {
           return exact::relation(ball, face) != Relation::Overlapping;
@@ -88,7 +73,7 @@ Radii radii_around(const cases::AnyShapes& shapes) {
   for (const std::int64_t offset : offsets_to(change)) {
     if (own + offset < 0 || offset > kLast - own) continue;
     radii.offsets.push_back(offset);
-    radii.contact.push_back(first && offset >= *first - own);
+    radii.contact.push_back(offset >= first - own);
   }
   radii.every_double =
       radii.offsets.back() - radii.offsets.front() + 1 == static_cast<std::int64_t>(radii.offsets.size());
@@ -126,10 +111,11 @@ std::string margin_text(const CaseView& view) {
   if (!margin) return "No ball with this centre touches, whatever its radius.";
   if (workloads::move_radius_by_doubles(view.ball().radius, -*margin) == 0)
     return "Even a point there touches, so every ball does.";
-  if (*margin < 0)
-    return fmt::format("The ball does not touch: its radius is {} below the least one that does.", doubles(-*margin));
   if (*margin == 0) return "The ball touches: its radius is the least double that does.";
-  return fmt::format("The ball touches: its radius is {} above the least one that does.", doubles(*margin));
+  const auto count = static_cast<std::uint64_t>(std::abs(*margin));
+  return fmt::format(
+      "The ball {}: its radius is {} {} the least one that does.", *margin < 0 ? "does not touch" : "touches",
+      count > 1'000'000 ? "over a million doubles" : run::counted(count, "double"), *margin < 0 ? "below" : "above");
 }
 
 }  // namespace touchstone::show

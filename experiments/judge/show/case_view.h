@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/cases/case.h"
@@ -66,5 +69,39 @@ struct CaseView {
 /// Returns the margin as a sentence: `The ball touches: its radius is 3 doubles above the least one that does.`
 /// Margins of more than a million doubles are not counted.
 [[nodiscard]] std::string margin_text(const CaseView& view);
+
+/// The shapes of a case in coordinates for pictures: two in the plane of the view's polygon and the height above it, in
+/// doubles, scaled by a power of two. For drawing only.
+struct FlatCase {
+  using Loop = std::vector<Eigen::Vector3d>;
+
+  std::vector<Loop> loops;            ///< of the polygon, at height 0
+  std::vector<Loop> other_faces;      ///< of a mesh
+  Eigen::Vector3d from, to;           ///< the centre, and the end of its way (else the same)
+  std::optional<Eigen::Vector3d> at;  ///< the centre at a place, or when contact begins
+  double radius = 0;
+  std::optional<Eigen::Vector3d> touched;  ///< the nearest point, or the first touched one, at height 0
+  Eigen::Vector3d along;                   ///< the direction of the section: a unit vector in the plane
+
+  /// Returns the foot of the centre.
+  [[nodiscard]] Eigen::Vector3d foot() const { return {from.x(), from.y(), 0}; }
+  /// Returns the ends of the parts of the section, a plane through the centre, that lie inside these loops of a face.
+  [[nodiscard]] std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> section(std::span<const Loop> face) const;
+};
+
+/// Returns nothing if the numbers of the case differ too much for a picture.
+[[nodiscard]] std::optional<FlatCase> flat_case(const CaseView& view);
+
+/// Draws a case (SVG, in the style of a page): the polygon from above with the ball, the foot of its centre and the
+/// nearest point; a section through them; and the radii around that of the ball, double by double, with what `exact`
+/// and each method say of contact. Of a moving ball: its way, and the ball at its first contact.
+[[nodiscard]] std::string picture_of(const CaseView& view);
+
+/// Returns a case as a section of a page: its margin, its picture, and a table of what `exact` and the verdicts say,
+/// key by key, with what differs marked.
+[[nodiscard]] std::string section_of(const CaseView& view);
+
+/// Returns a page of HTML that loads nothing: the title, then the body.
+[[nodiscard]] std::string page_of(const std::string& title, const std::string& body);
 
 }  // namespace touchstone::show

@@ -2,24 +2,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <memory>
 #include <stdexcept>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
-#include "experiments/judge/show/page.h"
+#include "experiments/judge/show/case_view.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/command.h"
-#include "experiments/run/input.h"
-#include "experiments/run/json.h"
 #include "experiments/run/numbers.h"
 #include "experiments/run/output.h"
-#include "experiments/run/pictures.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -28,95 +20,52 @@ namespace {
 struct ShowOptions {
   std::vector<std::string> files, ids;
   methods::Selection methods{{"filtered", "fast", "fast-float", "thesis"}};
-  std::string verdicts, html, svg, png;
+  std::string html;
   std::uint64_t most = 20;
   bool force = false;
 };
 
-/// Verdicts that the judge has printed, by the id of the case.
-using Printed = std::multimap<std::string, show::Verdict>;
-
-Printed read_verdicts(const std::string& file) {
-  std::ifstream stream = run::open_file(file);
-  Printed printed;
-  std::string line;
-  for (std::size_t number = 1; std::getline(stream, line); ++number) {
-    const auto bad = [&](const std::string& why) {
-      throw std::runtime_error(fmt::format("{}: line {}: {}", file, number, why));
-    };
-    try {
-      const nlohmann::json verdict = run::read_strict_json(line).value;
-      if (!verdict.is_object() || !verdict.contains("id") || !verdict.contains("method"))
-        bad("is not a verdict of the judge");
-      if (!verdict["id"].is_string() || !verdict["method"].is_string()) continue;  // a case without an id
-      show::Verdict one{verdict["method"].get<std::string>(), cases::stated_in(verdict), {}, {}};
-      if (verdict.contains("unanswered")) one.fault = "cannot answer about moving balls";
-      printed.emplace(verdict["id"].get<std::string>(), std::move(one));
-    } catch (const run::NotJson& error) {
-      bad(std::string("not JSON: ") + error.what());
-    }
-  }
-  return printed;
-}
-
-/// Returns the selected cases; complains about lines that are not cases, and sets the status.
-std::vector<show::CaseView> views_of(const ShowOptions& options, int& status) {
-  constexpr int kWrongInput = 2;
-  const auto methods = options.verdicts.empty() ? options.methods.methods() : std::vector<const cases::Method*>();
-  const Printed printed = options.verdicts.empty() ? Printed() : read_verdicts(options.verdicts);
-  std::vector<show::CaseView> views;
-  std::uint64_t left_out = 0;
+/// Draws the selected cases; complains about lines that are not cases. Returns the exit status.
+int show_cases(const ShowOptions& options) {
+  if (!options.html.empty()) run::refuse_overwrite(options.html, options.force);
+  const auto methods = options.methods.methods();
   const auto files = options.files == std::vector<std::string>{"-"} ? std::vector<std::string>() : options.files;
-  cases::read_lines(files, [&](cases::Line&& line) {
+  int status = 0;
+  std::uint64_t shown = 0, left_out = 0;
+  std::string title, body;
+  for (cases::LineReader reader(files); const auto line = reader.next_case();) {
     const auto complain = [&](const std::string& why) {
       fmt::print(stderr, "touchstone: {}\n", io::all_legible(why));
-      status = kWrongInput;
-      return true;
+      status = 2;
     };
-    if (!line.read) return complain(line.complaint);
-    const auto& id = line.read->id;
-    if (!options.ids.empty() && (!id || std::ranges::find(options.ids, *id) == options.ids.end())) return true;
-    if (const auto* rejection = std::get_if<Rejection>(&line.read->content))
-      return complain(fmt::format("{}: rejected: {}: {}", line.place, to_string(rejection->code), rejection->message));
-    if (views.size() == options.most) {
+    const auto is_selected = [&](const std::optional<std::string>& id) {
+      return options.ids.empty() || (id && std::ranges::find(options.ids, *id) != options.ids.end());
+    };
+    if (!line->read) {
+      complain(line->complaint);
+    } else if (const cases::Case& read = *line->read; !is_selected(read.id)) {
+      continue;
+    } else if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
+      complain(fmt::format("{}: rejected: {}: {}", line->place, to_string(rejection->code), rejection->message));
+    } else if (shown == options.most) {
       ++left_out;
-      return true;
+    } else {
+      show::CaseView view = show::view_of(*read.id, read.tags, read.shapes());
+      for (const auto* method : methods) view.verdicts.push_back(show::verdict_of(view, *method));
+      body += show::section_of(view);
+      title = ++shown == 1 ? "Case " + *read.id : fmt::format("{} cases", shown);
     }
-    views.push_back(show::view_of(*id, line.read->tags, line.read->shapes()));
-    for (const auto* method : methods) views.back().verdicts.push_back(show::verdict_of(views.back(), *method));
-    const auto [begin, end] = printed.equal_range(*id);
-    for (auto verdict = begin; verdict != end; ++verdict) views.back().verdicts.push_back(verdict->second);
-    return true;
-  });
+  }
   if (left_out > 0)
     fmt::print(stderr, "touchstone: not shown: {}; --samples and --id select others\n",
                run::counted(left_out, "more case"));
-  if (views.empty() && status == 0) throw std::runtime_error("there is no case to show");
-  return views;
-}
-
-int show_cases(const ShowOptions& options) {
-  for (const std::string& file : {options.html, options.svg, options.png})
-    if (!file.empty()) run::refuse_overwrite(file, options.force);
-  int status = 0;
-  const std::vector<show::CaseView> views = views_of(options, status);
-  if (views.empty()) return status;
-  const std::string title = views.size() == 1 ? "Case " + views.front().id : fmt::format("{} cases", views.size());
-  if (!options.html.empty() || (options.svg.empty() && options.png.empty())) {
-    std::string body;
-    for (const show::CaseView& view : views) body += show::section_of(view);
-    const std::string page = show::page_of(title, body);
-    if (options.html.empty())
-      fmt::print("{}", page);
-    else
-      run::write_file(options.html, page, options.force);
-  }
-  if (options.svg.empty() && options.png.empty()) return status;
-  show::Svg all = show::picture(views.front());
-  for (std::size_t i = 1; i < views.size(); ++i) all.append(show::picture(views[i]));
-  const std::string drawing = all.text_of_file(title);
-  if (!options.svg.empty()) run::write_file(options.svg, drawing, options.force);
-  if (!options.png.empty()) run::write_file(options.png, run::png_of(drawing, all.height()), options.force);
+  if (shown == 0 && status == 0) throw std::runtime_error("there is no case to show");
+  if (shown == 0) return status;
+  const std::string page = show::page_of(title, body);
+  if (options.html.empty())
+    fmt::print("{}", page);
+  else
+    run::write_file(options.html, page, options.force);
   return status;
 }
 
@@ -133,25 +82,13 @@ run::Command show_command() {
       .required();
   command.texts("--id", options->ids, "Only the case of this id; may be repeated").takes("ID");
   methods::declare_methods(command, options->methods);
-  command
-      .text("--verdicts", options->verdicts,
-            "Show the verdicts of this file, which `judge` has printed, instead of asking methods")
-      .takes("FILE")
-      .excludes("--methods")
-      .excludes("--engine");
   command.whole("--samples", options->most, "Draw at most this number of cases", 1, 1000);
-  command
-      .text("--html", options->html,
-            "Write the page to this file; without any of the three, it goes to standard output")
-      .takes("FILE");
-  command.text("--svg", options->svg, "Write the pictures to this file (SVG)").takes("FILE");
-  command.text("--png", options->png, "Write the pictures to this file (PNG); needs rsvg-convert").takes("FILE");
+  command.text("--html", options->html, "Write the page to this file instead of standard output").takes("FILE");
   run::declare_force(command, options->force);
   command.help().footer =
       "From above: the polygon, the ball, the foot of its centre and the nearest point (of a moving ball: its way, "
       "and the first touched point). From the side: a section. Below: the radii next to the ball's, in doubles, and "
-      "what exact and each method say of contact with each. Exit status: 2 for wrong input or if no PNG could be "
-      "drawn, else 0.";
+      "what exact and each method say of contact with each. Exit status: 2 for wrong input, else 0.";
   command.help().examples.emplace_back("show tests/corpus/edge.jsonl --samples 3 --html edge.html");
   command.runs([options] {
     const methods::KillEngineOnSignal kill_engine_on_signal;

@@ -108,7 +108,7 @@ class Processes {
 };
 
 /// Returns a member of a case as JSON.
-std::string text_of(const cases::Verdict& member) {
+std::string text_of(const cases::Json& member) {
   std::string line = cases::to_line(member);
   line.pop_back();
   return line;

@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -12,8 +11,6 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
-#include <limits>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -26,12 +23,6 @@
 
 namespace touchstone::methods {
 namespace {
-
-/// Returns the time until the deadline, rounded up; 0 if it has passed.
-int milliseconds_until(EngineProcess::Deadline deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
-  return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
-}
 
 /// Closes two descriptors that were not released; -1 means released.
 struct Ends {
@@ -105,26 +96,16 @@ EngineProcess::~EngineProcess() {
   close(input_);
 }
 
-bool EngineProcess::send(const std::string& line) {
-  for (std::size_t sent = 0; sent < line.size();) {
-    const ssize_t written = ::send(input_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    sent += static_cast<std::size_t>(written);
-  }
-  return true;
-}
-
-bool EngineProcess::send_by(Deadline deadline, const std::string& line, bool& late) {
-  late = false;
+bool EngineProcess::send(const std::string& line, Deadline deadline) {
+  late_ = false;
   for (std::size_t sent = 0; sent < line.size();) {
     const ssize_t written = ::send(input_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (written >= 0) {
       sent += static_cast<std::size_t>(written);
     } else if (errno == EAGAIN) {
       pollfd input{.fd = input_, .events = POLLOUT, .revents = 0};
-      late = poll(&input, 1, milliseconds_until(deadline)) == 0;
-      if (late) return false;
+      late_ = !wait_for_events({&input, 1}, deadline);
+      if (late_) return false;
     } else if (errno != EINTR) {
       return false;
     }
@@ -152,42 +133,31 @@ std::optional<std::string> EngineProcess::take_line(std::size_t& searched) {
   return line;
 }
 
-std::optional<std::string> EngineProcess::receive() {
-  std::size_t searched = 0;
-  do {
-    if (auto line = take_line(searched)) return line;
-  } while (read_some());
-  std::string rest = unread_.substr(received_);
-  received_ = unread_.size();
-  if (rest.empty()) return std::nullopt;
-  return rest;
-}
-
-std::optional<std::string> EngineProcess::receive_by(Deadline deadline, bool& late) {
-  late = false;
+std::optional<std::string> EngineProcess::receive(Deadline deadline) {
+  late_ = false;
   for (std::size_t searched = 0;;) {
     if (auto line = take_line(searched)) return line;
-    const int left = milliseconds_until(deadline);
-    if (output_ >= 0 && (left == 0 || !has_news(left))) {
-      late = true;
-      return std::nullopt;
-    }
-    if (!read_some()) return receive();  // the rest, without a line end
+    late_ = output_ >= 0 && (std::chrono::steady_clock::now() >= deadline || !has_news(deadline));
+    if (late_) return std::nullopt;
+    if (!read_some()) break;
   }
+  std::string rest = unread_.substr(received_);
+  received_ = unread_.size();
+  return rest.empty() ? std::nullopt : std::optional(std::move(rest));
 }
 
 bool EngineProcess::has_unread() {
-  if (received_ == unread_.size() && has_news(0)) read_some();
+  if (received_ == unread_.size() && has_news(Deadline())) read_some();
   return received_ < unread_.size();
 }
 
-/// Waits no longer than `milliseconds` (-1: forever) for output, or for the end of the program, even if other processes
-/// hold the pipe open. Returns whether either occurred.
-bool EngineProcess::has_news(int milliseconds) const {
+/// Waits until the deadline for output, or for the end of the program, even if other processes hold the pipe open.
+/// Returns whether either occurred.
+bool EngineProcess::has_news(Deadline deadline) const {
   if (output_ < 0) return false;
   pollfd news[]{{.fd = output_, .events = POLLIN, .revents = 0},
                 {.fd = supervisor_->ended(), .events = POLLIN, .revents = 0}};
-  return wait_for_events(news, milliseconds);
+  return wait_for_events(news, deadline);
 }
 
 // Closing a socket with unread input resets the connection.
@@ -201,10 +171,8 @@ void EngineProcess::stop_reading() {
   output_ = -1;
 }
 
-/// Waits for output. Returns false if there will be no more.
+/// Reads the output that has_news found. Returns false if there will be no more.
 bool EngineProcess::read_some() {
-  while (output_ >= 0 && !has_news(-1)) {
-  }
   if (output_ < 0) return false;
   // The output before its end has arrived; other processes that hold the pipe or the socket are not waited for.
   if (supervisor_->ended_within(std::chrono::milliseconds(0))) {
@@ -251,50 +219,38 @@ SupervisedEngine::SupervisedEngine(std::string command, std::chrono::millisecond
 
 SupervisedEngine::Result SupervisedEngine::ask(const std::string& id, const std::string& line) {
   Result result;
-  const auto text = reply_to(line, result.reason, result.ended_before);
-  if (!text) return result;
-  Reply reply = read_reply(*text);
-  if (reply.id == id && reply.answer) {
-    result.answer = std::move(reply.answer);
-  } else {
-    result.reason = "not a verdict on this case: " + reply.echo;
-    stop();  // an engine that is out of step would remain so for every later case
-  }
-  return result;
-}
-
-/// Returns the line that it prints for a case, or nothing and a reason.
-std::optional<std::string> SupervisedEngine::reply_to(const std::string& line, std::string& reason,
-                                                      std::string& ended_before) {
   for (;;) {
     const bool fresh = !engine_;
     if (fresh) engine_.emplace(command_);
-    const auto deadline = in_time();
-    bool late = false;
-    std::optional<std::string> reply;
-    const bool sent = engine_->send_by(deadline, line + '\n', late);
-    if (sent) reply = engine_->receive_by(deadline, late);
-    has_printed_ |= reply.has_value();
-    if (reply) return reply;
-    if (late) {
-      reason = fmt::format("no verdict within {:g} s", 1e-3 * static_cast<double>(time_limit_.count()));
-      stop();
-      return std::nullopt;
+    const Deadline deadline = in_time();
+    const bool sent = engine_->send(line + '\n', deadline);
+    const std::optional<std::string> printed = sent ? engine_->receive(deadline) : std::nullopt;
+    has_printed_ |= printed.has_value();
+    if (printed) {
+      Reply reply = read_reply(*printed);
+      if (reply.id == id && reply.answer) {
+        result.answer = std::move(reply.answer);
+        return result;
+      }
+      result.reason = "not a verdict on this case: " + reply.echo;  // it would remain out of step for every later case
+    } else if (engine_->late()) {
+      result.reason = fmt::format("no verdict within {:g} s", 1e-3 * static_cast<double>(time_limit_.count()));
+    } else if (engine_->too_long()) {
+      result.reason = EngineProcess::kTooLong;
     }
-    if (engine_->too_long()) {
-      reason = EngineProcess::kTooLong;
+    if (!result.reason.empty()) {
       stop();
-      return std::nullopt;
+      return result;
     }
     engine_->end_input();
     const std::string ending = ending_of(*engine_);
     const bool unread = !sent || engine_->left_unread();
     engine_.reset();
     if (fresh || !unread) {
-      reason = ending + " without a verdict";
-      return std::nullopt;
+      result.reason = ending + " without a verdict";
+      return result;
     }
-    if (ending != kWell) ended_before = ending;
+    if (ending != kWell) result.ended_before = ending;
   }
 }
 
@@ -313,9 +269,8 @@ void SupervisedEngine::stop() {
 std::string SupervisedEngine::end() {
   if (!engine_) return {};
   engine_->end_input();
-  bool late = false;
-  const bool surplus = engine_->receive_by(in_time(), late) || engine_->too_long();
-  if (late) {
+  const bool surplus = engine_->receive(in_time()) || engine_->too_long();
+  if (engine_->late()) {
     stop();
     return "does not end with its input";
   }
@@ -324,8 +279,6 @@ std::string SupervisedEngine::end() {
   if (surplus) return "printed more lines than there were cases";
   return ending == kWell ? "" : ending;
 }
-
-EngineProcess::Deadline SupervisedEngine::in_time() const { return std::chrono::steady_clock::now() + time_limit_; }
 
 /// Returns how an engine ended that has closed its output or will not be read any more; it has the time limit to end.
 std::string SupervisedEngine::ending_of(EngineProcess& engine) const {

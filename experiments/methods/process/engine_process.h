@@ -1,14 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <poll.h>
+#include <sys/types.h>
+
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "experiments/cases/key.h"
-#include "experiments/methods/process/supervisor.h"
 
 namespace touchstone::methods {
+
+using Deadline = std::chrono::steady_clock::time_point;
+inline constexpr Deadline kNever = Deadline::max();
+
+/// Waits for one of the events until the deadline, as poll does; a signal does not end the wait. Returns whether an
+/// event occurred.
+[[nodiscard]] bool wait_for_events(std::span<pollfd> events, Deadline deadline);
+
+/// Runs a command in a shell and ends every process that it starts.
+///
+/// A separate process stands between this one and the shell. It adopts the processes that the command leaves behind, in
+/// any group or session, and kills all of them as soon as the shell has ended, `kill` is called, or this process ends,
+/// even by SIGKILL. Only a process that it may not kill, or that the kernel does not let end, survives; it waits for
+/// such a process for at most two seconds. A command that deliberately kills this intermediate process, its parent,
+/// thereby frees its own children. Several supervisors do not affect each other.
+class Supervisor {
+ public:
+  /// Starts `command` with the descriptors `input` and `output` as its standard input and output. They stay open here,
+  /// must be greater than 2 and should be closed on exec. Throws std::system_error if no process can be created.
+  Supervisor(const std::string& command, int input, int output);
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+  /// Kills the command and all processes that it has started, and waits for their end.
+  ~Supervisor();
+
+  /// Kills the command and all processes that it has started. Does not wait.
+  void kill();
+  /// Returns a descriptor that poll finds readable when the command and all processes that it has started have ended.
+  [[nodiscard]] int ended() const { return control_; }
+  /// Waits until they have ended, but no longer than `time`. Returns whether they have ended.
+  [[nodiscard]] bool ended_within(std::chrono::milliseconds time) const;
+  /// Waits until they have ended. Returns how the shell ended, such as `exit status 3` or `signal 11`; empty for exit
+  /// status 0, and after the first call.
+  [[nodiscard]] std::string wait();
+
+ private:
+  /// Waits until the process tells something or ends. The command may have stopped it, before it told that the command
+  /// runs, or after `kill` has woken it.
+  void wake() const;
+
+  pid_t process_ = -1;
+  bool killed_ = false;
+  int control_ = -1;  ///< shut down by this process; reports how the shell ended
+};
 
 /// An external program that reads cases on its standard input and prints verdicts on its standard output, one per line
 /// and in the same order.
@@ -16,7 +63,6 @@ class EngineProcess {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
   static constexpr const char* kTooLong = "printed a line longer than 64 MiB";
-  using Deadline = std::chrono::steady_clock::time_point;
 
   /// Starts `command` in a shell. None of its processes outlives this one (see Supervisor). Throws std::system_error if
   /// no process can be created.
@@ -26,19 +72,16 @@ class EngineProcess {
   /// Kills the program and the processes that it has started.
   ~EngineProcess();
 
-  /// Sends a line. Returns false if the program no longer reads.
-  bool send(const std::string& line);
-  /// The same, but waits no longer than until `deadline`. Returns false, with `late` true, if the program has not read
-  /// the whole line by then.
-  bool send_by(Deadline deadline, const std::string& line, bool& late);
+  /// Sends a line. Returns false if the program no longer reads, or is late: has not read the whole line by the deadline.
+  bool send(const std::string& line, Deadline deadline = kNever);
   /// Closes the input of the program.
   void end_input();
-  /// Returns the next printed line, without its end; nothing if the program has ended or closed its output, or prints a
-  /// line longer than kLongestLine, after which nothing more is read.
-  [[nodiscard]] std::optional<std::string> receive();
-  /// The same, but waits no longer than until `deadline`. Returns nothing, with `late` true, if there was no complete
-  /// line by then.
-  [[nodiscard]] std::optional<std::string> receive_by(Deadline deadline, bool& late);
+  /// Returns the next printed line, without its end; nothing if the program has ended or closed its output, prints a
+  /// line longer than kLongestLine, after which nothing more is read, or is late: there is no complete line by the
+  /// deadline.
+  [[nodiscard]] std::optional<std::string> receive(Deadline deadline = kNever);
+  /// Returns whether the last call of these two ended at its deadline.
+  [[nodiscard]] bool late() const { return late_; }
   /// Returns whether the program has printed a line longer than kLongestLine.
   [[nodiscard]] bool too_long() const { return too_long_; }
   /// Returns whether the program has printed anything that was not received, without waiting.
@@ -57,14 +100,14 @@ class EngineProcess {
 
  private:
   bool read_some();
-  [[nodiscard]] bool has_news(int milliseconds) const;
+  [[nodiscard]] bool has_news(Deadline deadline) const;
   [[nodiscard]] std::optional<std::string> take_line(std::size_t& searched);
 
   int input_, output_;  ///< output_ is -1 when reading has stopped
   std::optional<Supervisor> supervisor_;
   std::string unread_;  ///< the buffer; the bytes before received_ were received
   std::size_t received_ = 0;
-  bool too_long_ = false;
+  bool late_ = false, too_long_ = false;
   std::optional<std::string> ending_;
 };
 
@@ -119,9 +162,7 @@ class SupervisedEngine {
   [[nodiscard]] std::string end();
 
  private:
-  [[nodiscard]] std::optional<std::string> reply_to(const std::string& line, std::string& reason,
-                                                    std::string& ended_before);
-  [[nodiscard]] EngineProcess::Deadline in_time() const;
+  [[nodiscard]] Deadline in_time() const { return std::chrono::steady_clock::now() + time_limit_; }
   [[nodiscard]] std::string ending_of(EngineProcess& engine) const;
   void stop();
 

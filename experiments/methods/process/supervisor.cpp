@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/process/supervisor.h"
-
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
@@ -12,7 +10,11 @@
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstdint>
+#include <limits>
 #include <system_error>
+
+#include "experiments/methods/process/engine_process.h"
 
 namespace touchstone::methods {
 namespace {
@@ -184,7 +186,7 @@ void Supervisor::kill() {
 
 bool Supervisor::ended_within(std::chrono::milliseconds time) const {
   pollfd event{.fd = control_, .events = POLLIN, .revents = 0};
-  return control_ < 0 || wait_for_events({&event, 1}, static_cast<int>(time.count()));
+  return control_ < 0 || wait_for_events({&event, 1}, Clock::now() + time);
 }
 
 void Supervisor::wake() const {
@@ -207,14 +209,13 @@ std::string Supervisor::wait() {
   return {};
 }
 
-bool wait_for_events(std::span<pollfd> events, int milliseconds) {
-  const auto deadline = Clock::now() + std::chrono::milliseconds(milliseconds);
-  for (int left = milliseconds;;) {
-    const int found = poll(events.data(), events.size(), left);
-    if (found >= 0 || errno != EINTR) return found > 0;
-    if (milliseconds < 0) continue;
-    const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-    left = std::max(0, static_cast<int>(rest.count()));
+bool wait_for_events(std::span<pollfd> events, Deadline deadline) {
+  for (;;) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    const auto wait = std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max());
+    const int found = poll(events.data(), events.size(), static_cast<int>(wait));
+    if (found > 0) return true;
+    if (found == 0 ? Clock::now() >= deadline : errno != EINTR) return false;
   }
 }
 

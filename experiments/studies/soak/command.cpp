@@ -73,7 +73,7 @@ run::Command soak_command() {
   options->has_pictures = false;
   command.whole("--from", options->from, "The index of the first case").changes_results();
   command.flag("--moving", options->moving, "Balls move: compare contact and first contact on their ways")
-      .changes_results([options] { return std::string(run::yes_or_no(options->moving)); });
+      .changes_results();
   run::declare_study(command, *options, "--samples", "The number of cases; case i depends on the seed and on i alone");
   command.flag("--print", options->print, "Only print the cases, as `judge` takes them")
       .excludes_all_but({"--from", "--moving", "--samples", "--seed"});

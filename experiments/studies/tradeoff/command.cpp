@@ -5,7 +5,7 @@
 
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/pictures.h"
+#include "experiments/run/command_run.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/tradeoff/front.h"
 

@@ -48,13 +48,13 @@ void for_each_case(const F& f) {
   for (const auto& folder : {corpus, corpus / "floats"})
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       if (entry.path().extension() == ".jsonl") files.push_back(entry.path().string());
-  cases::read_lines(files, [&](cases::Line&& line) {
-    const auto* shapes = line.read ? std::get_if<cases::Shapes>(&line.read->content) : nullptr;
-    if (shapes == nullptr || shapes->motion() != nullptr) return true;
-    SCOPED_TRACE(line.place);
+  for (cases::LineReader reader(files); const auto line = reader.next_case();) {
+    const auto* shapes = line->read ? std::get_if<cases::Shapes>(&line->read->content) : nullptr;
+    if (shapes == nullptr || shapes->motion() != nullptr) continue;
+    SCOPED_TRACE(line->place);
     f(shapes->ball(), shapes->polygon);
-    return !testing::Test::HasFailure();
-  });
+    if (testing::Test::HasFailure()) break;
+  }
 }
 
 TEST(SquaredRadius, AgreesWithExactKernelOfCgalOnTrianglesOfCorpus) {

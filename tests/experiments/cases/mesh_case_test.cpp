@@ -64,10 +64,8 @@ TEST(MeshCase, TakesTheMeshOfAFileBesideTheFileOfCases) {
   EXPECT_TRUE(found.rewritten) << "an engine need not read the file";
   EXPECT_FALSE(read_case(line(kRidge)).rewritten);
   std::ofstream(scratch.path / "cases.jsonl") << text << "\n";
-  read_lines({(scratch.path / "cases.jsonl").string()}, [](Line&& one) {
-    EXPECT_TRUE(std::holds_alternative<MeshShapes>(one.read->content));
-    return true;
-  });
+  const auto one = LineReader({(scratch.path / "cases.jsonl").string()}).next_case();
+  EXPECT_TRUE(std::holds_alternative<MeshShapes>(one->read->content));
   EXPECT_EQ(complaint(R"("mesh":{"file":"gone.obj"})"),
             "malformed-case: mesh.file: gone.obj: cannot be opened: No such file or directory");
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A question on the command line: its shapes as people write them, and its answer in words.
+#include "experiments/judge/ask.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,7 +10,6 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
-#include "experiments/judge/polygon_text.h"
 #include "geometry/shapes/rejection.h"
 #include "tests/experiments/judge/run_judge.h"
 #include "tests/experiments/support/message_of.h"

@@ -141,9 +141,9 @@ TEST(Judge, StopsWhereVerdictsCannotBeWritten) {
   order.methods = {methods::find_method("exact")};
   order.verdicts = std::fopen("/dev/full", "w");
   ASSERT_NE(order.verdicts, nullptr);
-  EXPECT_THROW((void)judge::judge(order), std::system_error);
+  EXPECT_THROW((void)judge::judge(order, order), std::system_error);
   order.engines = {{"cat", "cat"}};
-  EXPECT_THROW((void)judge::judge(order), std::system_error);
+  EXPECT_THROW((void)judge::judge(order, order), std::system_error);
   std::fclose(order.verdicts);
 }
 

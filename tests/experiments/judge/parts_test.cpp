@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
-#include "experiments/judge/judgement.h"
+#include "experiments/judge/judge.h"
 #include "experiments/run/state.h"
 #include "tests/experiments/judge/run_judge.h"
 

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -28,6 +30,11 @@ inline std::string with(const char* line, const std::string& members) {
   std::string text = line;
   return text.replace(text.find("%s"), 2, members);
 }
+
+/// What is asked, and where it is told.
+struct Order : Question, Output {
+  std::function<void(std::uint64_t bytes)> progress{};
+};
 
 struct Result {
   judge::Status status;
@@ -57,7 +64,7 @@ inline Result run(const std::string& input, Order order = {}) {
   if (order.methods.empty() && order.engines.empty()) order.methods = {methods::find_method("exact")};
   order.verdicts = std::tmpfile();
   order.complaints = std::tmpfile();
-  const judge::Status status = judge::judge(order);
+  const judge::Status status = judge::judge(order, order, order.progress);
   return {status, take(order.verdicts), take(order.complaints)};
 }
 

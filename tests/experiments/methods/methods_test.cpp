@@ -77,12 +77,12 @@ std::vector<Sample> all_samples() {
   return samples;
 }
 
-cases::Verdict ask(std::string_view method, const Sample& sample, cases::QueryKind kind = cases::QueryKind::Answer) {
+cases::Json ask(std::string_view method, const Sample& sample, cases::QueryKind kind = cases::QueryKind::Answer) {
   return cases::object_of(find_method(method)->prepare(sample.polygon)->ask(sample.ball, kind));
 }
 
 /// Leaves out what only `exact`, `filtered` and `fast` compute.
-cases::Verdict without_normal(cases::Verdict answer) {
+cases::Json without_normal(cases::Json answer) {
   answer.erase("contact_normal"), answer.erase("depth");
   return answer;
 }
@@ -244,7 +244,7 @@ TEST(AllMethods, MayBeAskedFromSeveralThreads) {
   for (const auto& method : all_methods()) {
     const auto alone = cases::object_of(method->prepare(sample.polygon)->ask(sample.ball, cases::QueryKind::Answer));
     const auto shared = method->prepare(sample.polygon);
-    std::array<cases::Verdict, 4> answers;
+    std::array<cases::Json, 4> answers;
     {
       std::vector<std::jthread> threads;
       for (auto& answer : answers)

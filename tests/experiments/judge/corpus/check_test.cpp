@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/check.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <filesystem>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/run/output.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/experiments/support/scratch.h"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases in floats: nothing is left to round, and a radius that was at the threshold still is.
-#include "experiments/judge/corpus/in_floats.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "experiments/cases/workloads/workload.h"
+#include "experiments/judge/corpus/corpus_case.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 

@@ -8,8 +8,8 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/output_lines.h"
+#include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/families.h"
-#include "experiments/judge/corpus/in_floats.h"
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"

@@ -13,7 +13,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/commands.h"
-#include "experiments/judge/regress/baseline.h"
+#include "experiments/judge/regress/regress.h"
 #include "experiments/methods/registry.h"
 #include "experiments/run/output.h"
 #include "robust/exact/exact.h"
