@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/methods/registry.h"
 #include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
 
@@ -20,16 +19,7 @@ using cases::Failures;
 using cases::kTests;
 using cases::Outcome;
 using cases::Test;
-
-struct Settings {
-  std::vector<const cases::Method*> methods;
-  std::vector<workloads::Family> families;
-  /// Per stratum; up to run::kMostSamples, indices of samples and of their redraws do not collide.
-  std::uint64_t samples = 1;
-  std::uint64_t seed = 1;
-  unsigned threads = 1;
-  cases::Shape shape = {};
-};
+using Settings = cases::CrossingSettings;
 
 /// The answers of one method to one test in one stratum.
 ///

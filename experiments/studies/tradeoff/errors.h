@@ -15,13 +15,7 @@
 
 namespace touchstone::tradeoff {
 
-struct Settings {
-  std::vector<const cases::Method*> methods;
-  std::vector<workloads::Family> families;
-  std::uint64_t samples = 1;  ///< per stratum
-  std::uint64_t seed = 1;
-  unsigned threads = 1;
-};
+using Settings = cases::CrossingSettings;
 
 /// Slow methods are asked about the first of every kSlowStride samples only; the others about all.
 inline constexpr std::uint64_t kSlowStride = 4;
