@@ -2,10 +2,9 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <utility>
 
-#include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/numbers.h"
 #include "experiments/run/study.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/search.h"
@@ -26,84 +25,50 @@ struct Options : run::StudyOptions {
 // Raised when sample n of a seed changes, or the form of what is kept.
 constexpr int kVersion = 4;
 
-/// The phases of one run.
-class Run {
- public:
-  Run(run::StudyRun& run, const Options& options)
-      : run_(run), options_(options), settings_{options.methods.methods(), workloads::find_families(options.families),
-                                                options.samples,           options.seed,
-                                                options.threads,           options.shape} {
-    workloads::require_vertices(settings_.families, options.shape.vertices);
+/// A run about random polygons. Parts measure samples; maps are drawn and climbs made where the parts are merged.
+int run_random(run::StudyRun& run, const Options& options) {
+  const Settings settings{options.methods.methods(), workloads::find_families(options.families),
+                          options.samples,           options.seed,
+                          options.threads,           options.shape};
+  workloads::require_vertices(settings.families, options.shape.vertices);
+  const Result result = run.phase("samples", "part.json", settings.samples, no_result(settings),
+                                  [&](const auto& control, Result& sum) { run_study(settings, control, sum); });
+  if (!run.is_part()) {
+    // Files of an earlier run would belong to other data.
+    run.remove_files({"map-", "maps", "rates-", "onset", "worst"});
+    write_failures(run.folder(), settings, result.counts);
+    if (!options.no_maps)
+      write_maps(run.folder(), settings, run.phase("maps", map_rows(), [&](const auto& control) {
+        return draw_maps(settings.methods, settings.seed, settings.threads, control.stop, control.progress);
+      }));
   }
-
-  int operator()() {
-    const std::string pace = sample();
-    if (!options_.no_maps && !run_.is_part()) draw();
-    if (options_.search > 0) search();
-    if (run_.is_part()) return run_.finish({.done = result_.samples, .missing = result_.missing});
-
-    std::string text = table(settings_, result_.counts) + pace;
-    if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
-    return run_.finish({.done = result_.samples,
-                        .missing = result_.missing,
-                        .text = std::move(text),
-                        .status = report_wrong_truths() ? 1 : 0});
-  }
-
- private:
-  /// Returns a sentence on the samples and their pace.
-  std::string sample() {
-    result_ = run_.phase("samples", "part.json", settings_.samples, no_result(settings_),
-                         [&](const auto& control, Result& result) { run_study(settings_, control, result); });
-    const double seconds = run_.seconds();
-    if (!run_.is_part()) {
-      run_.remove_files({"map-", "maps", "rates-", "onset", "worst"});
-      write_rates(run_.folder(), settings_, result_.counts);
-      write_bands(run_.folder(), settings_, result_.counts);
+  std::string text = table(settings, result.counts) +
+                     fmt::format("\n{} samples of each family, placement and threshold; {} of all were not found.\n",
+                                 result.samples, result.missing);
+  WorstCases worst;
+  if (options.search > 0) {
+    const Onsets onsets =
+        run.phase("search", "search-part.json", options.search, no_onsets(settings),
+                  [&](const auto& control, Onsets& sum) { run_onsets(settings, options.search, control, sum); });
+    if (!run.is_part()) {
+      worst = run.phase("climbs", climb_count(settings),
+                        [&](const auto& control) { return run_climbs(settings, control, onsets); });
+      write_onsets(run.folder(), settings, onsets);
+      write_worst(run.folder(), settings, onsets, worst);
+      text += "\n" + search_table(settings, onsets, worst);
     }
-    const std::uint64_t strata =
-        cases::all_strata().size() / workloads::all_families().size() * settings_.families.size();
-    return fmt::format(
-        "\n{} samples of each family, placement and threshold; {} of all were not found. {:.0f} s ({:.0f} a second of "
-        "all).\n",
-        result_.samples, result_.missing, seconds, static_cast<double>(result_.samples * strata) / seconds);
   }
-
-  void draw() {
-    const auto maps = run_.phase("maps", map_rows(), [&](const auto& control) {
-      return draw_maps(settings_.methods, settings_.seed, settings_.threads, control.stop, control.progress);
-    });
-    write_maps(run_.folder(), settings_, maps);
-  }
-
-  void search() {
-    onsets_ = run_.phase(
-        "search", "search-part.json", options_.search, no_onsets(settings_),
-        [&](const auto& control, Onsets& onsets) { run_onsets(settings_, options_.search, control, onsets); });
-    if (run_.is_part()) return;
-    run_.phase("climbs", climb_count(settings_),
-               [&](const auto& control) { run_climbs(settings_, control, onsets_, worst_); });
-    write_onsets(run_.folder(), settings_, onsets_);
-    write_worst(run_.folder(), settings_, onsets_, worst_);
-  }
-
-  /// Reports that the search took a wrong truth from `filtered`. Returns whether it did.
-  [[nodiscard]] bool report_wrong_truths() const {
-    if (worst_.wrong_truths == 0) return false;
+  if (run.is_part()) text.clear();
+  if (worst.wrong_truths > 0)
     fmt::print(stderr,
                "touchstone: the search found {} answers wrong by filtered, but right by exact: filtered DIFFERS FROM "
                "exact, a defect of this program, or a method does not repeat its answers\n",
-               worst_.wrong_truths);
-    return true;
-  }
-
-  run::StudyRun& run_;
-  const Options& options_;
-  Settings settings_;
-  Result result_;
-  Onsets onsets_;
-  WorstCases worst_;
-};
+               worst.wrong_truths);
+  return run.finish({.done = result.samples,
+                     .missing = result.missing,
+                     .text = std::move(text),
+                     .status = worst.wrong_truths > 0 ? 1 : 0});
+}
 
 }  // namespace
 
@@ -135,8 +100,7 @@ run::Command near_edge_command() {
   command.writes(tables());
   command.writes(search_tables());
   command.example("near-edge --methods fast,filtered --samples 20 --search 0");
-  command.runs(run::study_runner(command, kVersion, options,
-                                 [](run::StudyRun& run, const Options& given) { return Run(run, given)(); }));
+  command.runs(run::study_runner(command, kVersion, options, run_random));
   return command;
 }
 
