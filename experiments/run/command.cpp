@@ -362,7 +362,7 @@ Option Command::families(std::vector<std::string>& values) {
 }
 
 Option Command::meshes(std::vector<std::string>& files, const std::string& about) {
-  return texts("MESH", files, about, check_utf8).required();
+  return texts("MESH", files, about, check_utf8);
 }
 
 Option Command::output(std::string& folder, const std::string& about) {

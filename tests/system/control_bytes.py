@@ -128,7 +128,7 @@ class Checks:
 def check_meshes(checks):
     for name, content in MESHES.items():
         checks.write(name, content)
-        for command in ("scenes", "--samples", "1"), ("meshes", "--methods", "fast", "--force"):
+        for command in ("scenes", "--samples", "1"), ("near-edge", "--methods", "fast", "--force"):
             arguments = (command[0], name, *command[1:])
             echo = (SHOWN, b"END")
             checks.run(arguments, *arguments, echoes=echo)
@@ -140,7 +140,7 @@ def check_names(checks):
     for what, content in ("sound", TRIANGLE), ("bad", bad), ("broken", b"f 7 8 9\n"):
         name = NAME + what.encode() + b".obj"
         checks.write(name, content)
-        for command in ("scenes", "--samples", "1"), ("meshes", "--methods", "fast", "--force"):
+        for command in ("scenes", "--samples", "1"), ("near-edge", "--methods", "fast", "--force"):
             arguments = (command[0], name, *command[1:])
             echo = (b"END",) if what != "sound" or command[0] != "scenes" else ()
             checks.run(arguments, *arguments, status=(0,) if what == "sound" else (2,), echoes=echo,
@@ -148,7 +148,7 @@ def check_names(checks):
             checks.run((*arguments, "--skip-bad"), *arguments, "--skip-bad", status=(0, 2), echoes=echo,
                        json_lines=command[0] == "scenes")
     for arguments in (("judge", NAME), ("corpus", "check", NAME), ("corpus", "shrink", NAME, "--method", "fast"),
-                      ("scenes", NAME + b".obj", "--samples", "1"), ("meshes", NAME + b".xyz" + NAME, "--methods", "fast", "--force"),
+                      ("scenes", NAME + b".obj", "--samples", "1"), ("near-edge", NAME + b".xyz" + NAME, "--methods", "fast", "--force"),
                       ("regress", "--baseline", NAME), (NAME,), ("judge", b"--" + NAME), ("judge", "--methods", NAME)):
         checks.run(arguments, *arguments, status=(1, 2, *range(100, 120)),
                    echoes=(SHOWN,) if len(arguments) > 1 else ())

@@ -127,9 +127,9 @@ class OwnEngine(unittest.TestCase):
         self.run_it(*compare, self.vertices + "=mine", status=1)
         self.assertIn("--engine names", self.run_it(*compare, self.vertices + "=other", "--engine", EXACT.replace("=precise", "=mine"), status=2).stderr)
 
-    def test_meshes_takes_it(self):
+    def test_near_edge_asks_it_about_meshes(self):
         (self.folder / "mesh.obj").write_text("v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n")
-        self.run_it("meshes", "mesh.obj", "--engine", self.vertices + "=corners", "--output", "out")
+        self.run_it("near-edge", "mesh.obj", "--engine", self.vertices + "=corners", "--output", "out")
         self.assertIn("corners", (self.folder / "out/meshes.csv").read_text())
 
     def test_its_failures_are_found_and_made_small_and_shown(self):

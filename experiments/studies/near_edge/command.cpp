@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <limits>
 #include <memory>
 #include <utility>
 
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/methods/selection.h"
+#include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
 #include "experiments/run/study.h"
+#include "experiments/studies/near_edge/faces.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/search.h"
 
@@ -14,7 +19,13 @@ namespace {
 
 using namespace near_edge;
 
+// More than --faces takes, so that help has no default.
+constexpr std::uint64_t kAllFaces = std::numeric_limits<std::uint64_t>::max();
+
 struct Options : run::StudyOptions {
+  std::vector<std::string> meshes;
+  std::uint64_t faces = kAllFaces;
+  bool skip_bad = false;
   methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed"}};
   std::vector<std::string> families{"all"};
   cases::Shape shape;
@@ -23,7 +34,43 @@ struct Options : run::StudyOptions {
 };
 
 // Raised when sample n of a seed changes, or the form of what is kept.
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
+
+/// Files of an earlier run would belong to other data.
+void remove_files(const run::StudyRun& run) {
+  run.remove_files({"bands", "failures", "left-out", "map-", "maps", "meshes", "onset", "rates", "rejected", "worst"});
+}
+
+/// A run about the faces of meshes.
+int run_faces(run::StudyRun& run, const Options& options) {
+  constexpr int kBadInput = 2;
+  const faces::Settings settings{options.methods.methods(), options.seed, options.faces, options.threads};
+  workloads::NamedFiles files =
+      workloads::read_named_files(options.meshes, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+  std::vector<faces::NamedMesh> meshes;
+  for (auto& file : files.read) meshes.push_back({file.name, std::move(file.content.mesh)});
+  if (meshes.empty()) return kBadInput;
+
+  const std::uint64_t count = faces::face_count(settings, meshes);
+  const auto result =
+      run.phase("faces", "part.json", count, faces::no_result(settings, meshes),
+                [&](const auto& control, faces::Result& sum) { faces::measure(settings, meshes, control, sum); });
+  run::StudyRun::End end{
+      .done = items_done(result), .missing = result.rejected.size(), .items = count, .pictures = false};
+  if (!files.all_read && !run.stopped()) end.status = kBadInput;
+  if (run.is_part()) return run.finish(end);
+  remove_files(run);
+  faces::write(run.folder(), settings, meshes, result);
+  run::write_file(run.folder() / "left-out.txt", workloads::left_out_text(files));
+  end.text = fmt::format("{}\n{} of {} faces in {} of {} meshes, {} of files left out; seed {}.\n",
+                         faces::table(settings, meshes, result), end.done, count, meshes.size(), options.meshes.size(),
+                         run::counted(files.parts_left_out, "part"), settings.seed);
+  if (const int status = run.finish(end); status != 0) return status;
+  if (result.rejected.empty() || options.skip_bad) return 0;
+  fmt::print(stderr, "touchstone: {}; with --skip-bad this is not an error\n",
+             run::counted(result.rejected.size(), "rejected face"));
+  return kBadInput;
+}
 
 /// A run about random polygons. Parts measure samples; maps are drawn and climbs made where the parts are merged.
 int run_random(run::StudyRun& run, const Options& options) {
@@ -34,8 +81,7 @@ int run_random(run::StudyRun& run, const Options& options) {
   const Result result = run.phase("samples", "part.json", settings.samples, no_result(settings),
                                   [&](const auto& control, Result& sum) { run_study(settings, control, sum); });
   if (!run.is_part()) {
-    // Files of an earlier run would belong to other data.
-    run.remove_files({"map-", "maps", "rates-", "onset", "worst"});
+    remove_files(run);
     write_failures(run.folder(), settings, result.counts);
     if (!options.no_maps)
       write_maps(run.folder(), settings, run.phase("maps", map_rows(), [&](const auto& control) {
@@ -77,6 +123,19 @@ run::Command near_edge_command() {
   auto options = std::make_shared<Options>();
   options->samples = 1000;  // about 35 s on two cores
   options->output = "results/near-edge";
+  command.meshes(options->meshes, "Mesh files (OBJ, OFF, STL, PLY), about every face of which to ask instead")
+      .changes_results([options] { return workloads::with_hashes(options->meshes); });
+  command
+      .whole("--faces", options->faces, "The number of faces of each mesh to test, from the first on (default: all)", 1,
+             run::kMostSamples)
+      .needs("MESH")
+      .changes_results(
+          [options] { return options->faces == kAllFaces ? std::string("all") : std::to_string(options->faces); });
+  command
+      .flag("--skip-bad", options->skip_bad,
+            "Leave out faulty parts of a mesh file, and report them; rejected faces are then not an error")
+      .needs("MESH")
+      .changes_results([options] { return std::string(run::yes_or_no(options->skip_bad)); });
   methods::declare_compared_methods(command, options->methods);
   command.families(options->families).changes_results([options] {
     return workloads::selected_names(options->families);
@@ -99,8 +158,12 @@ run::Command near_edge_command() {
   run::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
   command.writes(tables());
   command.writes(search_tables());
+  command.writes(faces::tables());
   command.example("near-edge --methods fast,filtered --samples 20 --search 0");
-  command.runs(run::study_runner(command, kVersion, options, run_random));
+  command.footer("With mesh files, all options of random polygons are without effect.");
+  command.runs(run::study_runner(command, kVersion, options, [](run::StudyRun& run, const Options& given) {
+    return given.meshes.empty() ? run_random(run, given) : run_faces(run, given);
+  }));
   return command;
 }
 

@@ -326,7 +326,7 @@ int run(const SceneOptions& options) {
 run::Command scenes_command() {
   run::Command command("scenes", "Find the faces of meshes (OBJ, OFF, STL, PLY) that balls touch, or the nearest");
   auto options = std::make_shared<SceneOptions>();
-  command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
+  command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1").required();
   command
       .text(
           "--balls", options->balls,
