@@ -123,7 +123,8 @@ run::Command near_edge_command() {
   auto options = std::make_shared<Options>();
   options->samples = 1000;  // about 35 s on two cores
   options->output = "results/near-edge";
-  command.meshes(options->meshes, "Mesh files (OBJ, OFF, STL, PLY), about every face of which to ask instead")
+  run::declare_meshes(command, options->meshes,
+                      "Mesh files (OBJ, OFF, STL, PLY), about every face of which to ask instead")
       .changes_results([options] { return workloads::with_hashes(options->meshes); });
   command
       .whole("--faces", options->faces, "The number of faces of each mesh to test, from the first on (default: all)", 1,
@@ -137,7 +138,7 @@ run::Command near_edge_command() {
       .needs("MESH")
       .changes_results([options] { return std::string(run::yes_or_no(options->skip_bad)); });
   methods::declare_compared_methods(command, options->methods);
-  command.families(options->families).changes_results([options] {
+  run::declare_families(command, options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
   command
@@ -159,8 +160,8 @@ run::Command near_edge_command() {
   command.writes(tables());
   command.writes(search_tables());
   command.writes(faces::tables());
-  command.example("near-edge --methods fast,filtered --samples 20 --search 0");
-  command.footer("With mesh files, all options of random polygons are without effect.");
+  command.help().examples.emplace_back("near-edge --methods fast,filtered --samples 20 --search 0");
+  command.help().footer = "With mesh files, all options of random polygons are without effect.";
   command.runs(run::study_runner(command, kVersion, options, [](run::StudyRun& run, const Options& given) {
     return given.meshes.empty() ? run_random(run, given) : run_faces(run, given);
   }));

@@ -326,7 +326,8 @@ int run(const SceneOptions& options) {
 run::Command scenes_command() {
   run::Command command("scenes", "Find the faces of meshes (OBJ, OFF, STL, PLY) that balls touch, or the nearest");
   auto options = std::make_shared<SceneOptions>();
-  command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1").required();
+  run::declare_meshes(command, options->files, "Mesh files; each is an object named by folder and file, as arm/link1")
+      .required();
   command
       .text(
           "--balls", options->balls,
@@ -336,13 +337,13 @@ run::Command scenes_command() {
       .takes("FILE");
   command.whole("--samples", options->random, "The number of random balls, half of them near a face", 1,
                 run::kMostSamples);
-  command.require_one_of({"--balls", "--samples"});
-  command.seed(options->seed, "The seed of --samples; the same seed gives the same bytes");
+  run::require_one_of(command, {"--balls", "--samples"});
+  run::declare_seed(command, options->seed, "The seed of --samples; the same seed gives the same bytes");
   command.flag("--any", options->any, "Answer whether the ball touches any face");
   command.flag("--all", options->all,
                "Answer which faces it touches (default); of a ball that moves, in the order of time");
   command.flag("--nearest", options->nearest, "Answer which face is nearest to its centre, and where");
-  command.allow_one_of({"--any", "--all", "--nearest"});
+  run::allow_one_of(command, {"--any", "--all", "--nearest"});
   command
       .text(
           "--method", options->method,
@@ -365,16 +366,17 @@ run::Command scenes_command() {
       "--as-segments", options->as_segments,
       "Take a face whose corners lie on one line as the segment or the point that they span; answers then list "
       "these corners");
-  command.allow_one_of({"--merge", "--as-segments"});
+  run::allow_one_of(command, {"--merge", "--as-segments"});
   command.flag("--skip-bad", options->skip_bad,
                "Leave out faulty parts of a file and faces that are not valid polygons, and report them");
-  command.threads(options->threads);
+  run::declare_threads(command, options->threads);
   run::declare_output(command, *options,
                       "A folder for answers.jsonl, left-out.txt and run.json (default: answers go to standard "
                       "output, their number to standard error)");
-  command.footer("Exit status: 2 for wrong input, 130 if interrupted, otherwise 0.");
-  command.quiet(options->quiet, "Print no number of answers and no progress; without --output, the answers alone");
-  command.example("scenes part.obj --samples 100 --nearest");
+  command.help().footer = "Exit status: 2 for wrong input, 130 if interrupted, otherwise 0.";
+  run::declare_quiet(command, options->quiet,
+                     "Print no number of answers and no progress; without --output, the answers alone");
+  command.help().examples.emplace_back("scenes part.obj --samples 100 --nearest");
   command.runs([options] { return run(*options); });
   return command;
 }

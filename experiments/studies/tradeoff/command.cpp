@@ -76,12 +76,12 @@ constexpr const char* kFooter =
 
 run::Command tradeoff_command() {
   run::Command command("tradeoff", "Compare the run time of methods with their errors; draw the best");
-  command.footer(kFooter);
+  command.help().footer = kFooter;
   auto options = std::make_shared<Options>();
   options->samples = 200;  // with the times about a minute and a half on two cores
   options->output = "results/tradeoff";
   methods::declare_compared_methods(command, options->methods);
-  command.families(options->families).changes_results([options] {
+  run::declare_families(command, options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
   command.whole("--queries", options->queries, "The number of distinct balls in each timed list", 1, 1'000'000);
@@ -91,7 +91,7 @@ run::Command tradeoff_command() {
       .excludes_all_but({"--output"});
   command.writes(tables());
   const auto measure = run::study_runner(command, kVersion, options, run_tradeoff);
-  command.example("tradeoff --methods fast,filtered --samples 20");
+  command.help().examples.emplace_back("tradeoff --methods fast,filtered --samples 20");
   command.runs([options, measure] { return options->redraw ? redraw(*options) : measure(); });
   return command;
 }
