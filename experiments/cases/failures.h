@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/threshold.h"
+#include "experiments/cases/crossings.h"
 #include "experiments/run/state.h"
 #include "experiments/run/table.h"
 

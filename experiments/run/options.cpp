@@ -196,7 +196,7 @@ Option declare_families(OptionList& options, std::vector<std::string>& values) {
 }
 
 Option declare_meshes(OptionList& options, std::vector<std::string>& files, const std::string& about) {
-  return options.texts("MESH", files, about, check_utf8).required();
+  return options.texts("MESH", files, about, check_utf8);
 }
 
 Option declare_folder(OptionList& options, std::string& folder, const std::string& about) {

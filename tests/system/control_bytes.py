@@ -127,8 +127,8 @@ def check_meshes(checks):
     checks.write("balls", b"0 0 0 1\n")
     for name, content in MESHES.items():
         checks.write(name, content)
-        meshes = ("meshes", name, "--methods", "fast", "--force")
-        for arguments in (ask(name), meshes, (*meshes, "--skip-bad")):
+        faces = ("near-edge", name, "--methods", "fast", "--force")
+        for arguments in (ask(name), faces, (*faces, "--skip-bad")):
             checks.run(arguments, *arguments, status=(0, 2) if "--skip-bad" in arguments else (2,), echoes=(SHOWN, b"END"))
 
 
@@ -137,13 +137,13 @@ def check_names(checks):
     for what, content in ("sound", TRIANGLE), ("bad", bad), ("broken", b"f 7 8 9\n"):
         name = NAME + what.encode() + b".obj"
         checks.write(name, content)
-        meshes = ("meshes", name, "--methods", "fast", "--force")
-        for arguments in (ask(name), meshes, (*meshes, "--skip-bad")):
+        faces = ("near-edge", name, "--methods", "fast", "--force")
+        for arguments in (ask(name), faces, (*faces, "--skip-bad")):
             status = (0,) if what == "sound" else (0, 2) if "--skip-bad" in arguments else (2,)
             checks.run(arguments, *arguments, status=status, json_lines=arguments[0] == "ask",
                        echoes=(b"END",) if what != "sound" or arguments[0] != "ask" else ())
     for arguments in (("judge", NAME), ("corpus", "check", NAME), ("corpus", "shrink", NAME, "--method", "fast"),
-                      ask(NAME + b".obj"), ("meshes", NAME + b".xyz" + NAME, "--methods", "fast", "--force"),
+                      ask(NAME + b".obj"), ("near-edge", NAME + b".xyz" + NAME, "--methods", "fast", "--force"),
                       ("regress", "--baseline", NAME), (NAME,), ("judge", b"--" + NAME), ("judge", "--methods", NAME)):
         checks.run(arguments, *arguments, status=(1, 2, *range(100, 120)),
                    echoes=(SHOWN,) if len(arguments) > 1 else ())

@@ -108,9 +108,8 @@ class OwnEngine(unittest.TestCase):
         self.assertIn("corners", (self.folder / "worst.html").read_text())
 
     def test_tradeoff_says_which_times_include_a_pipe(self):
-        done = self.run_it("tradeoff", "--engine", self.vertices + "=corners", "--methods", "fast", "--families", "l", "--samples", "1",
+        self.run_it("tradeoff", "--engine", self.vertices + "=corners", "--methods", "fast", "--families", "l", "--samples", "1",
                            "--queries", "5", "--repetitions", "1", "--no-pictures", "--output", "out")
-        self.assertIn("corners: timed through a pipe", done.stdout)
         for table in ("timings.csv", "front.csv"):
             for row in self.rows("out", table):
                 self.assertEqual(row["through"], "pipe" if row["method"] == "corners" else "call")
@@ -128,9 +127,9 @@ class OwnEngine(unittest.TestCase):
         self.run_it(*compare, self.vertices + "=mine", status=1)
         self.assertIn("--engine names", self.run_it(*compare, self.vertices + "=other", "--engine", EXACT.replace("=precise", "=mine"), status=2).stderr)
 
-    def test_meshes_takes_it(self):
+    def test_near_edge_asks_it_about_meshes(self):
         (self.folder / "mesh.obj").write_text("v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n")
-        self.run_it("meshes", "mesh.obj", "--engine", self.vertices + "=corners", "--output", "out")
+        self.run_it("near-edge", "mesh.obj", "--engine", self.vertices + "=corners", "--output", "out")
         self.assertIn("corners", (self.folder / "out/meshes.csv").read_text())
 
     def test_its_failures_are_found_and_made_small_and_shown(self):

@@ -6,7 +6,7 @@ CMakeLists.txt names behind STANDS_ON, and no others; each of those is used; no 
 laboratory stands on one of experiments/thesis/; geometry/ includes nothing of robust/ or experiments/, robust/ and bindings/
 nothing of experiments/, and only tests/ includes tests/. What lies in robust/ROOM/detail/ is in namespace
 touchstone::ROOM::detail, and a folder in there has at most 12 files. Every source file is compiled, but those of absent
-engines. The table of docs/architecture.md lists the same rooms and arrows; --write updates it. Exit status 1, with the
+engines. The table of docs/architecture.md lists the same rooms and arrows, studies as one; --write updates it. Exit status 1, with the
 file and line, otherwise.
 """
 
@@ -112,7 +112,11 @@ def floor_of(room, by_name):
 
 
 def drawing(rooms):
-    """The rooms by floor, the highest first, then what each stands on."""
+    """The rooms by floor, the highest first, then what each stands on; the studies, which lie side by side, as one."""
+    studies = [room for room in rooms if "/studies/" in room.folder]
+    lower = [room.name for room in rooms if any(room.name in study.stands_on for study in studies)]
+    one = Room(f"studies experiments/studies: {' '.join(lower)}")
+    rooms = [one if room is studies[0] else room for room in rooms if room not in studies[1:]]
     by_name = {room.name: room for room in rooms}
     floors = {}
     for room in rooms:

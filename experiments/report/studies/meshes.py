@@ -7,9 +7,9 @@ from results import distinct, natural
 from studies import MESHES, OUTPUT, Run, same
 
 RUN = Run(1, "every face of real meshes", **same([
-    "meshes", MESHES, "--skip-bad", "--methods", "exact,filtered,fast,fast-float,fast-long-double,fast-double-double,cgal-double,cgal-epick,"
+    "near-edge", MESHES, "--skip-bad", "--methods", "exact,filtered,fast,fast-float,fast-long-double,fast-double-double,cgal-double,cgal-epick,"
     "thesis,thesis-float,thesis-signed,thesis-newell,thesis-closed", "--output", OUTPUT]),
-          tiny=["meshes", MESHES, "--methods", "exact,filtered,fast,cgal-double,thesis"])
+          tiny=["near-edge", MESHES, "--methods", "exact,filtered,fast,cgal-double,thesis"])
 TITLE = "Real input: every face of a robot cell"
 TRUTH = "exact"  # with which all are compared, itself included
 TESTS = ("plane", "foot", "edges", "contact")

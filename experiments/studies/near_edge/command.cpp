@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <limits>
 #include <memory>
+#include <utility>
 
-#include "experiments/methods/registry.h"
+#include "experiments/cases/workloads/meshes.h"
 #include "experiments/methods/selection.h"
 #include "experiments/run/numbers.h"
+#include "experiments/run/output.h"
 #include "experiments/run/study.h"
+#include "experiments/studies/near_edge/faces.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/search.h"
 
@@ -15,7 +19,13 @@ namespace {
 
 using namespace near_edge;
 
+// More than --faces takes, so that help has no default.
+constexpr std::uint64_t kAllFaces = std::numeric_limits<std::uint64_t>::max();
+
 struct Options : run::StudyOptions {
+  std::vector<std::string> meshes;
+  std::uint64_t faces = kAllFaces;
+  bool skip_bad = false;
   methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed"}};
   std::vector<std::string> families{"all"};
   cases::Shape shape;
@@ -24,86 +34,87 @@ struct Options : run::StudyOptions {
 };
 
 // Raised when sample n of a seed changes, or the form of what is kept.
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
-/// The phases of one run.
-class Run {
- public:
-  Run(run::StudyRun& run, const Options& options)
-      : run_(run), options_(options), settings_{options.methods.methods(), workloads::find_families(options.families),
-                                                options.samples,           options.seed,
-                                                options.threads,           options.shape} {
-    workloads::require_vertices(settings_.families, options.shape.vertices);
+/// Files of an earlier run would belong to other data.
+void remove_files(const run::StudyRun& run) {
+  run.remove_files({"bands", "failures", "left-out", "map-", "maps", "meshes", "onset", "rates", "rejected", "worst"});
+}
+
+/// A run about the faces of meshes.
+int run_faces(run::StudyRun& run, const Options& options) {
+  constexpr int kBadInput = 2;
+  const faces::Settings settings{options.methods.methods(), options.seed, options.faces, options.threads};
+  workloads::NamedFiles files =
+      workloads::read_named_files(options.meshes, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+  std::vector<faces::NamedMesh> meshes;
+  for (auto& file : files.read) meshes.push_back({file.name, std::move(file.content.mesh)});
+  if (meshes.empty()) return kBadInput;
+
+  const std::uint64_t count = faces::face_count(settings, meshes);
+  const auto result =
+      run.phase("faces", "part.json", count, faces::no_result(settings, meshes),
+                [&](const auto& control, faces::Result& sum) { faces::measure(settings, meshes, control, sum); });
+  run::StudyRun::End end{
+      .done = items_done(result), .missing = result.rejected.size(), .items = count, .pictures = false};
+  if (!files.all_read && !run.stopped()) end.status = kBadInput;
+  if (run.is_part()) return run.finish(end);
+  remove_files(run);
+  faces::write(run.folder(), settings, meshes, result);
+  run::write_file(run.folder() / "left-out.txt", workloads::left_out_text(files));
+  end.text = fmt::format("{}\n{} of {} faces in {} of {} meshes, {} of files left out; seed {}.\n",
+                         faces::table(settings, meshes, result), end.done, count, meshes.size(), options.meshes.size(),
+                         run::counted(files.parts_left_out, "part"), settings.seed);
+  if (const int status = run.finish(end); status != 0) return status;
+  if (result.rejected.empty() || options.skip_bad) return 0;
+  fmt::print(stderr, "touchstone: {}; with --skip-bad this is not an error\n",
+             run::counted(result.rejected.size(), "rejected face"));
+  return kBadInput;
+}
+
+/// A run about random polygons. Parts measure samples; maps are drawn and climbs made where the parts are merged.
+int run_random(run::StudyRun& run, const Options& options) {
+  const Settings settings{options.methods.methods(), workloads::find_families(options.families),
+                          options.samples,           options.seed,
+                          options.threads,           options.shape};
+  workloads::require_vertices(settings.families, options.shape.vertices);
+  const Result result = run.phase("samples", "part.json", settings.samples, no_result(settings),
+                                  [&](const auto& control, Result& sum) { run_study(settings, control, sum); });
+  if (!run.is_part()) {
+    remove_files(run);
+    write_failures(run.folder(), settings, result.counts);
+    if (!options.no_maps)
+      write_maps(run.folder(), settings, run.phase("maps", map_rows(), [&](const auto& control) {
+        return draw_maps(settings.methods, settings.seed, settings.threads, control.stop, control.progress);
+      }));
   }
-
-  int operator()() {
-    const std::string pace = sample();
-    if (!options_.no_maps && !run_.is_part()) draw();
-    if (options_.search > 0) search();
-    if (run_.is_part()) return run_.finish({.done = result_.samples, .missing = result_.missing});
-
-    std::string text = table(settings_, result_.counts) + pace;
-    if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
-    return run_.finish({.done = result_.samples,
-                        .missing = result_.missing,
-                        .text = std::move(text),
-                        .status = report_wrong_truths() ? 1 : 0});
-  }
-
- private:
-  /// Returns a sentence on the samples and their pace.
-  std::string sample() {
-    result_ = run_.phase("samples", "part.json", settings_.samples, no_result(settings_),
-                         [&](const auto& control, Result& result) { run_study(settings_, control, result); });
-    const double seconds = run_.seconds();
-    if (!run_.is_part()) {
-      run_.remove_files({"map-", "maps", "rates-", "onset", "worst"});
-      write_rates(run_.folder(), settings_, result_.counts);
-      write_bands(run_.folder(), settings_, result_.counts);
+  std::string text = table(settings, result.counts) +
+                     fmt::format("\n{} samples of each family, placement and threshold; {} of all were not found.\n",
+                                 result.samples, result.missing);
+  WorstCases worst;
+  if (options.search > 0) {
+    const Onsets onsets =
+        run.phase("search", "search-part.json", options.search, no_onsets(settings),
+                  [&](const auto& control, Onsets& sum) { run_onsets(settings, options.search, control, sum); });
+    if (!run.is_part()) {
+      worst = run.phase("climbs", climb_count(settings),
+                        [&](const auto& control) { return run_climbs(settings, control, onsets); });
+      write_onsets(run.folder(), settings, onsets);
+      write_worst(run.folder(), settings, onsets, worst);
+      text += "\n" + search_table(settings, onsets, worst);
     }
-    const std::uint64_t strata =
-        cases::all_strata().size() / workloads::all_families().size() * settings_.families.size();
-    return fmt::format(
-        "\n{} samples of each family, placement and threshold; {} of all were not found. {:.0f} s ({:.0f} a second of "
-        "all).\n",
-        result_.samples, result_.missing, seconds, static_cast<double>(result_.samples * strata) / seconds);
   }
-
-  void draw() {
-    const auto maps = run_.phase("maps", map_rows(), [&](const auto& control) {
-      return draw_maps(settings_.methods, settings_.seed, settings_.threads, control.stop, control.progress);
-    });
-    write_maps(run_.folder(), settings_, maps);
-  }
-
-  void search() {
-    onsets_ = run_.phase(
-        "search", "search-part.json", options_.search, no_onsets(settings_),
-        [&](const auto& control, Onsets& onsets) { run_onsets(settings_, options_.search, control, onsets); });
-    if (run_.is_part()) return;
-    run_.phase("climbs", climb_count(settings_),
-               [&](const auto& control) { run_climbs(settings_, control, onsets_, worst_); });
-    write_onsets(run_.folder(), settings_, onsets_);
-    write_worst(run_.folder(), settings_, onsets_, worst_);
-  }
-
-  /// Reports that the search took a wrong truth from `filtered`. Returns whether it did.
-  [[nodiscard]] bool report_wrong_truths() const {
-    if (worst_.wrong_truths == 0) return false;
+  if (run.is_part()) text.clear();
+  if (worst.wrong_truths > 0)
     fmt::print(stderr,
                "touchstone: the search found {} answers wrong by filtered, but right by exact: filtered DIFFERS FROM "
                "exact, a defect of this program, or a method does not repeat its answers\n",
-               worst_.wrong_truths);
-    return true;
-  }
-
-  run::StudyRun& run_;
-  const Options& options_;
-  Settings settings_;
-  Result result_;
-  Onsets onsets_;
-  WorstCases worst_;
-};
+               worst.wrong_truths);
+  return run.finish({.done = result.samples,
+                     .missing = result.missing,
+                     .text = std::move(text),
+                     .status = worst.wrong_truths > 0 ? 1 : 0});
+}
 
 }  // namespace
 
@@ -112,6 +123,20 @@ run::Command near_edge_command() {
   auto options = std::make_shared<Options>();
   options->samples = 1000;  // about 35 s on two cores
   options->output = "results/near-edge";
+  run::declare_meshes(command, options->meshes,
+                      "Mesh files (OBJ, OFF, STL, PLY), about every face of which to ask instead")
+      .changes_results([options] { return workloads::with_hashes(options->meshes); });
+  command
+      .whole("--faces", options->faces, "The number of faces of each mesh to test, from the first on (default: all)", 1,
+             run::kMostSamples)
+      .needs("MESH")
+      .changes_results(
+          [options] { return options->faces == kAllFaces ? std::string("all") : std::to_string(options->faces); });
+  command
+      .flag("--skip-bad", options->skip_bad,
+            "Leave out faulty parts of a mesh file, and report them; rejected faces are then not an error")
+      .needs("MESH")
+      .changes_results([options] { return std::string(run::yes_or_no(options->skip_bad)); });
   methods::declare_compared_methods(command, options->methods);
   run::declare_families(command, options->families).changes_results([options] {
     return workloads::selected_names(options->families);
@@ -134,9 +159,12 @@ run::Command near_edge_command() {
   run::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
   command.writes(tables());
   command.writes(search_tables());
+  command.writes(faces::tables());
   command.help().examples.emplace_back("near-edge --methods fast,filtered --samples 20 --search 0");
-  command.runs(run::study_runner(command, kVersion, options,
-                                 [](run::StudyRun& run, const Options& given) { return Run(run, given)(); }));
+  command.help().footer = "With mesh files, all options of random polygons are without effect.";
+  command.runs(run::study_runner(command, kVersion, options, [](run::StudyRun& run, const Options& given) {
+    return given.meshes.empty() ? run_random(run, given) : run_faces(run, given);
+  }));
   return command;
 }
 

@@ -160,48 +160,22 @@ char letter(const std::optional<Outcome>& verdict) {
   return 'b';
 }
 
-class Cartographer {
- public:
-  Cartographer(const std::vector<const cases::Method*>& methods, std::uint64_t seed) {
-    for (const auto* method : methods) knows_boundary_.push_back(cases::knows_boundary(*method));
-    const std::string empty(kSide * kSide, ' ');
-    for (const Spot spot : kSpots)
-      for (const double distance : kOriginDistances)
-        for (const Test test : {Test::Foot, Test::Contact}) {
-          if (spot == Spot::Face && test == Test::Foot) continue;
-          scenes_.push_back(draw_scene(spot, test, distance, seed, methods));
-          blank_.push_back({spot, distance, test, empty, std::vector<std::string>(methods.size(), empty)});
-        }
+/// Draws one row of a map.
+void draw_row(const Scene& scene, const std::vector<bool>& know_boundary, std::size_t row, Map& map) {
+  for (std::size_t column = 0; column < kSide; ++column) {
+    const Ball ball = scene.ball(row, column);
+    cases::PartialAnswer truth;
+    if (map.test == Test::Foot)
+      truth.foot = exact::foot(ball, scene.exact);
+    else
+      truth.contact = exact::contact(ball, scene.exact);
+    const std::size_t pixel = row * kSide + column;
+    map.truth[pixel] = letter(map.test, truth);
+    for (std::size_t m = 0; m < scene.asked.size(); ++m)
+      map.verdicts[m][pixel] =
+          letter(compare(map.test, scene.asked[m]->ask(ball, query_kind(map.test)), truth, know_boundary[m]));
   }
-
-  /// A map of each scene.
-  [[nodiscard]] const std::vector<Map>& blank() const { return blank_; }
-
-  void draw_row(std::uint64_t number, std::vector<Map>& maps) const {
-    const std::size_t row = static_cast<std::size_t>(number) % kSide, s = static_cast<std::size_t>(number) / kSide;
-    const Scene& scene = scenes_[s];
-    Map& map = maps[s];
-    for (std::size_t column = 0; column < kSide; ++column) {
-      const Ball ball = scene.ball(row, column);
-      cases::PartialAnswer truth;
-      if (map.test == Test::Foot)
-        truth.foot = exact::foot(ball, scene.exact);
-      else
-        truth.contact = exact::contact(ball, scene.exact);
-      const std::size_t pixel = row * kSide + column;
-      map.truth[pixel] = letter(map.test, truth);
-      for (std::size_t m = 0; m < scene.asked.size(); ++m) {
-        const auto answer = scene.asked[m]->ask(ball, query_kind(map.test));
-        map.verdicts[m][pixel] = letter(compare(map.test, answer, truth, knows_boundary_[m]));
-      }
-    }
-  }
-
- private:
-  std::vector<bool> knows_boundary_;
-  std::vector<Scene> scenes_;
-  std::vector<Map> blank_;
-};
+}
 
 }  // namespace
 
@@ -219,10 +193,22 @@ std::uint64_t map_rows() { return kMaps * kSide; }
 
 std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed, unsigned threads,
                            const std::atomic<bool>& stop, const run::Progress& progress) {
-  const Cartographer cartographer(methods, seed);
-  std::vector<Map> maps = cartographer.blank();
-  const std::uint64_t done = run::run_blocks(map_rows(), threads, stop, progress,
-                                             [&](unsigned, std::uint64_t row) { cartographer.draw_row(row, maps); });
+  std::vector<bool> know_boundary;
+  for (const auto* method : methods) know_boundary.push_back(cases::knows_boundary(*method));
+  std::vector<Scene> scenes;
+  std::vector<Map> maps;
+  const std::string empty(kSide * kSide, ' ');
+  for (const Spot spot : kSpots)
+    for (const double distance : kOriginDistances)
+      for (const Test test : {Test::Foot, Test::Contact}) {
+        if (spot == Spot::Face && test == Test::Foot) continue;
+        scenes.push_back(draw_scene(spot, test, distance, seed, methods));
+        maps.push_back({spot, distance, test, empty, std::vector<std::string>(methods.size(), empty)});
+      }
+  const std::uint64_t done = run::run_blocks(map_rows(), threads, stop, progress, [&](unsigned, std::uint64_t number) {
+    const std::size_t map = number / kSide;
+    draw_row(scenes[map], know_boundary, number % kSide, maps[map]);
+  });
   maps.resize(static_cast<std::size_t>(done) / kSide);
   return maps;
 }

@@ -59,7 +59,7 @@ inline constexpr double kOriginDistances[] = {0, 1e3, 1e6};
 
 [[nodiscard]] std::uint64_t map_rows();
 
-/// Writes a table a map. Throws as write_rates does.
+/// Writes a table a map. Throws as write_failures does.
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps);
 
 }  // namespace touchstone::near_edge

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/methods/registry.h"
 #include "experiments/run/sweep.h"
 #include "experiments/run/table.h"
 
@@ -20,16 +19,7 @@ using cases::Failures;
 using cases::kTests;
 using cases::Outcome;
 using cases::Test;
-
-struct Settings {
-  std::vector<const cases::Method*> methods;
-  std::vector<workloads::Family> families;
-  /// Per stratum; up to run::kMostSamples, indices of samples and of their redraws do not collide.
-  std::uint64_t samples = 1;
-  std::uint64_t seed = 1;
-  unsigned threads = 1;
-  cases::Shape shape = {};
-};
+using Settings = cases::CrossingSettings;
 
 /// The answers of one method to one test in one stratum.
 ///
@@ -74,17 +64,14 @@ struct Result {
 /// equals a run of m samples.
 void run_study(const Settings& settings, const run::RunControl& control, Result& result);
 
-// Results only: byte for byte the same for the same settings, whatever the number of threads. Each throws
-// std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.
-
-void write_rates(const std::filesystem::path& folder, const Settings& settings, const Counts& counts);
-void write_bands(const std::filesystem::path& folder, const Settings& settings, const Counts& counts);
+/// rates.csv and bands.csv: byte for byte the same for the same settings, whatever the number of threads. Throws
+/// std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.
+void write_failures(const std::filesystem::path& folder, const Settings& settings, const Counts& counts);
 
 /// Returns what the tables hold, those of the maps included.
 [[nodiscard]] std::vector<run::TableDescription> tables();
 
-/// Returns the table for the terminal, with its legend: one line per method, threshold and test, over all families and
-/// placements.
+/// Returns the table of bands for the terminal, over all families, of the test that is decided at each threshold.
 [[nodiscard]] std::string table(const Settings& settings, const Counts& counts);
 
 }  // namespace touchstone::near_edge

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
@@ -52,30 +53,26 @@ class Search {
     }
   }
 
-  /// From one of the furthest samples of a region and method.
-  void climb_from(std::size_t region_and_method, const Find& find, WorstCases& part) const {
+  /// Climbs from one of the furthest samples of a region and method. Returns nothing if the method is not wrong there;
+  /// a case without a line if `exact` does not confirm it.
+  [[nodiscard]] std::optional<Worst> climb_from(std::size_t region_and_method, const Find& find) const {
     const Region& region = regions_[region_and_method / settings_.methods.size()];
     const std::size_t m = region_and_method % settings_.methods.size();
     const cases::Method& method = *settings_.methods[m];
     auto start = draw_at_threshold(place(region, find.n));
     const workloads::Random random(settings_.seed, find.n, kClimbStream + region_and_method);
     const auto [at, reach] = climb(*std::move(start), method, random);
-    if (!reach.furthest) return;
+    if (!reach.furthest) return std::nullopt;
 
     const Ball& ball = *reach.furthest;
     const auto truth = exact_.prepare(at.polygon)->ask(ball, query_kind(at.test()));
-    const auto verdict =
-        compare(at.test(), method.prepare(at.polygon)->ask(ball, query_kind(at.test())), truth, knows_boundary_[m]);
-    if (verdict == cases::Outcome::Right) {
-      ++part.wrong_truths;
-      return;
-    }
-    Worst& worst = part.all[region_and_method];
-    const Worst found{reach.share, find.n, line(region, method, find.n, at, ball, truth)};
-    if (is_worse(found, worst)) worst = found;
+    const auto answer = method.prepare(at.polygon)->ask(ball, query_kind(at.test()));
+    if (compare(at.test(), answer, truth, knows_boundary_[m]) == cases::Outcome::Right) return Worst();
+    const std::string name(method.name());
+    return Worst{reach.share, find.n,
+                 cases::case_line("worst-" + name + "-" + id(place(region, find.n)), cases::Shapes{ball, at.polygon},
+                                  {"worst", name}, cases::only(truth, {cases::key_of(at.test())}))};
   }
-
-  static bool is_worse(const Worst& a, const Worst& b) { return Find{a.share, a.n} < Find{b.share, b.n}; }
 
  private:
   [[nodiscard]] cases::SamplePlace place(const Region& region, std::uint64_t n) const {
@@ -84,27 +81,11 @@ class Search {
     return {region.stratum, shape, settings_.seed, n};
   }
 
-  [[nodiscard]] std::string line(const Region& region, const cases::Method& method, std::uint64_t n,
-                                 const AtThreshold& at, const Ball& ball, const cases::PartialAnswer& truth) const {
-    cases::PartialAnswer expected;
-    if (at.test() == Test::Contact)
-      expected.contact = truth.contact;
-    else
-      expected.foot = truth.foot;
-    const std::vector<std::string> tags{"worst", std::string(method.name())};
-    return cases::case_line("worst-" + std::string(method.name()) + "-" + id(place(region, n)),
-                            cases::Shapes{ball, at.polygon}, tags, expected);
-  }
-
   const Settings& settings_;
   std::vector<Region> regions_;
   const cases::Method &filtered_, &exact_;
   std::vector<bool> knows_boundary_;
 };
-
-WorstCases no_worst_cases(const Settings& settings) {
-  return {std::vector<Worst>(search_regions(settings.families).size() * settings.methods.size()), 0};
-}
 
 using workloads::Random;
 
@@ -163,11 +144,6 @@ Feature::Kind nearest_kind(const AtThreshold& at) {
   return filtered::answer({at.ball.center, 0}, filtered::PreparedPolygon(at.polygon)).nearest.kind;
 }
 
-std::size_t place_of(std::int64_t offset) {
-  const auto& offsets = cases::all_offsets();
-  return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
-}
-
 int differing_axis(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   for (int axis = 0; axis < 3; ++axis)
     if (a[axis] != b[axis]) return axis;
@@ -196,13 +172,6 @@ Onset& Onset::operator+=(const Onset& other) {
   return *this;
 }
 
-WorstCases& WorstCases::operator+=(const WorstCases& other) {
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (Search::is_worse(other.all[i], all[i])) all[i] = other.all[i];
-  wrong_truths += other.wrong_truths;
-  return *this;
-}
-
 Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
@@ -217,16 +186,24 @@ std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-void run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets, WorstCases& worst) {
+WorstCases run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets) {
   const Search search(settings);
-  worst = no_worst_cases(settings);
-  run::run_sweep(climb_count(settings), settings.threads, control, no_worst_cases(settings), worst,
-                 [&](std::uint64_t i, WorstCases& part) {
-                   const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept,
-                                     rank = i % Onset::kMostKept;
-                   const std::vector<Find>& furthest = onsets.all[where].furthest;
-                   if (rank < furthest.size()) search.climb_from(where, furthest[rank], part);
-                 });
+  std::vector<std::optional<Worst>> found(climb_count(settings));
+  run::run_items(found.size(), 1, settings.threads, control, [&](unsigned, std::uint64_t i) {
+    const std::size_t where = i / Onset::kMostKept, rank = i % Onset::kMostKept;
+    const std::vector<Find>& furthest = onsets.all[where].furthest;
+    if (rank < furthest.size()) found[i] = search.climb_from(where, furthest[rank]);
+  });
+  WorstCases worst{std::vector<Worst>(onsets.all.size())};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i]) continue;
+    Worst& best = worst.all[i / Onset::kMostKept];
+    if (found[i]->line.empty())
+      ++worst.wrong_truths;
+    else if (Find{found[i]->share, found[i]->n} < Find{best.share, best.n})
+      best = *found[i];
+  }
+  return worst;
 }
 
 Climbed climb(AtThreshold start, const cases::Method& method, Random random) {
@@ -269,7 +246,7 @@ double AtThreshold::share_of(const Ball& other) const {
 std::optional<AtThreshold> draw_at_threshold(const cases::SamplePlace& place) {
   auto crossing = cases::draw_crossing(place, *methods::find_method("filtered"));
   if (!crossing) return std::nullopt;
-  const Ball &here = crossing->balls[place_of(0)], &next = crossing->balls[place_of(1)];
+  const Ball &here = crossing->balls[crossing->middle()], &next = crossing->balls[crossing->middle() + 1];
   return AtThreshold{std::move(crossing->polygon), here, differing_axis(here.center, next.center)};
 }
 

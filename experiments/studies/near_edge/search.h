@@ -120,16 +120,13 @@ struct Worst {
   std::uint64_t n = 0;  ///< of the sample from which the climb started
   std::string line;     ///< the case as JSON; its `expected` has only the key that the method gets wrong
 
-  auto members() { return std::tie(share, n, line); }
   friend bool operator==(const Worst&, const Worst&) = default;
 };
 
-/// The furthest case of each region and method; sums do not depend on their order.
+/// The furthest case of each region and method.
 struct WorstCases {
   std::vector<Worst> all;          ///< [region][method]
   std::uint64_t wrong_truths = 0;  ///< truths that `exact` did not confirm: a defect of this program
-
-  WorstCases& operator+=(const WorstCases& other);
 };
 
 [[nodiscard]] inline std::uint64_t items_done(const Onsets& onsets) { return onsets.done; }
@@ -142,10 +139,10 @@ struct WorstCases {
 void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl& control, Onsets& onsets);
 /// Climbs from the furthest samples of each region and method, in climb_count(settings) climbs. The result is a
 /// function of settings and onsets, independent of threads; `exact` confirms each case.
-void run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets, WorstCases& worst);
+[[nodiscard]] WorstCases run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);
 
-// Results only, and errors, as of write_rates.
+// Results only, and errors, as of write_failures.
 
 void write_onsets(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets);
 /// Also writes worst.jsonl: these cases, for `touchstone judge`.
@@ -154,7 +151,7 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
 /// Returns what these tables hold.
 [[nodiscard]] std::vector<run::TableDescription> search_tables();
 
-/// Returns the table of a search for the terminal: one line per threshold, distance and method, over all families.
+/// Returns the table of the furthest answers for the terminal: over all families.
 [[nodiscard]] std::string search_table(const Settings& settings, const Onsets& onsets, const WorstCases& worst);
 
 }  // namespace touchstone::near_edge

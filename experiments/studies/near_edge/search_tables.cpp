@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 #include "experiments/run/output.h"
-#include "experiments/run/statistics/shares.h"
 #include "experiments/studies/near_edge/search.h"
 
 namespace touchstone::near_edge {
@@ -21,20 +15,7 @@ struct RegionGroup {
   std::vector<std::size_t> regions;
 };
 
-std::vector<RegionGroup> pooled_groups(const Settings& settings) {
-  std::vector<RegionGroup> groups;
-  const auto regions = search_regions(settings.families);
-  for (const cases::Threshold threshold : cases::all_thresholds())
-    for (const double distance : kSearchDistances) {
-      RegionGroup group{"all", threshold, distance, {}};
-      for (std::size_t r = 0; r < regions.size(); ++r)
-        if (cases::all_strata()[regions[r].stratum].threshold == threshold && regions[r].origin_distance == distance)
-          group.regions.push_back(r);
-      if (!group.regions.empty()) groups.push_back(std::move(group));
-    }
-  return groups;
-}
-
+/// Returns each region.
 std::vector<RegionGroup> single_groups(const Settings& settings) {
   std::vector<RegionGroup> groups;
   const auto regions = search_regions(settings.families);
@@ -45,10 +26,16 @@ std::vector<RegionGroup> single_groups(const Settings& settings) {
   return groups;
 }
 
-std::vector<RegionGroup> region_groups(const Settings& settings) {
-  auto groups = single_groups(settings);
-  const auto pooled = pooled_groups(settings);
-  groups.insert(groups.end(), pooled.begin(), pooled.end());
+/// Returns the groups of all families.
+std::vector<RegionGroup> pooled_groups(const Settings& settings) {
+  std::vector<RegionGroup> groups;
+  for (const cases::Threshold threshold : cases::all_thresholds())
+    for (const double distance : kSearchDistances) {
+      RegionGroup group{"all", threshold, distance, {}};
+      for (const RegionGroup& single : single_groups(settings))
+        if (single.threshold == threshold && single.distance == distance) group.regions.push_back(single.regions[0]);
+      if (!group.regions.empty()) groups.push_back(std::move(group));
+    }
   return groups;
 }
 
@@ -94,8 +81,8 @@ const run::Table<OnsetRow>& onset_table() {
 }
 
 struct WorstRow : Subject {
-  const Onset* onset;
-  const Worst* worst;
+  std::uint64_t samples;
+  std::optional<double> sampled, climbed;
 };
 
 const run::Table<WorstRow>& worst_table() {
@@ -103,26 +90,35 @@ const run::Table<WorstRow>& worst_table() {
       "worst.csv", "a family, threshold, distance from the origin and method",
       run::all_columns<WorstRow>(
           {subject_columns<WorstRow>(),
-           {{"samples", "random samples", [](const WorstRow& row) { return row.onset->samples; }},
-            {"sampled_share", "the furthest wrong offset of random samples, in sizes",
-             [](const WorstRow& row) {
-               const auto& furthest = row.onset->furthest;
-               return furthest.empty() ? std::nullopt : std::optional(furthest.front().share);
-             },
-             "{:.6g}"},
-            {"climbed_share", "the furthest wrong offset after climbing, in sizes",
-             [](const WorstRow& row) { return row.worst->share != 0 ? std::optional(row.worst->share) : std::nullopt; },
-             "{:.6g}"}}}));
+           {{"samples", "random samples", &WorstRow::samples},
+            {"sampled_share", "the furthest wrong offset of random samples, in sizes", &WorstRow::sampled, "{:.6g}"},
+            {"climbed_share", "the furthest wrong offset after climbing, in sizes", &WorstRow::climbed, "{:.6g}"}}}));
   return table;
 }
 
-/// 2^-50.3, to which a share is rounded for people; nothing without a share.
-std::string power_of_two(double share) { return share > 0 ? fmt::format("2^{:.1f}", std::log2(share)) : "none seen"; }
+std::vector<WorstRow> worst_rows(const Settings& settings, const std::vector<RegionGroup>& groups, const Onsets& onsets,
+                                 const WorstCases& worst) {
+  std::vector<WorstRow> rows;
+  for (const RegionGroup& group : groups)
+    for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+      const Onset onset = sum(settings, onsets, group, m);
+      double climbed = 0;
+      for (const std::size_t r : group.regions)
+        climbed = std::max(climbed, worst.all[r * settings.methods.size() + m].share);
+      rows.push_back({{&group, settings.methods[m]->name()},
+                      onset.samples,
+                      onset.furthest.empty() ? std::nullopt : std::optional(onset.furthest.front().share),
+                      climbed == 0 ? std::nullopt : std::optional(climbed)});
+    }
+  return rows;
+}
 
 }  // namespace
 
 void write_onsets(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets) {
-  const auto groups = region_groups(settings);
+  auto groups = single_groups(settings);
+  const auto pooled = pooled_groups(settings);
+  groups.insert(groups.end(), pooled.begin(), pooled.end());
   std::vector<OnsetRow> rows;
   for (const auto& group : groups)
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
@@ -141,15 +137,9 @@ void write_onsets(const std::filesystem::path& folder, const Settings& settings,
 void write_worst(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets,
                  const WorstCases& worst) {
   const auto groups = single_groups(settings);
-  std::vector<WorstRow> rows;
+  worst_table().write(folder, worst_rows(settings, groups, onsets, worst));
   std::string cases;
-  for (std::size_t r = 0; r < groups.size(); ++r)
-    for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-      const std::size_t at = r * settings.methods.size() + m;
-      rows.push_back({{&groups[r], settings.methods[m]->name()}, &onsets.all[at], &worst.all[at]});
-      cases += worst.all[at].line;
-    }
-  worst_table().write(folder, rows);
+  for (const Worst& found : worst.all) cases += found.line;
   run::write_file(folder / "worst.jsonl", cases);
 }
 
@@ -158,35 +148,11 @@ std::vector<run::TableDescription> search_tables() {
 }
 
 std::string search_table(const Settings& settings, const Onsets& onsets, const WorstCases& worst) {
-  std::string text = fmt::format("{:<12} {:>9}  {:<16} {:>8}  {:<34} {:>12} {:>12}\n", "threshold", "distance",
-                                 "method", "samples", "wrong from, and how often (95 %)", "furthest", "climbed");
-  for (const auto& group : pooled_groups(settings))
-    for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-      const Onset onset = sum(settings, onsets, group, m);
-      if (onset.samples == 0) continue;
-      std::string from = "at none";
-      for (std::size_t k = kMostExponent + 1; k-- > 0;) {
-        if (onset.wrong[k] == 0) continue;
-        const auto limits = statistics::clopper_pearson(onset.wrong[k], onset.samples);
-        from = fmt::format("2^-{}: {} to {} %", k, statistics::percent_to_places(limits.lower, 2),
-                           statistics::percent_to_places(limits.upper, 2));
-      }
-      double climbed = 0;
-      for (const std::size_t r : group.regions)
-        climbed = std::max(climbed, worst.all[r * settings.methods.size() + m].share);
-      text +=
-          fmt::format("{:<12} {:>9.0f}  {:<16} {:>8}  {:<34} {:>12} {:>12}\n", to_string(group.threshold),
-                      group.distance, settings.methods[m]->name(), onset.samples, from,
-                      power_of_two(onset.furthest.empty() ? 0 : onset.furthest.front().share), power_of_two(climbed));
-    }
-  return text +
-         "Offsets of the radius (foot-*: of a coordinate of the centre) from the threshold, as shares "
-         "of the polygon's\n"
-         "size, tested at the powers of two from 2^-60 to 1, and at 64 steps beyond the furthest wrong one. "
-         "Rotated polygons;\n"
-         "the truth is filtered, and exact for climbed cases. Distance from the origin, in sizes. Furthest: "
-         "over all samples;\n"
-         "climbed: after moving their coordinates.\n";
+  const auto groups = pooled_groups(settings);
+  return worst_table().aligned(worst_rows(settings, groups, onsets, worst)) +
+         "Offsets of the radius (foot-*: of a coordinate of the centre) from the threshold at which a method is wrong, of "
+         "rotated\npolygons. Random samples are tested at the powers of two from 2^-60 to 1, and at 64 steps beyond the "
+         "furthest wrong one;\nthe search then moves their coordinates. onset.csv says how often.\n";
 }
 
 }  // namespace touchstone::near_edge

@@ -3,8 +3,6 @@
 
 #include <cstdint>
 
-#include "experiments/run/output.h"
-#include "experiments/run/statistics/shares.h"
 #include "experiments/studies/near_edge/map.h"
 
 namespace touchstone::near_edge {
@@ -65,38 +63,26 @@ run::Table<PixelRow> map_table(const std::string& file, const std::vector<std::s
   return {file, "a pixel", columns};
 }
 
-std::vector<std::size_t> strata_of(cases::Threshold threshold) {
-  std::vector<std::size_t> strata;
-  for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
-    if (cases::all_strata()[s].threshold == threshold) strata.push_back(s);
-  return strata;
+std::vector<BandRow> band_rows(const Settings& settings, const std::vector<cases::StratumGroup>& groups,
+                               const Counts& counts) {
+  std::vector<BandRow> rows;
+  for (const auto& group : groups)
+    for (const Test test : kTests)
+      for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+        const TestFailures failures = sum(counts, group.strata, test, m);
+        if (failures.samples.trials > 0)
+          rows.push_back({{&group, test, settings.methods[m]->name()},
+                          failures.samples,
+                          cases::total(failures.offsets),
+                          cases::band_of(failures.offsets, &Failures::not_right),
+                          failures.samples.rate()});
+      }
+  return rows;
 }
-
-cases::Band band_of(const TestFailures& failures) { return cases::band_of(failures.offsets, &Failures::not_right); }
-
-std::string_view movement(cases::Threshold threshold) {
-  switch (threshold) {
-    case cases::Threshold::Face: return "radius across the distance to a face";
-    case cases::Threshold::Edge: return "radius across the distance to an edge";
-    case cases::Threshold::Vertex: return "radius across the distance to a vertex";
-    case cases::Threshold::Tangent: return "radius across a distance that is a double (lattice)";
-    case cases::Threshold::FootEdge: return "centre moved so that its foot crosses an edge; ample radius";
-    case cases::Threshold::FootVertex: return "centre moved so that its foot passes a vertex; ample radius";
-  }
-  return "";
-}
-
-constexpr std::string_view kLegend =
-    "A sample is a polygon and a centre; it fails if the test is wrong, or left undecided, at any offset.\n"
-    "Limits: Clopper-Pearson, 95 %.\n"
-    "Offset: of the radius (or of one coordinate of the centre), in doubles from the exact threshold; positive is\n"
-    "larger (or: the foot is outside). Band: the lowest and the highest offset at which a failure was seen.\n"
-    "plane: intersects or not (front and behind count alike). foot: inside, boundary or outside; for a method without\n"
-    "the word boundary, either is right on a boundary. edges: the whole list. contact: the final answer.\n";
 
 }  // namespace
 
-void write_rates(const std::filesystem::path& folder, const Settings& settings, const Counts& counts) {
+void write_failures(const std::filesystem::path& folder, const Settings& settings, const Counts& counts) {
   const auto groups = cases::stratum_groups(settings.families);
   std::vector<OffsetRow> rows;
   for (const auto& group : groups)
@@ -111,23 +97,7 @@ void write_rates(const std::filesystem::path& folder, const Settings& settings, 
                             run::rate(at.not_right(), at.trials)});
       }
   rates_table().write(folder, rows);
-}
-
-void write_bands(const std::filesystem::path& folder, const Settings& settings, const Counts& counts) {
-  const auto groups = cases::stratum_groups(settings.families);
-  std::vector<BandRow> rows;
-  for (const auto& group : groups)
-    for (const Test test : kTests)
-      for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-        const TestFailures failures = sum(counts, group.strata, test, m);
-        if (failures.samples.trials > 0)
-          rows.push_back({{&group, test, settings.methods[m]->name()},
-                          failures.samples,
-                          cases::total(failures.offsets),
-                          band_of(failures),
-                          failures.samples.rate()});
-      }
-  bands_table().write(folder, rows);
+  bands_table().write(folder, band_rows(settings, groups, counts));
 }
 
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
@@ -143,25 +113,15 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
 }
 
 std::string table(const Settings& settings, const Counts& counts) {
-  std::string text;
-  for (const cases::Threshold threshold : cases::all_thresholds()) {
-    text +=
-        fmt::format("\n{}: {}\n  {:<16} {:<8} {:>18}  {:>8}  {:<22} {}\n", to_string(threshold), movement(threshold),
-                    "method", "test", "failed of samples", "rate", "95 % limits", "band of offsets");
-    for (std::size_t m = 0; m < settings.methods.size(); ++m)
-      for (const Test test : kTests) {
-        const TestFailures failures = sum(counts, strata_of(threshold), test, m);
-        if (failures.samples.trials == 0) continue;
-        const run::Rate rate = failures.samples.rate();
-        text += fmt::format("  {:<16} {:<8} {:>18}  {:>7}%  {:<22} {}\n", settings.methods[m]->name(), to_string(test),
-                            fmt::format("{} of {}", failures.samples.wrong, failures.samples.trials),
-                            statistics::percent_to_places(rate.share, 3),
-                            fmt::format("{} to {} %", statistics::percent_to_places(rate.lower, 3),
-                                        statistics::percent_to_places(rate.upper, 3)),
-                            to_string(band_of(failures)));
-      }
-  }
-  return text.append("\n").append(kLegend);
+  const auto groups = cases::stratum_groups(settings.families);
+  auto rows = band_rows(settings, groups, counts);
+  std::erase_if(rows, [](const BandRow& row) {
+    return row.group->family != "all" || row.test != cases::test_at(row.group->threshold);
+  });
+  return bands_table().aligned(rows) +
+         "A sample is a polygon and a centre; it fails if the test is wrong, or left undecided, at any offset. Limits:\n"
+         "Clopper-Pearson, 95 %. Offset: of the radius (foot-*: of one coordinate of the centre, with an ample radius), in\n"
+         "doubles from the exact threshold; positive is larger (or: the foot is outside). bands.csv has the other tests.\n";
 }
 
 std::vector<run::TableDescription> tables() {

@@ -54,9 +54,6 @@ int run_tradeoff(run::StudyRun& run, const Options& options) {
   // Files of an earlier run would belong to other data.
   run.remove_files({"timings.csv", "front.csv", "front-", "offsets-"});
   write_errors(run.folder(), settings, errors);
-  write_bands(run.folder(), settings, errors);
-  write_points(run.folder(), settings, errors);
-  write_worst(run.folder(), settings, errors);
   const auto timings = run.phase("times", list_count(timed), [&](const auto& control) {
     return measure_timings(timed, control.stop, control.progress);
   });

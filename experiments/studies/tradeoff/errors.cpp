@@ -16,76 +16,23 @@ namespace touchstone::tradeoff {
 namespace {
 
 using cases::Crossing;
-using cases::Outcome;
-using cases::Test;
 
-class Study {
- public:
-  explicit Study(const Settings& settings) : settings_(settings), exact_(*methods::find_method("exact")) {
-    for (const auto* method : settings.methods) knows_boundary_.push_back(cases::knows_boundary(*method));
-  }
-
-  /// Sample n of every stratum of the selected families.
-  void ask_all(std::uint64_t n, Errors& part) const {
-    const auto& families = settings_.families;
-    for (std::size_t stratum = 0; stratum < part.at.size(); ++stratum) {
-      if (std::ranges::find(families, cases::all_strata()[stratum].family) == families.end()) continue;
-      if (const auto crossing = cases::draw_crossing({stratum, {}, settings_.seed, n}, exact_))
-        ask(stratum, n, *crossing, part.at[stratum]);
-      else
-        ++part.missing;
-    }
-    ++part.samples;
-  }
-
- private:
-  void ask(std::size_t stratum, std::uint64_t n, const Crossing& crossing, std::vector<MethodErrors>& by_method) const {
-    const auto threshold = cases::all_strata()[stratum].threshold;
-    const Ball& middle = crossing.balls[crossing.balls.size() / 2];  // at offset 0
-    std::optional<Answer> truth;
-    if (cases::moves_radius(threshold)) truth = exact::answer(middle, crossing.polygon);
-    for (std::size_t m = 0; m < settings_.methods.size(); ++m) {
-      if (settings_.methods[m]->slow() && n % kSlowStride != 0) continue;
-      MethodErrors& errors = by_method[m];
-      const auto prepared = settings_.methods[m]->prepare(crossing.polygon);
-      ++errors.samples;
-      const Test test = cases::test_at(threshold);
-      const bool overflowed = truth && ask_numbers(*prepared, middle, *truth, n, stratum, errors);
-      for (std::size_t i = 0; i < crossing.balls.size(); ++i) {
-        const auto answer = prepared->ask(crossing.balls[i], query_kind(test));
-        const auto outcome = compare(test, answer, crossing.truths[i], knows_boundary_[m]);
-        if (!outcome && !answer.unsure) continue;  // the method has no such test
-        errors.offsets[i].add(outcome);
-        if (overflowed && outcome && *outcome != Outcome::Right) ++errors.offsets[i].overflowed;
-      }
-    }
-  }
-
-  /// Adds the errors of distance and point. Returns whether one of them is not finite.
-  static bool ask_numbers(const cases::PreparedMethod& method, const Ball& ball, const Answer& truth, std::uint64_t n,
-                          std::size_t stratum, MethodErrors& errors) {
-    const auto answer = method.ask(ball, cases::QueryKind::Answer);
-    std::optional<double> distance, point;
-    if (answer.distance) distance = statistics::number_error(*answer.distance, truth.distance);
-    if (answer.point) point = statistics::point_error(*answer.point, truth.point);
-    add(errors, Quantity::Distance, distance, n, stratum);
-    add(errors, Quantity::Point, point, n, stratum);
-    return !std::isfinite(distance.value_or(0)) || !std::isfinite(point.value_or(0));
-  }
-
-  static void add(MethodErrors& errors, Quantity quantity, std::optional<double> error, std::uint64_t n,
-                  std::size_t stratum) {
-    const auto q = static_cast<std::size_t>(quantity);
+/// Adds the errors of distance and point. Returns whether one of them is not finite.
+bool add_numbers(MethodErrors& errors, const cases::PartialAnswer& answer, const cases::PartialAnswer& truth,
+                 std::uint64_t n, std::size_t stratum) {
+  std::array<std::optional<double>, kQuantities.size()> found;  // by Quantity
+  if (answer.distance) found[0] = statistics::number_error(*answer.distance, *truth.distance);
+  if (answer.point) found[1] = statistics::point_error(*answer.point, *truth.point);
+  bool finite = true;
+  for (std::size_t q = 0; q < found.size(); ++q) {
     ++errors.ulps[q].asked;
-    if (!error) return;
-    errors.ulps[q].known.add(*error);
-    errors.worst[q] += {*error, n, stratum};
+    if (!found[q]) continue;
+    errors.ulps[q].known.add(*found[q]);
+    errors.worst[q] += {*found[q], n, stratum};
+    finite &= std::isfinite(*found[q]);
   }
-
-  const Settings& settings_;
-  const cases::Method& exact_;
-  std::vector<bool> knows_boundary_;
-};
+  return !finite;
+}
 
 }  // namespace
 
@@ -135,9 +82,40 @@ Errors no_errors(const Settings& settings) {
 }
 
 void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors) {
-  const Study study(settings);
-  run::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
-                 [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); });
+  const cases::Method& exact = *methods::find_method("exact");
+  const auto crosses_radius = [](const Crossing& crossing) {
+    return cases::moves_radius(cases::all_strata()[crossing.stratum].threshold);
+  };
+  cases::walk(
+      {.methods = settings.methods,
+       .samples = settings.samples,
+       .threads = settings.threads,
+       .slow_stride = kSlowStride},
+      control, no_errors(settings), errors,
+      [&](std::uint64_t n, Errors& part, const auto& visit) {
+        ++part.samples;
+        part.missing += cases::draw_crossings(settings, n, exact, [&](Crossing& crossing) {
+          const std::size_t middle = crossing.middle();
+          if (crosses_radius(crossing))
+            crossing.truths[middle] =
+                cases::PartialAnswer::of(exact::answer(crossing.balls[middle], crossing.polygon), "");
+          visit(crossing);
+        });
+      },
+      [&](Errors& part, const Crossing& crossing, std::size_t m, const cases::Asked& asked) {
+        MethodErrors& found = part.at[crossing.stratum][m];
+        ++found.samples;
+        const std::size_t middle = crossing.middle();
+        const bool overflowed =
+            crosses_radius(crossing) && add_numbers(found, asked.answer(middle, cases::QueryKind::Answer),
+                                                    crossing.truths[middle], crossing.n, crossing.stratum);
+        asked.compare(cases::test_at(cases::all_strata()[crossing.stratum].threshold),
+                      [&](std::size_t ball, std::optional<cases::Outcome> outcome) {
+                        found.offsets[ball].add(outcome);
+                        if (overflowed && outcome && *outcome != cases::Outcome::Right)
+                          ++found.offsets[ball].overflowed;
+                      });
+      });
 }
 
 }  // namespace touchstone::tradeoff

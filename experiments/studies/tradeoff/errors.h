@@ -15,13 +15,7 @@
 
 namespace touchstone::tradeoff {
 
-struct Settings {
-  std::vector<const cases::Method*> methods;
-  std::vector<workloads::Family> families;
-  std::uint64_t samples = 1;  ///< per stratum
-  std::uint64_t seed = 1;
-  unsigned threads = 1;
-};
+using Settings = cases::CrossingSettings;
 
 /// Slow methods are asked about the first of every kSlowStride samples only; the others about all.
 inline constexpr std::uint64_t kSlowStride = 4;
@@ -99,14 +93,11 @@ struct Errors {
 /// stops and the other families and methods do not change it. A run stopped after m samples equals a run of m samples.
 void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors);
 
-// Results only: byte for byte the same for the same settings, whatever the threads. Each throws
-// std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.
-
+/// errors.csv, bands.csv, points.csv, and worst.jsonl: the case of the worst error of each placement, method and
+/// quantity that ever has an error, in the contract's form; `expected` holds the exact value of that quantity.
+///
+/// Byte for byte the same for the same settings, whatever the threads. Throws std::runtime_error, which names the file,
+/// if it cannot be written. tables() says what the tables hold.
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
-void write_bands(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
-void write_points(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
-/// worst.jsonl: the case of the worst error of each placement, method and quantity that ever has an error, in the
-/// contract's form; `expected` holds the exact value of that quantity.
-void write_worst(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
 
 }  // namespace touchstone::tradeoff

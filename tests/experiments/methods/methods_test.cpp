@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "experiments/cases/comparison.h"
+#include "experiments/cases/crossings.h"
 #include "experiments/cases/method.h"
-#include "experiments/cases/threshold.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"

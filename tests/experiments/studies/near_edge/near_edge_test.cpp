@@ -174,8 +174,7 @@ TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
     const auto folder = scratch.path / std::to_string(threads);
     fs::create_directories(folder);
     const Result result = whole(setting);
-    write_rates(folder, setting, result.counts);
-    write_bands(folder, setting, result.counts);
+    write_failures(folder, setting, result.counts);
     write_maps(folder, setting, draw_maps(setting.methods, setting.seed, threads, kNeverStop, kSilent));
   }
   int files = 0;

@@ -40,9 +40,7 @@ Onsets onsets_of(const Settings& settings, std::uint64_t samples) {
 }
 
 WorstCases climbed(const Settings& settings, const Onsets& onsets) {
-  WorstCases worst;
-  run_climbs(settings, {kNeverStop, kSilent}, onsets, worst);
-  return worst;
+  return run_climbs(settings, {kNeverStop, kSilent}, onsets);
 }
 
 std::size_t stratum(Family family, cases::Threshold threshold) {

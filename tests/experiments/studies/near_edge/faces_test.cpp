@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/workloads/meshes.h"
+// Faces of meshes: what is drawn near them, what is counted and kept, and what the command says of faulty files.
+#include "experiments/studies/near_edge/faces.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -15,15 +16,15 @@
 
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
-#include "experiments/studies/meshes/measure.h"
 #include "geometry/io/read_mesh.h"
+#include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/mesh/scene_faces.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
 
-namespace touchstone::meshes {
+namespace touchstone::near_edge::faces {
 namespace {
 
 namespace fs = std::filesystem;
@@ -126,18 +127,20 @@ TEST_F(MeshContact, BallsAreNearTheirFeature) {
   const Mesh mesh = read_mesh(cube).mesh;
   for (std::uint64_t face = 0; face < kAccepted; ++face) {
     const Polygon polygon = mesh::face_polygon(mesh, face);
-    const exact::PreparedPolygon exact(polygon);
-    const MeshBalls drawn = draw_mesh_balls(polygon, exact, 7, "model/cube", face);
-    EXPECT_TRUE(drawn.missing.empty());
-    ASSERT_EQ(drawn.balls.size(), kPlaces.size() * kSteps.size());
-    for (const auto& [place, steps, ball] : drawn.balls) {
-      const Answer answer = exact::answer(ball, exact);
-      if (place == BallRegion::Foot) {
+    const FaceCrossing crossing = draw_face_crossing(polygon, 7, "model/cube", face);
+    EXPECT_TRUE(crossing.missing.empty());
+    ASSERT_EQ(crossing.balls.size(), kPlaces.size() * kSteps.size());
+    for (std::size_t i = 0; i < crossing.balls.size(); ++i) {
+      const Ball& ball = crossing.balls[i];
+      const Answer answer = exact::answer(ball, polygon);
+      EXPECT_EQ(crossing.truths[i].contact, answer.contact());
+      if (kPlaces[crossing.place(i)] == Threshold::FootEdge) {
         EXPECT_TRUE(answer.contact());
         EXPECT_FALSE(answer.edges_hit.empty());
         continue;
       }
-      EXPECT_EQ(to_string(answer.nearest.kind), to_string(place));
+      const int steps = FaceCrossing::steps(i);
+      EXPECT_EQ(to_string(answer.nearest.kind), place_name(kPlaces[crossing.place(i)]));
       EXPECT_EQ(ball.radius, workloads::move_by_doubles(answer.distance, steps));
       if (steps != 0) {
         EXPECT_EQ(answer.contact(), steps > 0);
@@ -151,8 +154,8 @@ TEST_F(MeshContact, ThreadsChangeNothingAndTheSeedDoes) {
     const Settings settings{.methods = methods::find_methods({"all"}), .seed = seed, .threads = threads};
     const std::vector<NamedMesh> meshes{{"model/cube", read_mesh(cube).mesh}, {"again", read_mesh(cube).mesh}};
     const Result result = measured(settings, meshes);
-    write_failures(folder, settings, meshes, result);
-    return table(settings, meshes, result) + text_of(folder / "failures.jsonl");
+    faces::write(folder, settings, meshes, result);
+    return table(settings, meshes, result) + text_of(folder / "meshes.csv") + text_of(folder / "failures.jsonl");
   };
   EXPECT_EQ(counts(1, 3), counts(4, 3));
   EXPECT_NE(counts(1, 3), counts(1, 4));
@@ -180,7 +183,7 @@ TEST_F(MeshContact, WhatIsStoppedHasComeToNothingMore) {
 // The faces of a part lie in several meshes.
 TEST_F(MeshContact, PartsAddUpToTheBytesOfOneRun) {
   write("again.obj", kCube);
-  const std::string run = "meshes model/cube.obj again.obj --skip-bad --methods exact,thesis,fast --output ";
+  const std::string run = "near-edge model/cube.obj again.obj --skip-bad --methods exact,thesis,fast --output ";
   ASSERT_EQ(touchstone(run + "whole").status, 0);
   for (const char* part : {"1", "2", "3"})
     ASSERT_EQ(touchstone(run + "part" + part + " --part " + part + "/3").status, 0) << part;
@@ -193,7 +196,7 @@ TEST_F(MeshContact, PartsAddUpToTheBytesOfOneRun) {
 }
 
 TEST_F(MeshContact, PartsAreOfTheSameMeshes) {
-  const std::string run = "meshes one.obj --methods fast --output ";
+  const std::string run = "near-edge one.obj --methods fast --output ";
   write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   ASSERT_EQ(touchstone(run + "part1 --part 1/2").status, 0);
   write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
@@ -204,7 +207,7 @@ TEST_F(MeshContact, PartsAreOfTheSameMeshes) {
 }
 
 TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {
-  ASSERT_EQ(touchstone("meshes model/cube.obj --skip-bad --output o").status, 0);
+  ASSERT_EQ(touchstone("near-edge model/cube.obj --skip-bad --output o").status, 0);
   const auto cases = lines_of(folder / "o/failures.jsonl");
   ASSERT_FALSE(cases.empty());
   std::set<std::string> ids;
@@ -229,7 +232,7 @@ TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {
 }
 
 TEST_F(MeshContact, AMissingMeshIsAnErrorAndTheOthersGoOn) {
-  const Ran run = touchstone("meshes absent.obj model/cube.obj --skip-bad --methods exact,thesis --output o");
+  const Ran run = touchstone("near-edge absent.obj model/cube.obj --skip-bad --methods exact,thesis --output o");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("absent.obj"), std::string::npos) << run.err;
   EXPECT_NE(run.out.find("model/cube"), std::string::npos) << run.out;
@@ -238,23 +241,23 @@ TEST_F(MeshContact, AMissingMeshIsAnErrorAndTheOthersGoOn) {
 
 TEST_F(MeshContact, AMeshWithoutAFaceIsAnErrorAndTheOthersGoOn) {
   write("points.obj", "v 0 0 0\nv 1 0 0\n");
-  const Ran run = touchstone("meshes points.obj model/cube.obj --skip-bad --methods exact --output o");
+  const Ran run = touchstone("near-edge points.obj model/cube.obj --skip-bad --methods exact --output o");
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err, "touchstone: points.obj: the file has no face\n");
   EXPECT_NE(text_of(folder / "o/meshes.csv").find("model/cube,9,"), std::string::npos);
 }
 
 TEST_F(MeshContact, NoMeshAtAllIsAnErrorWithoutATable) {
-  const Ran run = touchstone("meshes absent.obj --output o");
+  const Ran run = touchstone("near-edge absent.obj --output o");
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
 }
 
 TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
-  const Ran refused = touchstone("meshes model/cube.obj --methods exact --output o");
+  const Ran refused = touchstone("near-edge model/cube.obj --methods exact --output o");
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("2 rejected faces"), std::string::npos) << refused.err;
-  const Ran skipped = touchstone("meshes model/cube.obj --methods exact --output o --skip-bad --force");
+  const Ran skipped = touchstone("near-edge model/cube.obj --methods exact --output o --skip-bad --force");
   EXPECT_EQ(skipped.status, 0) << skipped.err;
   for (const Ran& run : {refused, skipped}) EXPECT_NE(run.out.find("zero-normal"), std::string::npos) << run.out;
   EXPECT_NE(text_of(folder / "o/rejected.csv").find("model/cube,7,zero-normal,"), std::string::npos);
@@ -262,15 +265,15 @@ TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
 
 TEST_F(MeshContact, WarnsOfWhatIsOdd) {
   write("open.stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n");
-  const Ran run = touchstone("meshes open.stl --methods exact --output o");
+  const Ran run = touchstone("near-edge open.stl --methods exact --output o");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "touchstone: warning: open.stl: line 8: the last 'endsolid' is missing\n");
 }
 
 TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
   write("bad.obj", std::string(kCube) + "f 1 2 99\nf 3 4\n");
-  EXPECT_EQ(touchstone("meshes bad.obj --methods exact --output o").status, 2);
-  const Ran run = touchstone("meshes bad.obj --methods exact --output o --skip-bad --force");
+  EXPECT_EQ(touchstone("near-edge bad.obj --methods exact --output o").status, 2);
+  const Ran run = touchstone("near-edge bad.obj --methods exact --output o --skip-bad --force");
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("left out: bad.obj: line 20"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("left out: bad.obj: line 21"), std::string::npos) << run.err;
@@ -279,4 +282,4 @@ TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
 }
 
 }  // namespace
-}  // namespace touchstone::meshes
+}  // namespace touchstone::near_edge::faces
