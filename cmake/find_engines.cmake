@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Contact engines of other projects: methods, and candidates of the study bench_scenes. What is compiled does not depend on
-# which are installed, except by the generated header experiments/run/built_with.h, which says it: the engine NAME has
+# which are installed, except by the generated header experiments/program/built_with.h, which says it: the engine NAME has
 # TOUCHSTONE_HAS_NAME there, 0 or 1, and a target engine::NAME if it is found. Methods have the order of these lines.
 set(engines_found "")
 set(engine_macros "")

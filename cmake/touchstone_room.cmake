@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# helper_program(TARGET): a program that only the program touchstone starts, which experiments/run/input.h finds.
+# helper_program(TARGET): a program that only the program touchstone starts, which experiments/program/input.h finds.
 function(helper_program target)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/libexec/touchstone)
   if(TOUCHSTONE_INSTALL)

@@ -10,8 +10,8 @@
 namespace touchstone::commands {
 namespace {
 
-using run::Command;
-using run::TableDescription;
+using program::Command;
+using program::TableDescription;
 
 /// Calls visit(name, table) for every table of the commands, in their order.
 template <class Visit>
@@ -56,7 +56,7 @@ Command columns_command(const std::vector<Command>& commands) {
   command.text("NAME", options->of, "Only the tables of this command, or the tables with this file name");
   command.flag("--markdown", options->markdown, "Print the tables of a page");
   command.help().examples.emplace_back("columns near-edge");
-  run::declare_json(command, options->json, "Print them as a JSON array").excludes("--markdown");
+  program::declare_json(command, options->json, "Print them as a JSON array").excludes("--markdown");
   command.runs([options, commands] {
     bool found = false;
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -70,7 +70,8 @@ Command columns_command(const std::vector<Command>& commands) {
       found = true;
     });
     if (!found)
-      throw run::UsageError("NAME", "no command that writes tables, and no table, is called \"" + options->of + "\"");
+      throw program::UsageError("NAME",
+                                "no command that writes tables, and no table, is called \"" + options->of + "\"");
     if (options->json) fmt::print("{}\n", list.dump());
     return 0;
   });

@@ -4,25 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/command.h"
+#include "experiments/program/command.h"
 #include "experiments/studies.h"
 
 // The subcommands of `touchstone`, with those of studies.h. Each is defined beside what it runs.
 namespace touchstone::commands {
 
-[[nodiscard]] run::Command ask_command();
-[[nodiscard]] run::Command judge_command();
-[[nodiscard]] run::Command methods_command();
-[[nodiscard]] run::Command cases_command();
-[[nodiscard]] run::Command cell_command();
-[[nodiscard]] run::Command regress_command();
-[[nodiscard]] run::Command corpus_command();
-[[nodiscard]] run::Command thesis_command();
-[[nodiscard]] run::Command show_command();
+[[nodiscard]] program::Command ask_command();
+[[nodiscard]] program::Command judge_command();
+[[nodiscard]] program::Command methods_command();
+[[nodiscard]] program::Command cases_command();
+[[nodiscard]] program::Command cell_command();
+[[nodiscard]] program::Command regress_command();
+[[nodiscard]] program::Command corpus_command();
+[[nodiscard]] program::Command thesis_command();
+[[nodiscard]] program::Command show_command();
 
 /// Returns the command that describes the tables of the other commands.
-[[nodiscard]] run::Command columns_command(const std::vector<run::Command>& commands);
+[[nodiscard]] program::Command columns_command(const std::vector<program::Command>& commands);
 /// Returns the command that merges parts of any of these commands.
-[[nodiscard]] run::Command merge_command(const std::vector<run::Command>& commands);
+[[nodiscard]] program::Command merge_command(const std::vector<program::Command>& commands);
 
 }  // namespace touchstone::commands

@@ -12,16 +12,16 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
-#include "experiments/run/quoting.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/study.h"
-#include "experiments/run/sweep.h"
+#include "experiments/program/quoting.h"
+#include "experiments/program/run_record.h"
+#include "experiments/program/study.h"
+#include "experiments/program/sweep.h"
 
 namespace touchstone::commands {
 namespace {
 
 namespace fs = std::filesystem;
-using run::Command;
+using program::Command;
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
   throw std::runtime_error(folder.string() + ": " + why);
@@ -30,7 +30,7 @@ using run::Command;
 /// A folder of a part, and how it was made.
 struct MadePart {
   fs::path folder;
-  run::Part part;
+  program::Part part;
   std::string study;
   std::vector<std::string> arguments;  ///< without what is not of the study alone
 };
@@ -44,8 +44,8 @@ MadePart read_part(const fs::path& folder) {
     const auto found = record.is_object() ? record.find(key) : record.end();
     return found != record.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
-  const auto part = run::Part::read(text("part"));
-  const auto words = run::shell_words(text("command"));
+  const auto part = program::Part::read(text("part"));
+  const auto words = program::shell_words(text("command"));
   if (!part || words.size() < 2) refuse(folder, "is not of a part: its run.json names none");
   MadePart made{folder, *part, words[1], {}};
   for (std::size_t i = 2; i < words.size(); ++i) {
@@ -82,7 +82,7 @@ std::vector<MadePart> read_parts(const std::vector<std::string>& folders) {
 
 bool takes(const Command& command, const std::string& option) {
   const auto options = command.description().options;
-  return std::ranges::find(options, option, &run::OptionDescription::name) != options.end();
+  return std::ranges::find(options, option, &program::OptionDescription::name) != options.end();
 }
 
 /// Returns the study of this name. Throws UsageError if there is no such study with parts.
@@ -93,14 +93,14 @@ const Command& find_study(const std::vector<Command>& commands, const std::strin
     if (command.name() == name) return command;
     known.push_back(command.name());
   }
-  throw run::UsageError("STUDY", "\"" + name + "\" is not one of " + run::joined(known));
+  throw program::UsageError("STUDY", "\"" + name + "\" is not one of " + program::joined(known));
 }
 
 struct MergeOptions {
   bool json = false, quiet = false;
   std::vector<std::string> folders;
   std::string output;
-  unsigned threads = run::all_threads();
+  unsigned threads = program::all_threads();
   bool force = false, no_pictures = false;
 };
 
@@ -132,12 +132,12 @@ Command merge_command(const std::vector<Command>& commands) {
   auto merged = std::make_shared<MergeOptions>();
   Command merging("merge", "Add the parts of a study or a judgement up to the results of one run");
   merging.texts("FOLDER", merged->folders, "The folders of all parts, in any order").required();
-  run::declare_threads(merging, merged->threads);
-  run::declare_folder(merging, merged->output, "The folder for tables and pictures").required();
-  run::declare_force(merging, merged->force);
-  run::declare_no_pictures(merging, merged->no_pictures);
-  run::declare_quiet(merging, merged->quiet);
-  run::declare_json(merging, merged->json, "Of parts of `judge`: print the summary as one JSON object")
+  program::declare_threads(merging, merged->threads);
+  program::declare_folder(merging, merged->output, "The folder for tables and pictures").required();
+  program::declare_force(merging, merged->force);
+  program::declare_no_pictures(merging, merged->no_pictures);
+  program::declare_quiet(merging, merged->quiet);
+  program::declare_json(merging, merged->json, "Of parts of `judge`: print the summary as one JSON object")
       .excludes("--quiet");
   merging.help().footer =
       "A part is a run of a study with --part, such as `soak --part 1/2 --output one`. The data are the same bytes as "

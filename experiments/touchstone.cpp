@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/run/program.h"
+#include "experiments/program/program.h"
 #include "experiments/thesis/convex/convex.h"
 
 namespace {
@@ -15,11 +15,11 @@ constexpr const char* kAbout =
 #endif
     ;
 
-std::vector<touchstone::run::Command> all_commands() {
+std::vector<touchstone::program::Command> all_commands() {
   using namespace touchstone::commands;
   touchstone::convex::add_methods();
-  std::vector<touchstone::run::Command> commands;
-  const auto add = [&](const std::string& heading, std::vector<touchstone::run::Command> some) {
+  std::vector<touchstone::program::Command> commands;
+  const auto add = [&](const std::string& heading, std::vector<touchstone::program::Command> some) {
     for (auto& command : some) command.help().heading = heading;
     commands.insert(commands.end(), some.begin(), some.end());
   };
@@ -35,4 +35,4 @@ std::vector<touchstone::run::Command> all_commands() {
 
 }  // namespace
 
-int main(int argc, char** argv) { return touchstone::run::main_of(kAbout, all_commands, argc, argv); }
+int main(int argc, char** argv) { return touchstone::program::main_of(kAbout, all_commands, argc, argv); }

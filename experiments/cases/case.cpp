@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "experiments/cases/verdict.h"
-#include "experiments/run/input.h"
-#include "experiments/run/json.h"
+#include "experiments/program/input.h"
+#include "experiments/program/json.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/exact.h"
@@ -47,7 +47,7 @@ struct Expected {
   std::string infinite{};                ///< a key with a number beyond the finite doubles; else empty
 };
 
-Expected read_expected(const run::StrictJson& text) {
+Expected read_expected(const program::StrictJson& text) {
   if (!text.value.is_object() || !text.value.contains("expected")) return {};
   const json& expected = text.value["expected"];
   if (!expected.is_object()) return {.malformed = "expected is not an object"};
@@ -68,11 +68,11 @@ Expected read_expected(const run::StrictJson& text) {
 /// Reads the parts of a case; what is wrong in form ends it with `malformed-case`.
 class Reader {
  public:
-  Reader(const run::StrictJson& text, const Expected& expected) : text_(text), expected_(expected) {}
+  Reader(const program::StrictJson& text, const Expected& expected) : text_(text), expected_(expected) {}
 
   void check_form() const {
     if (!text_.value.is_object()) malformed("the case is not an object");
-    if (text_.too_deep) malformed("nested deeper than " + std::to_string(run::kMostLevels) + " levels");
+    if (text_.too_deep) malformed("nested deeper than " + std::to_string(program::kMostLevels) + " levels");
     if (text_.duplicate_key) malformed("duplicate key \"" + *text_.duplicate_key + "\" in one object");
     if (const json& id = member(text_.value, "id", "the case"); !id.is_string()) malformed("id is not a string");
     if (!expected_.malformed.empty()) malformed(expected_.malformed);
@@ -215,7 +215,7 @@ class Reader {
       malformed("tags is not an array of strings");
   }
 
-  const run::StrictJson& text_;
+  const program::StrictJson& text_;
   const Expected& expected_;
 };
 
@@ -263,7 +263,7 @@ std::filesystem::path folder_of(const Line& line) { return std::filesystem::path
 void read_case_of(Line& line) {
   try {
     line.read = read_case(line.text, folder_of(line));
-  } catch (const run::NotJson& error) {
+  } catch (const program::NotJson& error) {
     line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
   } catch (const std::bad_alloc&) {
     line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
@@ -275,9 +275,9 @@ std::optional<std::string> mesh_file_of(const Line& line) {
   if (line.text.find('\\') == std::string::npos && line.text.find("\"file\"") == std::string::npos)
     return std::nullopt;  // most lines, which need not be parsed
   try {
-    const json value = run::read_strict_json(line.text).value;
+    const json value = program::read_strict_json(line.text).value;
     return (folder_of(line) / value.at("mesh").at("file").get_ref<const std::string&>()).string();
-  } catch (const run::NotJson&) {
+  } catch (const program::NotJson&) {
     return std::nullopt;
   } catch (const json::exception&) {  // it has no such key
     return std::nullopt;
@@ -341,7 +341,7 @@ AnyShapes Case::shapes() const {
 }
 
 Case read_case(std::string_view line, const std::filesystem::path& folder) {
-  const run::StrictJson text = run::read_strict_json(line);
+  const program::StrictJson text = program::read_strict_json(line);
   Case result{.id = {}, .expected = {}, .content = Rejection{}};
   if (text.value.is_object()) {
     if (const auto id = text.value.find("id"); id != text.value.end() && id->is_string())
@@ -368,7 +368,7 @@ Case read_case(std::string_view line, const std::filesystem::path& folder) {
 
 LineReader::LineReader(std::vector<std::string> files) : files_(std::move(files)) {
   if (!files_.empty()) return;
-  run::announce_standard_input("cases");
+  program::announce_standard_input("cases");
   stream_ = &std::cin;
   name_ = "standard input";
 }
@@ -379,7 +379,7 @@ std::optional<Line> LineReader::next() {
       name_ = files_[opened_++];
       number_ = 0;
       try {
-        file_ = run::open_file(name_);
+        file_ = program::open_file(name_);
       } catch (const std::runtime_error& error) {
         return Line{.text = {}, .place = {}, .read = {}, .complaint = error.what(), .file = name_};
       }

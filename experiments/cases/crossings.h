@@ -12,7 +12,7 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/run/sweep.h"
+#include "experiments/program/sweep.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 
@@ -92,7 +92,7 @@ struct Crossing {
 struct CrossingSettings {
   std::vector<const Method*> methods;
   std::vector<workloads::Family> families;
-  /// Per stratum; up to run::kMostSamples, indices of samples and of their redraws do not collide.
+  /// Per stratum; up to program::kMostSamples, indices of samples and of their redraws do not collide.
   std::uint64_t samples = 1;
   std::uint64_t seed = 1;
   unsigned threads = 1;
@@ -144,7 +144,7 @@ struct Walk {
 ///
 /// Requires sums that may be added in any order. Threads do not change the sum.
 template <class Sum, class Source, class Count>
-void walk(const Walk& of, const run::RunControl& control, const Sum& zero, Sum& sum, const Source& source,
+void walk(const Walk& of, const program::RunControl& control, const Sum& zero, Sum& sum, const Source& source,
           const Count& count) {
   std::vector<bool> know_boundary;
   for (const Method* method : of.methods) know_boundary.push_back(knows_boundary(*method));
@@ -155,7 +155,7 @@ void walk(const Walk& of, const run::RunControl& control, const Sum& zero, Sum& 
           count(part, crossing, m, Asked(*of.methods[m], know_boundary[m], crossing, of.whole));
     });
   };
-  run::run_sweep(of.samples, of.threads, control, zero, sum, ask_all, of.block);
+  program::run_sweep(of.samples, of.threads, control, zero, sum, ask_all, of.block);
 }
 
 /// The point where a foot leaves the polygon: not outside at `last`, outside one double further.

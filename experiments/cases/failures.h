@@ -11,8 +11,8 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/crossings.h"
-#include "experiments/run/state.h"
-#include "experiments/run/table.h"
+#include "experiments/program/state.h"
+#include "experiments/program/table.h"
 
 // The one count of studies: how many answers are wrong or undecided, of how many; and what their tables share.
 namespace touchstone::cases {
@@ -35,8 +35,8 @@ struct Failures {
   [[nodiscard]] double share() const {
     return trials == 0 ? 0 : static_cast<double>(wrong) / static_cast<double>(trials);
   }
-  /// Returns it with its limits, as run::rate does. Requires independent trials.
-  [[nodiscard]] run::Rate rate() const { return run::rate(wrong, trials); }
+  /// Returns it with its limits, as program::rate does. Requires independent trials.
+  [[nodiscard]] program::Rate rate() const { return program::rate(wrong, trials); }
 
   auto members() { return std::tie(trials, wrong, wrongly_in, wrongly_out, unsure); }
   friend bool operator==(const Failures&, const Failures&) = default;
@@ -54,7 +54,7 @@ struct SampledFailures {
 template <class List>
 [[nodiscard]] auto total(const List& counts) {
   typename List::value_type sum;
-  for (const auto& count : counts) run::add(sum, count);
+  for (const auto& count : counts) program::add(sum, count);
   return sum;
 }
 
@@ -102,15 +102,15 @@ template <class Count>
 struct OffsetRow : Subject {
   std::int64_t offset;
   Count count;
-  run::Rate rate;
+  program::Rate rate;
 };
 
 /// Returns the columns of a Subject. `test`: the meaning of the column of that name.
 template <class Row>
-[[nodiscard]] std::vector<run::Column<Row>> subject_columns(const char* test) {
-  return {{"family", "the family of polygons, or `all`", run::path(&Row::group, &StratumGroup::family)},
-          {"placement", "on the lattice, or rotated", run::path(&Row::group, &StratumGroup::placement)},
-          {"threshold", "the threshold that balls cross", run::path(&Row::group, &StratumGroup::threshold)},
+[[nodiscard]] std::vector<program::Column<Row>> subject_columns(const char* test) {
+  return {{"family", "the family of polygons, or `all`", program::path(&Row::group, &StratumGroup::family)},
+          {"placement", "on the lattice, or rotated", program::path(&Row::group, &StratumGroup::placement)},
+          {"threshold", "the threshold that balls cross", program::path(&Row::group, &StratumGroup::threshold)},
           {"test", test, &Row::test},
           {"method", "the method", &Row::method}};
 }
@@ -118,19 +118,21 @@ template <class Row>
 /// Returns the columns of a table of OffsetRows: `counts` are those of the study's own words, `rated` what the rate is
 /// of.
 template <class Row>
-[[nodiscard]] std::vector<run::Column<Row>> offset_columns(const char* test, std::vector<run::Column<Row>> counts,
-                                                           const char* rated) {
-  return run::all_columns<Row>({subject_columns<Row>(test),
-                                {{"offset", "the distance of the ball from the threshold, in doubles", &Row::offset}},
-                                std::move(counts),
-                                run::rate_columns<Row>(rated, &Row::rate)});
+[[nodiscard]] std::vector<program::Column<Row>> offset_columns(const char* test,
+                                                               std::vector<program::Column<Row>> counts,
+                                                               const char* rated) {
+  return program::all_columns<Row>(
+      {subject_columns<Row>(test),
+       {{"offset", "the distance of the ball from the threshold, in doubles", &Row::offset}},
+       std::move(counts),
+       program::rate_columns<Row>(rated, &Row::rate)});
 }
 
 /// Returns the columns of a member `band` of a row. `lowest`: the meaning of the first one.
 template <class Row>
-[[nodiscard]] std::vector<run::Column<Row>> band_columns(const char* lowest) {
-  return {{"lowest_offset", lowest, run::path(&Row::band, &Band::lowest)},
-          {"highest_offset", "the highest one", run::path(&Row::band, &Band::highest)}};
+[[nodiscard]] std::vector<program::Column<Row>> band_columns(const char* lowest) {
+  return {{"lowest_offset", lowest, program::path(&Row::band, &Band::lowest)},
+          {"highest_offset", "the highest one", program::path(&Row::band, &Band::highest)}};
 }
 
 }  // namespace touchstone::cases

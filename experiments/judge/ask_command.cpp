@@ -20,11 +20,11 @@
 #include "experiments/judge/show/case_view.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
-#include "experiments/run/input.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/output.h"
-#include "experiments/run/printing.h"
+#include "experiments/program/command.h"
+#include "experiments/program/input.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/mesh/scene_faces.h"
@@ -44,13 +44,13 @@ template <class F>
 auto of_option(const std::string& option, const F& f) {
   try {
     return f();
-  } catch (const run::UsageError&) {
+  } catch (const program::UsageError&) {
     throw;
   } catch (const Rejected& rejected) {
-    throw run::UsageError(option,
-                          fmt::format("rejected: {}: {}", to_string(rejected.rejection().code), rejected.what()));
+    throw program::UsageError(option,
+                              fmt::format("rejected: {}: {}", to_string(rejected.rejection().code), rejected.what()));
   } catch (const std::runtime_error& error) {
-    throw run::UsageError(option, error.what());
+    throw program::UsageError(option, error.what());
   }
 }
 
@@ -68,7 +68,7 @@ Polygon polygon_of(const AskOptions& options) {
   return of_option("--polygon", [&] {
     std::error_code too_long;  // loops of many points are not the name of a file
     if (!std::filesystem::is_regular_file(options.polygon, too_long)) return judge::polygon_of(options.polygon);
-    std::ifstream stream = run::open_file(options.polygon);
+    std::ifstream stream = program::open_file(options.polygon);
     return of_option("--polygon " + options.polygon,
                      [&] { return judge::polygon_of(std::string(std::istreambuf_iterator<char>(stream), {})); });
   });
@@ -95,7 +95,7 @@ std::string error_of(const cases::Key& key, const cases::PartialAnswer& exact, c
     if constexpr (std::is_same_v<decltype(member), cases::Member<double>>) {
       if (!a || !b || !std::isfinite(*a) || !std::isfinite(*b)) return {};
       const double doubles = std::abs(static_cast<double>(workloads::doubles_between(*a, *b)));
-      const std::string counted = run::counted(static_cast<std::uint64_t>(doubles), "double");
+      const std::string counted = program::counted(static_cast<std::uint64_t>(doubles), "double");
       return fmt::format("; off by {:.2g}{}", std::abs(*b - *a), doubles <= 1e6 ? ", " + counted : "");
     } else if constexpr (std::is_same_v<decltype(member), cases::Member<Eigen::Vector3d>>) {
       return a && b && b->allFinite() ? fmt::format("; off by {:.2g}", (*b - *a).stableNorm()) : std::string();
@@ -138,7 +138,7 @@ void answer(const AskOptions& options, const cases::Shapes& shapes) {
   for (const auto* method : options.methods.methods()) view.verdicts.push_back(show::verdict_of(view, *method));
   print_answer(view);
   if (!options.show.empty())
-    run::write_file(options.show, show::page_of("A ball and a polygon", show::section_of(view)), options.force);
+    program::write_file(options.show, show::page_of("A ball and a polygon", show::section_of(view)), options.force);
 }
 
 /// Returns the numbers, at most ten of them, and how many more there are.
@@ -162,7 +162,7 @@ Polygon ask_mesh(const AskOptions& options, const cases::Question& question) {
   if (motion != nullptr)
     if (const auto first = scene.first_contact(*motion)) face = first->face.face;
   if (!options.print) {
-    const std::string all = run::counted(asked.mesh.faces.size(), "face");
+    const std::string all = program::counted(asked.mesh.faces.size(), "face");
     fmt::print("The ball touches {} of {}{}{}.\n", touched.size(), all, touched.empty() ? "" : ": ", some_of(touched));
     const char* which = motion == nullptr ? "nearest" : touched.empty() ? "nearest to the start" : "first";
     fmt::print("Face {} is {}. About this face:\n\n", asked.numbers[face], which);
@@ -173,16 +173,16 @@ Polygon ask_mesh(const AskOptions& options, const cases::Question& question) {
 /// Prints or writes a line for each ball of the file.
 void ask_about_balls(const AskOptions& options) {
   constexpr std::size_t kTogether = 1 << 14;  // so that their answers fit into memory, and many share a walk
-  if (!options.output.empty()) run::refuse_overwrite(options.output, options.force);
+  if (!options.output.empty()) program::refuse_overwrite(options.output, options.force);
   const judge::AskedMesh mesh = of_option("--mesh", [&] { return judge::read_asked_mesh(options.mesh); });
   const auto balls = of_option("--balls", [&] { return judge::read_balls(options.balls); });
   const auto moves = [](const judge::ListedBall& ball) { return std::holds_alternative<Motion>(ball.question); };
   const auto moving = std::ranges::find_if(balls, moves);
   if (options.nearest && moving != balls.end())
-    throw run::UsageError("--nearest",
-                          fmt::format("it is about balls at a place, but that of line {} moves; without it, "
-                                      "the faces on its way are listed, the first one first",
-                                      moving->line));
+    throw program::UsageError("--nearest",
+                              fmt::format("it is about balls at a place, but that of line {} moves; without it, "
+                                          "the faces on its way are listed, the first one first",
+                                          moving->line));
   std::string file;
   for (std::size_t first = 0; first < balls.size(); first += kTogether) {
     const auto some = std::span(balls).subspan(first, std::min(kTogether, balls.size() - first));
@@ -192,54 +192,56 @@ void ask_about_balls(const AskOptions& options) {
       fmt::print("{}", lines);
     else
       file += lines;
-    run::flush_standard_output();
+    program::flush_standard_output();
   }
-  if (!options.output.empty()) run::write_file(options.output, file, options.force);
+  if (!options.output.empty()) program::write_file(options.output, file, options.force);
 }
 
 }  // namespace
 
-run::Command ask_command() {
-  run::Command command(
+program::Command ask_command() {
+  program::Command command(
       "ask", "Answer about a ball and a polygon or mesh in words, exact with fast beside it, or about many balls");
   auto options = std::make_shared<AskOptions>();
   command.text("--ball", options->ball, "The centre and the radius: X,Y,Z,R").takes("BALL");
-  command.text("--to", options->to, "The ball moves: its centre ends here, at X,Y,Z", run::not_empty).takes("POINT");
+  command.text("--to", options->to, "The ball moves: its centre ends here, at X,Y,Z", program::not_empty)
+      .takes("POINT");
   command
       .text("--polygon", options->polygon,
             "Loops such as '0 0 0, 4 0 0, 0 4 0', holes after a semicolon; or a POLYGON of WKT; or a file of either",
-            run::not_empty)
+            program::not_empty)
       .takes("LOOPS");
-  command.text("--mesh", options->mesh, "A mesh instead: OBJ, OFF, PLY or STL", run::not_empty).takes("FILE");
-  run::require_one_of(command, {"--polygon", "--mesh"});
+  command.text("--mesh", options->mesh, "A mesh instead: OBJ, OFF, PLY or STL", program::not_empty).takes("FILE");
+  program::require_one_of(command, {"--polygon", "--mesh"});
   methods::declare_methods(command, options->methods);
-  command.text("--show", options->show, "Also draw it, on a page in this file (HTML, self-contained)", run::not_empty)
+  command
+      .text("--show", options->show, "Also draw it, on a page in this file (HTML, self-contained)", program::not_empty)
       .takes("FILE");
   command.flag("--print", options->print, "Only print the question as a case, as `judge` and `show` take it")
       .excludes("--methods")
       .excludes("--engine")
       .excludes("--show");
-  run::declare_force(command, options->force);  // before --output, which is a file here
+  program::declare_force(command, options->force);  // before --output, which is a file here
   command
       .text(
           "--balls", options->balls,
           "Print a line of JSON for each ball of this file instead, with the faces that it touches; a line of the file "
           "has the numbers x y z r, and the end of its way if the ball moves; - is standard input",
-          run::not_empty)
+          program::not_empty)
       .takes("FILE")
       .excludes_all_but({"--mesh", "--nearest", "--output", "--force"});
   command.flag("--nearest", options->nearest, "Answer which face is nearest to the centre, and where").needs("--balls");
-  command.text("--output", options->output, "Write the lines to this file", run::not_empty)
+  command.text("--output", options->output, "Write the lines to this file", program::not_empty)
       .takes("FILE")
       .needs("--balls");
-  run::require_one_of(command, {"--ball", "--balls"});
+  program::require_one_of(command, {"--ball", "--balls"});
   command.help().footer =
       "exact is certified. Another method is listed by what it answers otherwise. Exit status: 2 for wrong input, else "
       "0.";
   command.help().examples.emplace_back("ask --ball 1,1,1,1.1547005383792515 --polygon '1 0 0, 0 1 0, 0 0 1'");
   command.help().examples.emplace_back("ask --mesh part.obj --balls balls.txt --nearest");
   command.runs([options] {
-    if (!options->show.empty()) run::refuse_overwrite(options->show, options->force);
+    if (!options->show.empty()) program::refuse_overwrite(options->show, options->force);
     const methods::KillEngineOnSignal kill_engine_on_signal;
     if (!options->balls.empty()) {
       ask_about_balls(*options);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/ask.h"
-
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -16,9 +14,10 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/meshes.h"
-#include "experiments/run/command.h"
-#include "experiments/run/input.h"
-#include "experiments/run/sweep.h"
+#include "experiments/judge/ask.h"
+#include "experiments/program/command.h"
+#include "experiments/program/input.h"
+#include "experiments/program/sweep.h"
 #include "geometry/io/detail/legible.h"
 #include "geometry/io/detail/text_number.h"
 #include "robust/filtered/filtered.h"
@@ -123,10 +122,10 @@ AskedMesh read_asked_mesh(const std::string& file) {
 
 std::vector<ListedBall> read_balls(const std::string& file) {
   if (file == "-") {
-    run::announce_standard_input("balls");
+    program::announce_standard_input("balls");
     return read_balls(std::cin, "standard input");
   }
-  std::ifstream stream = run::open_file(file);
+  std::ifstream stream = program::open_file(file);
   return read_balls(stream, file);
 }
 
@@ -164,11 +163,11 @@ std::string answers_about(const AskedMesh& mesh, std::span<const ListedBall> bal
   };
   constexpr std::size_t kLines = 256;  // about two milliseconds
   const std::atomic<bool> never = false;
-  run::run_blocks((lines.size() + kLines - 1) / kLines, run::all_threads(), never, [](std::uint64_t) {},
-                  [&](unsigned, std::uint64_t block) {
-                    for (std::size_t i = block * kLines; i < std::min((block + 1) * kLines, lines.size()); ++i)
-                      write(i);
-                  });
+  program::run_blocks((lines.size() + kLines - 1) / kLines, program::all_threads(), never, [](std::uint64_t) {},
+                      [&](unsigned, std::uint64_t block) {
+                        for (std::size_t i = block * kLines; i < std::min((block + 1) * kLines, lines.size()); ++i)
+                          write(i);
+                      });
   return fmt::format("{}", fmt::join(lines, ""));
 }
 

@@ -14,7 +14,7 @@
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
+#include "experiments/program/command.h"
 
 namespace touchstone::commands {
 namespace {
@@ -75,8 +75,9 @@ void print(const CasesOptions& options) {
 
 }  // namespace
 
-run::Command cases_command() {
-  run::Command command("cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
+program::Command cases_command() {
+  program::Command command("cases",
+                           "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
   auto options = std::make_shared<CasesOptions>();
   auto& workload = options->workload;
   command.choice("--family", workload.family, workloads::all_families(), "Outline");
@@ -90,7 +91,7 @@ run::Command cases_command() {
   command.integer("--ulps", workload.doubles, "Number of doubles by which the radius is moved from the threshold");
   command.real("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines");
   command.real("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
-  run::declare_seed(command, options->seed);
+  program::declare_seed(command, options->seed);
   command.whole("--first", options->first, "Number of the first sample", 0);
   command.whole("--samples", options->count, "Cases to print", 0, kMostSamples);
   command.flag("--expected", options->expected, "Add the exact answer");

@@ -21,13 +21,13 @@
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/output.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/similar_words.h"
-#include "experiments/run/study.h"
-#include "experiments/run/terminal.h"
+#include "experiments/program/command.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/output.h"
+#include "experiments/program/run_record.h"
+#include "experiments/program/similar_words.h"
+#include "experiments/program/study.h"
+#include "experiments/program/terminal.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -35,7 +35,7 @@ namespace {
 
 constexpr int kVersion = 3;  // raised whenever the form or the meaning of an entry changes
 
-struct JudgeOptions : run::StudyOptions {
+struct JudgeOptions : program::StudyOptions {
   methods::Selection methods{{}};
   std::vector<std::string> files, keys;
   std::string junit, report, beyond, known;
@@ -52,7 +52,8 @@ std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
   std::vector<cases::Key> keys;
   for (const std::string& name : names) {
     const auto key = cases::find_key(name);
-    if (!key) throw run::UsageError("--keys", "no answer has a key \"" + name + "\"" + run::suggestion(name, known));
+    if (!key)
+      throw program::UsageError("--keys", "no answer has a key \"" + name + "\"" + program::suggestion(name, known));
     keys.push_back(*key);
   }
   return keys;
@@ -71,7 +72,8 @@ judge::Question question_of(const JudgeOptions& options) {
     const auto& engines = question.engines;
     const bool is_taken = methods::find_method(engine.name) != nullptr ||
                           std::ranges::find(engines, engine.name, &methods::Engine::name) != engines.end();
-    if (is_taken) throw run::UsageError("--engine", io::legible(engine.name) + " is the name of a method or engine");
+    if (is_taken)
+      throw program::UsageError("--engine", io::legible(engine.name) + " is the name of a method or engine");
     question.engines.push_back(std::move(engine));
   }
   if (options.methods.empty()) question.methods = methods::find_methods({"exact"});
@@ -87,7 +89,7 @@ void tell_of_known(const judge::KnownFailures& known, const std::string& file, b
     fmt::print(stderr, "{}: mended: case {}: method {}: {}{}\n", file, io::legible(failure.id),
                io::legible(failure.method), failure.key, failure.omits ? ", which it did not give" : "");
   if (update) {
-    run::write_file(file, known.text(), true);
+    program::write_file(file, known.text(), true);
     fmt::print(stderr, "{}: {} added, {} removed\n", file, known.new_ones(), mended.size());
   }
 }
@@ -107,26 +109,27 @@ std::optional<std::uint64_t> size_of(const std::vector<std::string>& files) {
 /// Judges a part, or tells what the merged parts found. Returns the exit status.
 int judge_parts(judge::Question question, const judge::Output& output, JudgeOptions& options) {
   if (options.part.empty() && options.call.parts.empty())
-    throw run::UsageError("--output", "only a part has a folder: see --part");
+    throw program::UsageError("--output", "only a part has a folder: see --part");
   if (options.reads_standard_input())
-    throw run::UsageError("--part", "cases on standard input cannot be counted; name their files");
+    throw program::UsageError("--part", "cases on standard input cannot be counted; name their files");
   for (const std::string& file : options.files)
     if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
-      throw run::UsageError("--part", io::legible(file) + " is not a file that can be read again");
-  run::StudyRun study("judge", kVersion, options);
+      throw program::UsageError("--part", io::legible(file) + " is not a file that can be read again");
+  program::StudyRun study("judge", kVersion, options);
   options.counted = cases::count_lines(question.files);
   const std::uint64_t lines = options.counted.lines;
-  judge::Judgement judgement = study.phase(
-      "cases", "part.json", lines, judge::Judgement(), [&](const run::RunControl& control, judge::Judgement& found) {
-        question.first_line = control.part.first(lines);
-        question.lines = control.part.size(lines);
-        found.lines = judge::ask(
-            question, [&](judge::Entry&& entry) { found.entries.push_back(std::move(entry)); },
-            [&](std::uint64_t judged, std::uint64_t) {
-              control.progress(judged);
-              return !control.stop;
-            });
-      });
+  judge::Judgement judgement =
+      study.phase("cases", "part.json", lines, judge::Judgement(),
+                  [&](const program::RunControl& control, judge::Judgement& found) {
+                    question.first_line = control.part.first(lines);
+                    question.lines = control.part.size(lines);
+                    found.lines = judge::ask(
+                        question, [&](judge::Entry&& entry) { found.entries.push_back(std::move(entry)); },
+                        [&](std::uint64_t judged, std::uint64_t) {
+                          control.progress(judged);
+                          return !control.stop;
+                        });
+                  });
   if (study.is_part()) return study.finish({.done = judgement.lines, .items = lines});
   judge::Teller teller(output);
   for (judge::Entry& entry : judgement.entries) teller.tell(std::move(entry));
@@ -139,7 +142,7 @@ int judge_at_once(const judge::Question& question, judge::Output output, bool qu
   const methods::KillEngineOnSignal kill_engine_on_signal;
   const bool fills_terminal = output.prints_verdicts && isatty(STDOUT_FILENO) == 1;
   const auto size = size_of(question.files);
-  run::ProgressLine progress("judge", size.value_or(0), size && !quiet && !fills_terminal);
+  program::ProgressLine progress("judge", size.value_or(0), size && !quiet && !fills_terminal);
   output.before_complaint = [&] { progress.erase(); };
   return judge::judge(question, output, std::ref(progress));
 }
@@ -147,7 +150,7 @@ int judge_at_once(const judge::Question& question, judge::Output output, bool qu
 int run_judge(JudgeOptions& options) {
   const judge::Question question = question_of(options);
   for (const std::string& file : {options.junit, options.report})
-    if (!file.empty() && options.part.empty()) run::refuse_overwrite(file, options.force);
+    if (!file.empty() && options.part.empty()) program::refuse_overwrite(file, options.force);
 
   std::optional<judge::KnownFailures> known;
   if (!options.known.empty()) {
@@ -171,13 +174,13 @@ int run_judge(JudgeOptions& options) {
                              .new_ones_pass = options.update};
   const int status =
       options.output.empty() ? judge_at_once(question, output, options.quiet) : judge_parts(question, output, options);
-  if (!options.part.empty() || status == run::kInterrupted) return status;
+  if (!options.part.empty() || status == program::kInterrupted) return status;
   if (options.json)
     fmt::print("{}", judge::summary_json(tally));
   else if (options.summary)
-    fmt::print("{}", judge::summary_text(tally, run::takes_colours(stdout)));
-  if (!options.junit.empty()) run::write_file(options.junit, junit.text(), options.force);
-  if (!options.report.empty()) run::write_file(options.report, report.text(tally), options.force);
+    fmt::print("{}", judge::summary_text(tally, program::takes_colours(stdout)));
+  if (!options.junit.empty()) program::write_file(options.junit, junit.text(), options.force);
+  if (!options.report.empty()) program::write_file(options.report, report.text(tally), options.force);
   if (known) tell_of_known(*known, options.known, options.update);
   return status;
 }
@@ -193,13 +196,13 @@ std::string margin_fault(const std::string& text) {
 }
 
 /// Declares who is asked, and about which cases.
-void declare_question(run::Command& command, const std::shared_ptr<JudgeOptions>& options) {
+void declare_question(program::Command& command, const std::shared_ptr<JudgeOptions>& options) {
   methods::declare_methods(command, options->methods,
                            "Methods, separated by commas: names, or all (default: exact, or none with --engine)")
       .changes_results([options] {
         std::vector<std::string> all = options->methods.names;
         all.insert(all.end(), options->methods.engines.begin(), options->methods.engines.end());
-        return run::joined(all);
+        return program::joined(all);
       });
   command
       .real("--time-limit", options->time_limit,
@@ -228,13 +231,13 @@ void declare_question(run::Command& command, const std::shared_ptr<JudgeOptions>
 }
 
 /// Declares what is told, and where.
-void declare_telling(run::Command& command, const std::shared_ptr<JudgeOptions>& options) {
+void declare_telling(program::Command& command, const std::shared_ptr<JudgeOptions>& options) {
   command
       .text(
           "--known", options->known,
           "Failures that this file names are counted, but not told, and do not change the exit status; those that are "
           "mended are told",
-          run::not_empty)
+          program::not_empty)
       .takes("FILE");
   command
       .flag("--update", options->update,
@@ -245,9 +248,9 @@ void declare_telling(run::Command& command, const std::shared_ptr<JudgeOptions>&
       .flag("--summary", options->summary,
             "Instead of verdicts and differences, print how many cases were wrong, by key, family and tag, with limits")
       .changes_results();
-  run::declare_json(command, options->json,
-                    "Instead of verdicts and differences, print the summary as one JSON object");
-  run::declare_quiet(command, options->quiet, "Print verdicts only; report mismatches by exit status");
+  program::declare_json(command, options->json,
+                        "Instead of verdicts and differences, print the summary as one JSON object");
+  program::declare_quiet(command, options->quiet, "Print verdicts only; report mismatches by exit status");
   command.text("--junit", options->junit, "Also write the outcome of every case to this file, in the XML of JUnit")
       .takes("FILE");
   command
@@ -255,26 +258,26 @@ void declare_telling(run::Command& command, const std::shared_ptr<JudgeOptions>&
             "Also write a page to this file: the summary, and the worst cases as pictures (HTML, self-contained)")
       .takes("FILE")
       .changes_results([options] { return options->report.empty() ? "no" : "yes"; });
-  run::declare_force(command, options->force);
+  program::declare_force(command, options->force);
 }
 
 /// Declares the files of cases, and that parts are of the same ones.
-void declare_parts(run::Command& command, const std::shared_ptr<JudgeOptions>& options) {
-  run::declare_folder(command, options->output, "The folder of the part; `touchstone merge` tells the judgement");
+void declare_parts(program::Command& command, const std::shared_ptr<JudgeOptions>& options) {
+  program::declare_folder(command, options->output, "The folder of the part; `touchstone merge` tells the judgement");
   command.texts("FILE", options->files, "Files of cases; none, or -: standard input").changes_results([options] {
     const cases::LineCount& counted = options->counted;
     const std::string meshes = counted.meshes.empty() ? "" : ", meshes " + workloads::with_hashes(counted.meshes);
-    return fmt::format("{} ({}, hash {:016x}{})", run::joined(options->files), run::counted(counted.lines, "line"),
-                       counted.hash, meshes);
+    return fmt::format("{} ({}, hash {:016x}{})", program::joined(options->files),
+                       program::counted(counted.lines, "line"), counted.hash, meshes);
   });
-  run::declare_part(command, *options).needs("--output");
+  program::declare_part(command, *options).needs("--output");
   command.keep_call(options->call);
 }
 
 }  // namespace
 
-run::Command judge_command() {
-  run::Command command("judge", "Answer cases (JSON Lines) by methods or engines; compare with `expected`");
+program::Command judge_command() {
+  program::Command command("judge", "Answer cases (JSON Lines) by methods or engines; compare with `expected`");
   auto options = std::make_shared<JudgeOptions>();
   declare_question(command, options);
   declare_telling(command, options);
@@ -289,10 +292,10 @@ run::Command judge_command() {
   return command;
 }
 
-run::Command methods_command() {
-  run::Command command("methods", "List the methods, one per line");
+program::Command methods_command() {
+  program::Command command("methods", "List the methods, one per line");
   auto json = std::make_shared<bool>(false);
-  run::declare_json(command, *json, "Print them as a JSON array");
+  program::declare_json(command, *json, "Print them as a JSON array");
   command.help().examples.emplace_back("methods --json");
   command.runs([json] {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();

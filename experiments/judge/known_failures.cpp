@@ -10,15 +10,15 @@
 #include <stdexcept>
 
 #include "experiments/cases/key.h"
-#include "experiments/run/input.h"
-#include "experiments/run/json.h"
+#include "experiments/program/input.h"
+#include "experiments/program/json.h"
 
 namespace touchstone::judge {
 
 namespace {
 
 Failure read_failure(const std::string& line) {
-  const run::StrictJson text = run::read_strict_json(line);
+  const program::StrictJson text = program::read_strict_json(line);
   const auto word = [&](const char* key) {
     const bool has = text.value.is_object() && text.value.contains(key) && text.value[key].is_string();
     if (!has)
@@ -42,7 +42,7 @@ Failure read_failure(const std::string& line) {
 }  // namespace
 
 KnownFailures::KnownFailures(const std::string& file) {
-  std::ifstream in = run::open_file(file);
+  std::ifstream in = program::open_file(file);
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/ask.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,7 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "experiments/run/numbers.h"
+#include "experiments/judge/ask.h"
+#include "experiments/program/numbers.h"
 #include "geometry/io/detail/text_number.h"
 #include "geometry/same_number.h"
 #include "geometry/shapes/rejection.h"
@@ -47,8 +46,8 @@ double number_of(const std::string& word, const std::string& what) {
 Eigen::Vector3d point_of(const std::string& text, const std::string& what) {
   const Texts words = words_of(text);
   if (words.size() != 2 && words.size() != 3)
-    fail(what,
-         fmt::format("\"{}\" has {}, not two or three", boost::trim_copy(text), run::counted(words.size(), "number")));
+    fail(what, fmt::format("\"{}\" has {}, not two or three", boost::trim_copy(text),
+                           program::counted(words.size(), "number")));
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < words.size(); ++k) point[static_cast<Eigen::Index>(k)] = number_of(words[k], what);
   return point;
@@ -110,7 +109,7 @@ Polygon polygon_of(std::string_view text) {
 Eigen::VectorXd numbers_of(std::string_view text, int count) {
   const Texts words = split_at(text, ',');
   if (words.size() != static_cast<std::size_t>(count))
-    fail(fmt::format("\"{}\"", text), fmt::format("has {}, not {}", run::counted(words.size(), "number"), count));
+    fail(fmt::format("\"{}\"", text), fmt::format("has {}, not {}", program::counted(words.size(), "number"), count));
   Eigen::VectorXd numbers(count);
   for (std::size_t i = 0; i < words.size(); ++i)
     numbers[static_cast<Eigen::Index>(i)] = number_of(boost::trim_copy(words[i]), fmt::format("number {}", i));

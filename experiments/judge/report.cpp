@@ -12,24 +12,24 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/judge/show/case_view.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/quoting.h"
-#include "experiments/run/statistics/shares.h"
-#include "experiments/run/table.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/quoting.h"
+#include "experiments/program/statistics/shares.h"
+#include "experiments/program/table.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
 namespace {
 
-using run::xml_text;
+using program::xml_text;
 using Named = std::pair<std::string, Count>;
 
-double share(const Count& count) { return run::rate(count.wrong, count.given()).share; }
+double share(const Count& count) { return program::rate(count.wrong, count.given()).share; }
 
 std::string percent(double share) { return statistics::percent_to_places(share, 2); }
 
 std::string row(const std::string& what, const Count& count, bool coloured) {
-  const run::Rate rate = run::rate(count.wrong, count.given());
+  const program::Rate rate = program::rate(count.wrong, count.given());
   std::string wrong = fmt::format("{:>8}", count.wrong);
   if (coloured) wrong = fmt::format("\033[{}m{}\033[0m", count.wrong > 0 ? "31" : "32", wrong);
   std::string text =
@@ -67,16 +67,16 @@ std::string text_of(const MethodTally& tally, bool coloured, std::size_t most_ta
   text += rows("by family (file)", {tally.by_file.begin(), tally.by_file.end()}, coloured);
   const auto tags = worst_tags(tally.by_tag, most_tags);
   if (!tags.empty()) text += rows("by tag, the highest rates", tags, coloured);
-  if (tally.all.known > 0) text += fmt::format("known failures: {}\n", run::counted(tally.all.known, "case"));
+  if (tally.all.known > 0) text += fmt::format("known failures: {}\n", program::counted(tally.all.known, "case"));
   if (tally.all.within > 0)
-    text += fmt::format("not counted as wrong: {} within the margin\n", run::counted(tally.all.within, "case"));
+    text += fmt::format("not counted as wrong: {} within the margin\n", program::counted(tally.all.within, "case"));
   return text;
 }
 
 enum class Of { Cases, Keys };
 
 nlohmann::ordered_json json_of(const Count& count, Of what) {
-  const run::Rate rate = run::rate(count.wrong, count.given());
+  const program::Rate rate = program::rate(count.wrong, count.given());
   nlohmann::ordered_json object{{"cases", count.cases}, {"wrong", count.wrong}, {"not_given", count.not_given}};
   if (what == Of::Cases) object["known"] = count.known, object["within"] = count.within;
   object.update({{"rate", rate.share}, {"lower", rate.lower}, {"upper", rate.upper}});
@@ -90,7 +90,7 @@ nlohmann::ordered_json json_of(const Counts& counts, Of what) {
 }
 
 std::string html_row(const std::string& name, const Count& count) {
-  const run::Rate rate = run::rate(count.wrong, count.given());
+  const program::Rate rate = program::rate(count.wrong, count.given());
   return fmt::format(
       "<tr><td>{}</td><td class=\"number{}\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td>"
       "<td class=\"number\">{}</td></tr>\n",
@@ -226,9 +226,9 @@ void Report::add(const Judged& judged) {
 std::string Report::text(const Tally& tally) const {
   std::string body;
   for (const MethodTally& method : tally.methods()) {
-    const run::Rate rate = run::rate(method.all.wrong, method.all.given());
+    const program::Rate rate = program::rate(method.all.wrong, method.all.given());
     body += fmt::format("<h1>{}</h1>\n<p>Wrong on {} of {}: {} ({} to {}, 95 % confidence). No answer on {}.{}{}</p>\n",
-                        xml_text(method.method), method.all.wrong, run::counted(method.all.given(), "case"),
+                        xml_text(method.method), method.all.wrong, program::counted(method.all.given(), "case"),
                         percent(rate.share) + " %", percent(rate.lower) + " %", percent(rate.upper) + " %",
                         method.all.not_given,
                         method.all.known > 0 ? fmt::format(" Known failures: {}.", method.all.known) : "",

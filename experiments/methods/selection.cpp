@@ -36,17 +36,18 @@ std::string Selection::text() const {
   return text;
 }
 
-run::Option declare_engines(run::Command& command, std::vector<std::string>& engines, const std::string& about) {
+program::Option declare_engines(program::Command& command, std::vector<std::string>& engines,
+                                const std::string& about) {
   return command.texts("--engine", engines, about, engine_fault).takes("COMMAND");
 }
 
-run::Option declare_methods(run::Command& command, Selection& selection, const std::string& about) {
-  run::Option option = run::declare_methods(command, selection.names, about);
+program::Option declare_methods(program::Command& command, Selection& selection, const std::string& about) {
+  program::Option option = program::declare_methods(command, selection.names, about);
   declare_engines(command, selection.engines).replaces_default_of("--methods");
   return option;
 }
 
-void declare_compared_methods(run::Command& command, Selection& selection) {
+void declare_compared_methods(program::Command& command, Selection& selection) {
   declare_methods(command, selection).changes_results([&selection] { return selection.text(); });
 }
 

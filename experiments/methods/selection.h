@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/run/command.h"
+#include "experiments/program/command.h"
 
 namespace touchstone::methods {
 
@@ -23,17 +23,17 @@ struct Selection {
 };
 
 /// Declares the option --engine, which may be repeated.
-run::Option declare_engines(run::Command& command, std::vector<std::string>& engines,
-                            const std::string& about =
-                                "An engine of yours, asked like a method: COMMAND or "
-                                "COMMAND=NAME; may be repeated");
+program::Option declare_engines(program::Command& command, std::vector<std::string>& engines,
+                                const std::string& about =
+                                    "An engine of yours, asked like a method: COMMAND or "
+                                    "COMMAND=NAME; may be repeated");
 
 /// Declares --methods and --engine. If only engines are given, they replace the default methods. Returns the option
 /// --methods.
-run::Option declare_methods(run::Command& command, Selection& selection,
-                            const std::string& about = "Methods, separated by commas: names, or all");
+program::Option declare_methods(program::Command& command, Selection& selection,
+                                const std::string& about = "Methods, separated by commas: names, or all");
 
 /// The same for a study: both options change results.
-void declare_compared_methods(run::Command& command, Selection& selection);
+void declare_compared_methods(program::Command& command, Selection& selection);
 
 }  // namespace touchstone::methods

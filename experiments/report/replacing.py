@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of results, as the program writes its own (experiments/run/output.h)."""
+"""Files of results, as the program writes its own (experiments/program/output.h)."""
 import contextlib
 import os
 

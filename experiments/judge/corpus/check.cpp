@@ -12,7 +12,7 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/json.h"
+#include "experiments/program/json.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::corpus {
@@ -60,7 +60,7 @@ std::vector<std::string> faults_of(const cases::Line& line, std::set<std::string
       check_rejection(read, faults);
     else
       check_answer(read, faults);
-  } catch (const run::NotJson& error) {
+  } catch (const program::NotJson& error) {
     faults.push_back(std::string("not JSON: ") + error.what());
   }
   for (std::string& fault : faults) fault = fmt::format("{}: case {}: {}", line.place, io::legible(id), fault);
@@ -68,16 +68,16 @@ std::vector<std::string> faults_of(const cases::Line& line, std::set<std::string
 }
 
 void note_id(const std::string& line, std::set<std::string>& ids) try {
-  const auto value = run::read_strict_json(line).value;
+  const auto value = program::read_strict_json(line).value;
   if (!value.is_object()) return;
   if (const auto id = value.find("id"); id != value.end() && id->is_string()) ids.insert(id->get<std::string>());
-} catch (const run::NotJson&) {  // a fault of the part that checks the line
+} catch (const program::NotJson&) {  // a fault of the part that checks the line
 }
 
 }  // namespace
 
-Findings check_files(const std::vector<std::string>& files, run::Part part, const std::atomic<bool>& stop,
-                     const run::Progress& progress) {
+Findings check_files(const std::vector<std::string>& files, program::Part part, const std::atomic<bool>& stop,
+                     const program::Progress& progress) {
   const std::uint64_t all = part.of > 1 ? cases::count_lines(files).lines : std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t first = part.first(all), size = part.size(all);
   Findings findings;

@@ -7,7 +7,7 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/json.h"
+#include "experiments/program/json.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 
@@ -58,7 +58,7 @@ std::string line_of(const CorpusCase& given, const PartialAnswer& truth) {
 }
 
 Labels labels_of(std::string_view line) {
-  const auto value = run::read_strict_json(line).value;
+  const auto value = program::read_strict_json(line).value;
   Labels labels;
   if (const auto tags = value.find("tags"); tags != value.end()) labels.tags = tags->get<std::vector<std::string>>();
   if (const auto origin = value.find("origin"); origin != value.end() && origin->is_string())

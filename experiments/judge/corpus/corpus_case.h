@@ -9,7 +9,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/key.h"
-#include "experiments/run/sweep.h"
+#include "experiments/program/sweep.h"
 
 namespace touchstone::corpus {
 
@@ -86,7 +86,7 @@ struct Findings {
 ///
 /// A part checks its share of the lines. It reads the ids of the lines before, so that the findings of all parts add up
 /// to those of one check.
-[[nodiscard]] Findings check_files(const std::vector<std::string>& files, run::Part part, const std::atomic<bool>& stop,
-                                   const run::Progress& progress);
+[[nodiscard]] Findings check_files(const std::vector<std::string>& files, program::Part part,
+                                   const std::atomic<bool>& stop, const program::Progress& progress);
 
 }  // namespace touchstone::corpus

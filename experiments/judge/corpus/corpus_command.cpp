@@ -22,15 +22,15 @@
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
-#include "experiments/run/input.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/output.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/stop_signal.h"
-#include "experiments/run/study.h"
-#include "experiments/run/sweep.h"
-#include "experiments/run/terminal.h"
+#include "experiments/program/command.h"
+#include "experiments/program/input.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/output.h"
+#include "experiments/program/run_record.h"
+#include "experiments/program/stop_signal.h"
+#include "experiments/program/study.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/terminal.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -38,25 +38,25 @@ namespace {
 
 struct MakeOptions {
   std::string folder;
-  unsigned threads = run::all_threads();
+  unsigned threads = program::all_threads();
   bool force = false;
 };
 
 int make(const MakeOptions& options) {
-  const run::OutputFolder held(options.folder, options.force);
+  const program::OutputFolder held(options.folder, options.force);
   const auto files = corpus::make_corpus(options.threads);
   for (const auto& [name, text] : files) {
     const std::filesystem::path file = std::filesystem::path(options.folder) / name;
     std::filesystem::create_directories(file.parent_path());
-    run::write_file(file, text);
+    program::write_file(file, text);
   }
-  fmt::print("{} in {}\n", run::counted(files.size(), "file"), io::all_legible(options.folder));
+  fmt::print("{} in {}\n", program::counted(files.size(), "file"), io::all_legible(options.folder));
   return 0;
 }
 
 std::vector<std::string> corpus_files() {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(run::data("tests/corpus")))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(program::data("tests/corpus")))
     if (entry.path().extension() == ".jsonl") files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;
@@ -77,16 +77,16 @@ std::uint64_t size_of(const std::vector<std::string>& files) {
 
 int check(const CheckOptions& options) {
   const auto files = options.files.empty() ? corpus_files() : options.files;
-  const run::Part part = run::Part::read(options.part).value_or(run::Part{});
-  const run::StopSignal stop_signal;
-  run::ProgressLine line("corpus check", size_of(files));
+  const program::Part part = program::Part::read(options.part).value_or(program::Part{});
+  const program::StopSignal stop_signal;
+  program::ProgressLine line("corpus check", size_of(files));
   const auto findings = corpus::check_files(files, part, stop_signal.requested(), std::ref(line));
   line.erase();
   for (const std::string& fault : findings.faults) fmt::print(stderr, "{}\n", io::all_legible(fault));
   if (stop_signal.requested()) fmt::print("interrupted: these are the findings of the first cases\n");
-  fmt::print("{} in {}, checked twice: {}\n", run::counted(findings.cases, "case"), run::counted(files.size(), "file"),
-             run::counted(findings.faults.size(), "fault"));
-  if (stop_signal.requested()) return run::kInterrupted;
+  fmt::print("{} in {}, checked twice: {}\n", program::counted(findings.cases, "case"),
+             program::counted(files.size(), "file"), program::counted(findings.faults.size(), "fault"));
+  if (stop_signal.requested()) return program::kInterrupted;
   return findings.faults.empty() ? 0 : 1;
 }
 
@@ -122,7 +122,7 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
       for (const cases::Key& wrong : failure.keys()) keys.emplace_back(wrong.name);
       labels.origin =
           fmt::format("touchstone corpus shrink --{} {}{}: {}; from: {}", method.through_pipe() ? "engine" : "method",
-                      method.name(), key ? " --key " + *key : "", run::joined(keys), from);
+                      method.name(), key ? " --key " + *key : "", program::joined(keys), from);
     }
     return corpus::line_of({id, small, labels.tags, labels.origin}, exact_answer(small));
   } catch (const std::invalid_argument& error) {
@@ -136,11 +136,11 @@ int shrink(const ShrinkOptions& options) {
   if (!options.method.empty()) selection.names = {options.method};
   const auto methods = selection.methods();
   if (methods.size() != 1)
-    throw run::UsageError(options.method.empty() ? "--engine" : "--method " + options.method,
-                          "a case is shrunk for one method or engine");
+    throw program::UsageError(options.method.empty() ? "--engine" : "--method " + options.method,
+                              "a case is shrunk for one method or engine");
   const cases::Method& method = *methods.front();
   const std::optional<std::string> key = options.key.empty() ? std::nullopt : std::optional(options.key);
-  const run::StopSignal stop_signal;
+  const program::StopSignal stop_signal;
   int status = 0;
   std::size_t lines = 0;
   const auto files = options.file == "-" ? std::vector<std::string>{} : std::vector{options.file};
@@ -158,39 +158,39 @@ int shrink(const ShrinkOptions& options) {
     fmt::print(stderr, "touchstone: {}: there is no case in it\n", io::all_legible(options.file));
     return 2;
   }
-  return stop_signal.requested() ? run::kInterrupted : status;
+  return stop_signal.requested() ? program::kInterrupted : status;
 }
 
-run::Command make_command() {
-  run::Command command("make", "Write every file of the corpus, with its page");
+program::Command make_command() {
+  program::Command command("make", "Write every file of the corpus, with its page");
   auto options = std::make_shared<MakeOptions>();
   command.text("FOLDER", options->folder, "Destination; the corpus is tests/corpus").required();
-  run::declare_threads(command, options->threads, "Number of threads; does not affect the files");
-  run::declare_force(command, options->force);
+  program::declare_threads(command, options->threads, "Number of threads; does not affect the files");
+  program::declare_force(command, options->force);
   command.help().examples.emplace_back("corpus make new-corpus");
   command.runs([options] { return make(*options); });
   return command;
 }
 
-run::Command check_command() {
-  run::Command command("check", "Derive every answer again, with two exact number types");
+program::Command check_command() {
+  program::Command command("check", "Derive every answer again, with two exact number types");
   auto options = std::make_shared<CheckOptions>();
   command.texts("FILES", options->files, "Files of cases with whole answers (default: the corpus)");
-  run::declare_part(command, options->part,
-                    "Check only part I of N of the cases; the parts' faults are those of one run");
+  program::declare_part(command, options->part,
+                        "Check only part I of N of the cases; the parts' faults are those of one run");
   command.help().examples.emplace_back("corpus check");
   command.runs([options] { return check(*options); });
   return command;
 }
 
-run::Command shrink_command() {
-  run::Command command("shrink", "Reduce failing cases to small ones that still fail");
+program::Command shrink_command() {
+  program::Command command("shrink", "Reduce failing cases to small ones that still fail");
   auto options = std::make_shared<ShrinkOptions>();
   command.text("CASE", options->file, "A file of cases (JSON Lines); - is standard input").required();
   command.text("--method", options->method, "The method that fails").takes("METHOD");
   methods::declare_engines(command, options->engines,
                            "Instead: an engine of yours that fails, COMMAND or COMMAND=NAME");
-  run::require_one_of(command, {"--method", "--engine"});
+  program::require_one_of(command, {"--method", "--engine"});
   command.text("--key", options->key, "The key of the answer that must stay wrong; default: all wrong decisive keys")
       .takes("KEY");
   command.help().examples.emplace_back("corpus shrink failing.jsonl --method fast");
@@ -200,7 +200,7 @@ run::Command shrink_command() {
 
 }  // namespace
 
-run::Command corpus_command() {
+program::Command corpus_command() {
   return {"corpus",
           "The certified cases of tests/corpus: make, check, and shrink new ones",
           {make_command(), check_command(), shrink_command()}};

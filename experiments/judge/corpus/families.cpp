@@ -21,7 +21,7 @@
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/run/input.h"
+#include "experiments/program/input.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 
@@ -63,8 +63,8 @@ std::string completed(const std::string& text, const std::string& name, Numbers 
 /// bugs. A line with an expected rejection is kept byte for byte; every expectation of a line must hold. Throws
 /// std::runtime_error, which names file and line.
 std::string given_text(const std::string& name, Numbers numbers) {
-  const auto file = run::data("experiments/judge/corpus/given/" + name + ".jsonl");
-  std::ifstream stream = run::open_file(file);
+  const auto file = program::data("experiments/judge/corpus/given/" + name + ".jsonl");
+  std::ifstream stream = program::open_file(file);
   std::string text, line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) try {
       text += completed(line, name, numbers);

@@ -15,8 +15,8 @@
 
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/families.h"
-#include "experiments/run/json.h"
-#include "experiments/run/sweep.h"
+#include "experiments/program/json.h"
+#include "experiments/program/sweep.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -154,7 +154,7 @@ std::map<std::string, std::string> make_corpus(unsigned threads) {
     for (const Family& family : all_families()) tasks.push_back({family, numbers});
   std::vector<std::string> texts(tasks.size());
   const std::atomic<bool> never = false;
-  run::run_blocks(
+  program::run_blocks(
       tasks.size(), threads, never, [](std::uint64_t) {},
       [&](unsigned, std::uint64_t i) { texts[i] = tasks[i].family.text(tasks[i].numbers); });
 

@@ -14,7 +14,7 @@
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/run/table.h"
+#include "experiments/program/table.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
@@ -91,7 +91,7 @@ double threshold_of(const AnyShapes& shapes) {
   });
 }
 
-std::string word(bool value) { return run::yes_or_no(value); }
+std::string word(bool value) { return program::yes_or_no(value); }
 std::string word(const Feature& value) { return std::string(to_string(value.kind)); }
 template <class Value>
 std::string word(const Value& value) {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "experiments/judge/regress/regress.h"
-#include "experiments/run/input.h"
-#include "experiments/run/json.h"
+#include "experiments/program/input.h"
+#include "experiments/program/json.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::regress {
@@ -92,7 +92,7 @@ std::string text_of(std::ifstream& stream, std::size_t longest) {
 }
 
 Baseline baseline_of(const std::string& text) {
-  const run::StrictJson read = run::read_strict_json(text);
+  const program::StrictJson read = program::read_strict_json(text);
   if (read.duplicate_key)
     throw std::runtime_error(fmt::format("has the duplicate key \"{}\"", io::legible(*read.duplicate_key)));
   const Json json = read.value;
@@ -139,13 +139,13 @@ std::string baseline_text(const Baseline& baseline) {
 }
 
 Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
-  std::ifstream stream = run::open_file(file);
+  std::ifstream stream = program::open_file(file);
   try {
     return baseline_of(text_of(stream, longest));
-  } catch (const run::NotJson& error) {
+  } catch (const program::NotJson& error) {
     throw std::runtime_error(file.string() + ": not JSON: " + error.what());
   } catch (const nlohmann::json::exception& error) {  // a missing key
-    throw std::runtime_error(file.string() + ": " + run::json_fault(error));
+    throw std::runtime_error(file.string() + ": " + program::json_fault(error));
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(file.string() + ": there is not enough memory to read it");
   } catch (const std::runtime_error& error) {

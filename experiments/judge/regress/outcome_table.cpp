@@ -90,12 +90,12 @@ std::uint64_t blocks_of(const Settings& settings) { return all_groups().size() *
 
 std::optional<OutcomeTable> find_outcomes(const Settings& settings, const std::vector<const cases::Method*>& methods,
                                           unsigned threads, const std::atomic<bool>& stop,
-                                          const run::Progress& progress) {
+                                          const program::Progress& progress) {
   const auto& groups = all_groups();
   const std::size_t blocks = kPlaces.size() * settings.samples;
   std::vector<Outcomes> outcomes(methods.size(), Outcomes(groups.size() * settings.cases()));
   const std::uint64_t done =
-      run::run_blocks(blocks_of(settings), threads, stop, progress, [&](unsigned, std::uint64_t b) {
+      program::run_blocks(blocks_of(settings), threads, stop, progress, [&](unsigned, std::uint64_t b) {
         const std::size_t g = b / blocks, block = b % blocks;
         const workloads::Sample sample = draw(settings, groups[g], block);
         const filtered::PreparedPolygon certified(sample.polygon);

@@ -13,7 +13,7 @@
 
 #include "experiments/cases/method.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/run/sweep.h"
+#include "experiments/program/sweep.h"
 
 /// The outcome of each method for each case, so that a changed answer is noticed.
 namespace touchstone::regress {
@@ -73,7 +73,7 @@ using OutcomeTable = std::map<std::string, std::map<std::string, Outcomes>>;
 [[nodiscard]] std::optional<OutcomeTable> find_outcomes(const Settings& settings,
                                                         const std::vector<const cases::Method*>& methods,
                                                         unsigned threads, const std::atomic<bool>& stop,
-                                                        const run::Progress& progress);
+                                                        const program::Progress& progress);
 [[nodiscard]] std::uint64_t blocks_of(const Settings& settings);
 
 /// The summary of a method for a group.

@@ -12,11 +12,11 @@
 #include "experiments/judge/regress/regress.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command_run.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/output.h"
-#include "experiments/run/statistics/shares.h"
-#include "experiments/run/table.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/output.h"
+#include "experiments/program/statistics/shares.h"
+#include "experiments/program/table.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -24,12 +24,12 @@ namespace {
 
 using namespace regress;
 
-struct Options : run::FolderOptions {
+struct Options : program::FolderOptions {
   std::string baseline, write;
   methods::Selection methods{{"all"}};
   bool allow_missing = false;
   Settings settings;
-  unsigned threads = run::all_threads();
+  unsigned threads = program::all_threads();
 };
 
 std::string cell(const Summary& summary) {
@@ -64,9 +64,9 @@ struct OutcomeRow {
   Summary summary;
 };
 
-const run::Table<OutcomeRow>& outcomes_csv() {
-  using run::path;
-  static const run::Table<OutcomeRow> table(
+const program::Table<OutcomeRow>& outcomes_csv() {
+  using program::path;
+  static const program::Table<OutcomeRow> table(
       "outcomes.csv", "a method, numbers and a family",
       {{"method", "the method", &OutcomeRow::method},
        {"numbers", "what the coordinates and radii are: doubles or floats", path(&OutcomeRow::group, &Group::numbers)},
@@ -125,7 +125,7 @@ void tell_changes(const std::vector<Change>& changes) {
     better += change.better.size();
     worse += change.worse.size();
   }
-  fmt::print("{} better than the baseline, {} worse\n", run::counted(better, "case"), worse);
+  fmt::print("{} better than the baseline, {} worse\n", program::counted(better, "case"), worse);
 }
 
 /// Returns whether the command line names the method, rather than `all`.
@@ -160,19 +160,19 @@ int run(const Options& options) {
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   if (baseline) refuse_missing(options, *baseline, methods);
   const Settings settings = baseline ? baseline->settings : options.settings;
-  run::CommandRun run(options);
+  program::CommandRun run(options);
   if (!options.write.empty()) {
-    run::refuse_overwrite(options.write, options.force);
-    run::make_folder(std::filesystem::absolute(options.write).parent_path());
+    program::refuse_overwrite(options.write, options.force);
+    program::make_folder(std::filesystem::absolute(options.write).parent_path());
   }
 
   std::optional<OutcomeTable> table;
   {
-    run::ProgressLine line = run.progress("regress", blocks_of(settings));
+    program::ProgressLine line = run.progress("regress", blocks_of(settings));
     table = find_outcomes(settings, methods, options.threads, run.stop(), std::ref(line));
   }
   if (!table) return run.finish_unwritten();
-  run::print_result(
+  program::print_result(
       table_of(*table, settings, Numbers::Doubles) + "\n" + table_of(*table, settings, Numbers::Floats) + "\n",
       options.quiet);
 
@@ -183,10 +183,10 @@ int run(const Options& options) {
     if (!options.quiet) tell_changes(changed);
   }
   const bool worse = std::ranges::any_of(changed, [](const Change& change) { return !change.worse.empty(); });
-  if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *table}), options.force);
+  if (!options.write.empty()) program::write_file(options.write, baseline_text({settings, *table}), options.force);
   if (run.has_folder()) {
     outcomes_csv().write(run.folder(), rows_of(*table));
-    run::write_file(run.folder() / "worse.jsonl", worse_text(settings, changed));
+    program::write_file(run.folder() / "worse.jsonl", worse_text(settings, changed));
     run.write_record({.seed = settings.seed,
                       .samples_asked = settings.samples,
                       .samples_done = settings.samples,
@@ -197,8 +197,8 @@ int run(const Options& options) {
 
 }  // namespace
 
-run::Command regress_command() {
-  run::Command command("regress", "Compare the failures of every method with a baseline");
+program::Command regress_command() {
+  program::Command command("regress", "Compare the failures of every method with a baseline");
   auto options = std::make_shared<Options>();
   command.help().footer =
       "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative "
@@ -215,15 +215,16 @@ run::Command regress_command() {
       .needs("--baseline");
   command.text("--write", options->write, "Write the outcomes as a baseline").takes("FILE");
   methods::declare_methods(command, options->methods);
-  run::declare_seed(command, options->settings.seed).excludes("--baseline");
+  program::declare_seed(command, options->settings.seed).excludes("--baseline");
   command
       .whole("--samples", options->settings.samples, "Of each family of polygons and place of the ball", 1,
              kMostSamples)
       .excludes("--baseline");
-  run::declare_threads(command, options->threads);
-  run::declare_output(command, *options,
-                      "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
-  run::declare_quiet(command, options->quiet, "Print no table, no changes and no progress; the exit status tells");
+  program::declare_threads(command, options->threads);
+  program::declare_output(
+      command, *options,
+      "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
+  program::declare_quiet(command, options->quiet, "Print no table, no changes and no progress; the exit status tells");
   command.writes({outcomes_csv().description()});
   command.help().examples.emplace_back(
       "regress --baseline tests/experiments/judge/regress/baseline.json --methods fast,thesis");

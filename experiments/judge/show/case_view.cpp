@@ -10,7 +10,7 @@
 #include <set>
 
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/run/numbers.h"
+#include "experiments/program/numbers.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 
@@ -113,9 +113,10 @@ std::string margin_text(const CaseView& view) {
     return "Even a point there touches, so every ball does.";
   if (*margin == 0) return "The ball touches: its radius is the least double that does.";
   const auto count = static_cast<std::uint64_t>(std::abs(*margin));
-  return fmt::format(
-      "The ball {}: its radius is {} {} the least one that does.", *margin < 0 ? "does not touch" : "touches",
-      count > 1'000'000 ? "over a million doubles" : run::counted(count, "double"), *margin < 0 ? "below" : "above");
+  return fmt::format("The ball {}: its radius is {} {} the least one that does.",
+                     *margin < 0 ? "does not touch" : "touches",
+                     count > 1'000'000 ? "over a million doubles" : program::counted(count, "double"),
+                     *margin < 0 ? "below" : "above");
 }
 
 }  // namespace touchstone::show

@@ -4,13 +4,13 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/judge/show/case_view.h"
-#include "experiments/run/quoting.h"
+#include "experiments/program/quoting.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::show {
 namespace {
 
-using run::xml_text;
+using program::xml_text;
 
 constexpr const char* kStyle =
     R"(body { font: 15px/1.45 sans-serif; color: #222; max-width: 900px; margin: 2em auto; padding: 0 1em; }

@@ -9,9 +9,9 @@
 #include "experiments/judge/show/case_view.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/output.h"
+#include "experiments/program/command.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/output.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -27,7 +27,7 @@ struct ShowOptions {
 
 /// Draws the selected cases; complains about lines that are not cases. Returns the exit status.
 int show_cases(const ShowOptions& options) {
-  if (!options.html.empty()) run::refuse_overwrite(options.html, options.force);
+  if (!options.html.empty()) program::refuse_overwrite(options.html, options.force);
   const auto methods = options.methods.methods();
   const auto files = options.files == std::vector<std::string>{"-"} ? std::vector<std::string>() : options.files;
   int status = 0;
@@ -58,22 +58,22 @@ int show_cases(const ShowOptions& options) {
   }
   if (left_out > 0)
     fmt::print(stderr, "touchstone: not shown: {}; --samples and --id select others\n",
-               run::counted(left_out, "more case"));
+               program::counted(left_out, "more case"));
   if (shown == 0 && status == 0) throw std::runtime_error("there is no case to show");
   if (shown == 0) return status;
   const std::string page = show::page_of(title, body);
   if (options.html.empty())
     fmt::print("{}", page);
   else
-    run::write_file(options.html, page, options.force);
+    program::write_file(options.html, page, options.force);
   return status;
 }
 
 }  // namespace
 
-run::Command show_command() {
-  run::Command command("show",
-                       "Draw cases: polygon, ball, nearest point, and a zoom onto the contact, double by double");
+program::Command show_command() {
+  program::Command command("show",
+                           "Draw cases: polygon, ball, nearest point, and a zoom onto the contact, double by double");
   auto options = std::make_shared<ShowOptions>();
   command
       .texts("CASE", options->files,
@@ -84,7 +84,7 @@ run::Command show_command() {
   methods::declare_methods(command, options->methods);
   command.whole("--samples", options->most, "Draw at most this number of cases", 1, 1000);
   command.text("--html", options->html, "Write the page to this file instead of standard output").takes("FILE");
-  run::declare_force(command, options->force);
+  program::declare_force(command, options->force);
   command.help().footer =
       "From above: the polygon, the ball, the foot of its centre and the nearest point (of a moving ball: its way, "
       "and the first touched point). From the side: a section. Below: the radii next to the ball's, in doubles, and "

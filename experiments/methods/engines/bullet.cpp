@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/run/built_with.h"
+#include "experiments/program/built_with.h"
 
 #if TOUCHSTONE_HAS_BULLET
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/add_methods.h"
-#include "experiments/run/built_with.h"
+#include "experiments/program/built_with.h"
 
 namespace touchstone::methods {
 

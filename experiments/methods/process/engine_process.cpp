@@ -17,8 +17,8 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine.h"
-#include "experiments/run/json.h"
-#include "experiments/run/stop_signal.h"
+#include "experiments/program/json.h"
+#include "experiments/program/stop_signal.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
@@ -39,11 +39,11 @@ static_assert(std::atomic<bool>::is_always_lock_free, "used within a signal hand
 [[noreturn]] void leave() {
   constexpr std::string_view message = "touchstone: interrupted\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
-  _exit(run::kInterrupted);
+  _exit(program::kInterrupted);
 }
 
 extern "C" void interrupt_judge(int) {
-  run::handle_end_signals(SIG_DFL);
+  program::handle_end_signals(SIG_DFL);
   is_interrupted = true;
   if (!is_writing) leave();
 }
@@ -60,7 +60,7 @@ struct Reply {
 Reply read_reply(const std::string& line) {
   Reply reply{.id = {}, .answer = {}, .echo = io::legible(line)};
   try {
-    const run::StrictJson read = run::read_strict_json(line);
+    const program::StrictJson read = program::read_strict_json(line);
     if (!read.value.is_object()) return reply;
     const auto id = read.value.find("id");
     if (id != read.value.end() && id->is_string() && !read.ambiguous.contains("id")) reply.id = id->get<std::string>();
@@ -68,7 +68,7 @@ Reply read_reply(const std::string& line) {
       reply.echo = "duplicate key \"" + io::legible(*read.duplicate_key) + "\" in one object: " + reply.echo;
     else if (reply.id && !read.too_deep)
       reply.answer = cases::stated_in(read.value);
-  } catch (const run::NotJson&) {
+  } catch (const program::NotJson&) {
     // The reply echoes the line.
   }
   return reply;
@@ -203,9 +203,9 @@ std::optional<std::string> EngineProcess::wait_within(std::chrono::milliseconds 
   return ending();
 }
 
-KillEngineOnSignal::KillEngineOnSignal() { run::handle_end_signals(interrupt_judge); }
+KillEngineOnSignal::KillEngineOnSignal() { program::handle_end_signals(interrupt_judge); }
 
-KillEngineOnSignal::~KillEngineOnSignal() { run::handle_end_signals(SIG_DFL); }
+KillEngineOnSignal::~KillEngineOnSignal() { program::handle_end_signals(SIG_DFL); }
 
 DeferSignals::DeferSignals() { is_writing = true; }
 

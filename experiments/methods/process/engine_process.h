@@ -111,8 +111,8 @@ class EngineProcess {
   std::optional<std::string> ending_;
 };
 
-/// While an object of this class exists, the first of run::kEndSignals that is not ignored ends this process with
-/// run::kInterrupted, except during a DeferSignals. A second signal ends the process as usual. Engines end with
+/// While an object of this class exists, the first of program::kEndSignals that is not ignored ends this process with
+/// program::kInterrupted, except during a DeferSignals. A second signal ends the process as usual. Engines end with
 /// this process (see Supervisor). At most one may exist.
 ///
 /// The handler does not wait until the judge checks a flag: the judge may block for any time while it reads from a

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "experiments/run/command_run.h"
-#include "experiments/run/output.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/timing.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/output.h"
+#include "experiments/program/printing.h"
+#include "experiments/program/timing.h"
 #include "experiments/studies/bench/families.h"
 
 namespace touchstone::bench {
@@ -38,21 +38,21 @@ namespace {
 using namespace bench;
 using namespace timing;
 
-struct Options : run::FolderOptions {
+struct Options : program::FolderOptions {
   std::vector<std::string> families{"all"};
   Settings settings;
   unsigned repetitions = 11;
   std::string count;
 };
 
-// Throws run::UsageError, which names what is unknown.
+// Throws program::UsageError, which names what is unknown.
 const Family& find_family(const std::string& name) {
   std::string known;
   for (const Family& family : all_families()) {
     if (family.name == name) return family;
     known.append(known.empty() ? "" : ", ").append(family.name);
   }
-  throw run::UsageError("--family", "there is no family \"" + name + "\"; there are " + known + ", or all");
+  throw program::UsageError("--family", "there is no family \"" + name + "\"; there are " + known + ", or all");
 }
 
 std::vector<const Family*> select_families(const std::vector<std::string>& names) {
@@ -67,7 +67,7 @@ std::vector<const Family*> select_families(const std::vector<std::string>& names
 /// Draws, measures and prints one benchmark after the other.
 class Runner {
  public:
-  Runner(run::CommandRun& run, const Options& options) : run_(run), options_(options) {}
+  Runner(program::CommandRun& run, const Options& options) : run_(run), options_(options) {}
 
   void measure_family(const Family& family) {
     std::vector<Result> results;
@@ -75,7 +75,7 @@ class Runner {
     for (const auto& draw : family.benchmarks) {
       if (run_.stop()) return;
       const Benchmark benchmark = draw(options_.settings);
-      run::ProgressLine line = run_.progress("bench: " + family.name + " " + benchmark.name, options_.repetitions);
+      program::ProgressLine line = run_.progress("bench: " + family.name + " " + benchmark.name, options_.repetitions);
       results.push_back(
           measure(family.name, benchmark, options_.repetitions, run_.stop(), [&](std::uint64_t n) { line(n); }));
       keep(results.back());
@@ -88,11 +88,11 @@ class Runner {
  private:
   void keep(const Result& result) {
     if (!options_.quiet) fmt::print("{}", table(result));
-    run::flush_standard_output();
+    program::flush_standard_output();
     results_.push_back(result);
   }
 
-  run::CommandRun& run_;
+  program::CommandRun& run_;
   const Options& options_;
   std::vector<Result> results_;
 };
@@ -103,7 +103,7 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path) {
 }
 
 /// Writes the results, and the record of the run, which also stands beside.
-void write(const run::CommandRun& run, const Options& options, const std::vector<Result>& results) {
+void write(const program::CommandRun& run, const Options& options, const std::vector<Result>& results) {
   run.write_record({.seed = options.settings.seed,
                     .samples_asked = options.settings.samples,
                     .samples_done = run.stopped() ? 0 : options.settings.samples});
@@ -112,13 +112,13 @@ void write(const run::CommandRun& run, const Options& options, const std::vector
                                       {"samples", options.settings.samples},
                                       {"repetitions", options.repetitions},
                                       {"contests", json(results)}};
-  run::write_file(run.folder() / "bench.json",
-                  all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  program::write_file(run.folder() / "bench.json",
+                      all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 int measure_all(const Options& options) {
   const auto families = select_families(options.families);
-  run::CommandRun run(options);
+  program::CommandRun run(options);
   Runner runner(run, options);
   for (const Family* family : families)
     if (!run.stop()) runner.measure_family(*family);
@@ -132,10 +132,10 @@ int measure_all(const Options& options) {
     fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Results: {}\n", options.settings.samples,
                options.repetitions, options.settings.seed, run.seconds(), options.output);
   }
-  run::flush_standard_output();
+  program::flush_standard_output();
   if (!run.stopped()) return 0;
   fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.output);
-  return run::kInterrupted;
+  return program::kInterrupted;
 }
 
 /// Asks one candidate every query of the benchmarks that share the first one's pool, `repetitions` times, and does
@@ -143,7 +143,7 @@ int measure_all(const Options& options) {
 /// as preparing for each query.
 int count(const Options& options) {
   const auto families = select_families(options.families);
-  if (families.size() != 1) throw run::UsageError("--count", "needs one --family");
+  if (families.size() != 1) throw program::UsageError("--count", "needs one --family");
   Settings settings = options.settings;
   settings.checks = false;
   std::uint64_t asked = 0, sum = 0;
@@ -164,7 +164,7 @@ int count(const Options& options) {
   if (asked == 0) {
     std::string names;
     for (const std::string& name : known) names.append(names.empty() ? "" : ", ").append(name);
-    throw run::UsageError(
+    throw program::UsageError(
         "--count", "\"" + options.count + "\" is not a candidate of " + families[0]->name + "; there are " + names);
   }
   fmt::print("{}, {}: {} queries, {} times; sum of the answers {}\n", families[0]->name, options.count, asked,
@@ -181,9 +181,9 @@ constexpr const char* kFooter =
 
 }  // namespace
 
-run::Command bench_command() {
+program::Command bench_command() {
   constexpr std::uint64_t kMostSamples = 10'000'000;  // all are held, at 100 bytes each and more
-  run::Command command("bench", "Compare the times of filtered, fast and other methods on the same queries");
+  program::Command command("bench", "Compare the times of filtered, fast and other methods on the same queries");
   command.help().footer = kFooter;
   auto options = std::make_shared<Options>();
   options->output = "results/bench";
@@ -191,11 +191,11 @@ run::Command bench_command() {
   command.whole("--samples", options->settings.samples,
                 "Distinct queries, up to 10000000; branch predictors may learn fewer than 100000", 1, kMostSamples);
   command.whole("--repetitions", options->repetitions, "The number of turns of each candidate", 1, 100'000);
-  run::declare_seed(command, options->settings.seed, "Any number; the same seed gives the same queries");
+  program::declare_seed(command, options->settings.seed, "Any number; the same seed gives the same queries");
   command.text("--count", options->count,
                "Do not time: run this candidate of one family on all queries, for a profiler");
-  run::declare_output(command, *options, "The folder for bench.json, which has all numbers, and run.json");
-  run::declare_quiet(command, options->quiet);
+  program::declare_output(command, *options, "The folder for bench.json, which has all numbers, and run.json");
+  program::declare_quiet(command, options->quiet);
   command.help().examples.emplace_back("bench --family near --samples 100");
   command.runs([options] { return options->count.empty() ? measure_all(*options) : count(*options); });
   return command;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/timing.h"
+#include "experiments/program/timing.h"
 
 namespace touchstone::bench {
 

@@ -6,7 +6,7 @@
 
 #include "experiments/cases/workloads/grazing_radius.h"
 #include "experiments/cases/workloads/triangle_queries.h"
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/statistics/shares.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/polygon_queries.h"
 #include "geometry/contact/fast_motion.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/run/timing.h"
+#include "experiments/program/timing.h"
 #include "experiments/studies/bench/families.h"
 #include "geometry/contact/fast.h"
 #include "geometry/shapes/ball.h"

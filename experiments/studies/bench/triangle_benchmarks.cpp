@@ -10,7 +10,7 @@
 #include "experiments/cases/workloads/triangle_queries.h"
 #include "experiments/methods/engines/cgal_triangles.h"
 #include "experiments/methods/ericson.h"
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/statistics/shares.h"
 #include "experiments/studies/bench/families.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"

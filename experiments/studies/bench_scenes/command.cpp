@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "experiments/run/command_run.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/timing.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/printing.h"
+#include "experiments/program/timing.h"
 #include "experiments/studies/bench_scenes/measure.h"
 
 namespace touchstone::commands {
@@ -15,7 +15,7 @@ namespace {
 
 using namespace bench_scenes;
 
-struct SceneOptions : run::FolderOptions {
+struct SceneOptions : program::FolderOptions {
   SceneSettings settings;
   std::size_t most_triangles = 1'000'000;
   std::string meshes;  ///< a folder; empty: no real meshes
@@ -37,7 +37,7 @@ std::vector<std::function<NamedScene()>> all_scenes(const SceneOptions& options)
   return scenes;
 }
 
-void write(const run::CommandRun& run, const SceneOptions& options, const std::vector<SceneResult>& results) {
+void write(const program::CommandRun& run, const SceneOptions& options, const std::vector<SceneResult>& results) {
   write_scene_tables(run.folder(), results);
   const std::uint64_t samples = options.settings.samples;
   run.write_record({.seed = options.settings.seed,
@@ -56,15 +56,15 @@ int exit_status(const SceneOptions& options, const std::vector<SceneResult>& res
   if (disputed) return 1;
   if (!stopped) return 0;
   fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.output);
-  return run::kInterrupted;
+  return program::kInterrupted;
 }
 
 int measure_scenes(const SceneOptions& options) {
-  run::CommandRun run(options);
+  program::CommandRun run(options);
   const auto scenes = all_scenes(options);
   const auto& stop = run.stop();
   const std::vector<Library> libraries = all_libraries();
-  const auto print = [&](const std::string& text) { run::print_result(text, options.quiet); };
+  const auto print = [&](const std::string& text) { program::print_result(text, options.quiet); };
 
   std::vector<SceneResult> results;
   for (const auto& make : scenes) {
@@ -83,10 +83,11 @@ int measure_scenes(const SceneOptions& options) {
   std::string text = scene_legend() + "\n" + scene_goals(results, exact);
   for (const std::string& absent : absent_libraries())
     text += fmt::format("Built without {}: it does not take part.\n", absent);
-  text += fmt::format("{}, {}, seed {}, in {:.0f} s. Everything: {}\n", run::counted(options.settings.samples, "ball"),
-                      run::counted(options.settings.repetitions, "repetition"), options.settings.seed, run.seconds(),
-                      options.output);
-  run::print_result(text, options.quiet);
+  text +=
+      fmt::format("{}, {}, seed {}, in {:.0f} s. Everything: {}\n", program::counted(options.settings.samples, "ball"),
+                  program::counted(options.settings.repetitions, "repetition"), options.settings.seed, run.seconds(),
+                  options.output);
+  program::print_result(text, options.quiet);
   const int drawn = stop ? 0 : run.draw("bench_scenes");
   const int status = exit_status(options, results, stop);
   return status != 0 ? status : drawn;
@@ -94,20 +95,21 @@ int measure_scenes(const SceneOptions& options) {
 
 }  // namespace
 
-run::Command bench_scenes_command() {
+program::Command bench_scenes_command() {
   constexpr std::size_t kFewest = 1000, kMost = 10'000'000;
   constexpr std::uint64_t kMostSamples = 10'000'000;
-  run::Command command("bench-scenes", "Compare the times of scenes of 1000 and more triangles with other libraries");
+  program::Command command("bench-scenes",
+                           "Compare the times of scenes of 1000 and more triangles with other libraries");
   auto options = std::make_shared<SceneOptions>();
   options->output = "results/bench-scenes";
   command.whole("--samples", options->settings.samples, "Distinct balls, up to 10000000", 1, kMostSamples);
   command.whole("--repetitions", options->settings.repetitions, "The number of turns of each library", 1, 100'000);
-  run::declare_seed(command, options->settings.seed, "Any number; the same seed gives the same balls");
+  program::declare_seed(command, options->settings.seed, "Any number; the same seed gives the same balls");
   command.whole("--max-faces", options->most_triangles,
                 "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)", kFewest, kMost);
   command.text("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated").takes("FOLDER");
-  run::declare_output(command, *options, "The folder for tables and pictures", true);
-  run::declare_quiet(command, options->quiet);
+  program::declare_output(command, *options, "The folder for tables and pictures", true);
+  program::declare_quiet(command, options->quiet);
   command.writes(tables());
   command.help().examples.emplace_back("bench-scenes --max-faces 10000");
   command.runs([options] { return measure_scenes(*options); });

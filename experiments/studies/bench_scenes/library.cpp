@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "experiments/methods/ericson.h"
-#include "experiments/run/built_with.h"
+#include "experiments/program/built_with.h"
 #include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/run/statistics/shares.h"
-#include "experiments/run/terminal.h"
+#include "experiments/program/statistics/shares.h"
+#include "experiments/program/terminal.h"
 #include "experiments/studies/bench_scenes/library.h"
 
 namespace touchstone::bench_scenes {
@@ -219,7 +219,7 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
   const Mesh mesh(scene.triangles);
   std::vector<Built> all;
   {
-    run::ProgressLine line("bench: building " + title, libraries.size());
+    program::ProgressLine line("bench: building " + title, libraries.size());
     for (const Library& library : libraries) {
       if (stop) break;
       result.builds.push_back({library.name, {}, 0});
@@ -233,7 +233,7 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
   if (exact == all.end()) throw std::invalid_argument("bench: none of the libraries is exact");
 
   const auto measured = [&](const timing::Benchmark& benchmark) {
-    run::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
+    program::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
     return measure(
         title, benchmark, settings.repetitions, stop, [&](std::uint64_t done) { line(done); },
         settings.seconds_of_repetition);

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/table.h"
-#include "experiments/run/timing.h"
+#include "experiments/program/table.h"
+#include "experiments/program/timing.h"
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/scenes.h"
 #include "geometry/shapes/ball.h"
@@ -187,6 +187,6 @@ inline constexpr timing::Goal kObjectsGoal{2};
 
 /// Writes all tables. Throws std::runtime_error, which names the file, if one cannot be written.
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);
-[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> tables();
 
 }  // namespace touchstone::bench_scenes

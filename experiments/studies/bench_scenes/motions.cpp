@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/statistics/shares.h"
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/measure.h"
 #include "experiments/studies/bench_scenes/scenes.h"

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/built_with.h"
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/built_with.h"
+#include "experiments/program/statistics/shares.h"
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/measure.h"
 #include "geometry/bvh/box.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "experiments/run/table.h"
-#include "experiments/run/timing.h"
+#include "experiments/program/table.h"
+#include "experiments/program/timing.h"
 #include "experiments/studies/bench_scenes/measure.h"
 
 namespace touchstone::bench_scenes {
@@ -74,16 +74,16 @@ struct TimedRow {
 
 /// Returns the columns of the scene, then `asked`, then those of the library and its times. `nanoseconds`: of what.
 template <class Row>
-std::vector<run::Column<Row>> timed_columns(const std::vector<run::Column<Row>>& asked, const char* library,
-                                            const char* nanoseconds) {
-  using run::path;
+std::vector<program::Column<Row>> timed_columns(const std::vector<program::Column<Row>>& asked, const char* library,
+                                                const char* nanoseconds) {
+  using program::path;
   constexpr const char* kFormat = "{:.6g}";
   const auto wrong = [](std::size_t timing::Wrong::*number) {
     return [number](const Row& row) {
       return row.measured->wrong ? std::optional((*row.measured->wrong).*number) : std::nullopt;
     };
   };
-  return run::all_columns<Row>(
+  return program::all_columns<Row>(
       {{{"scene", "the kind of scene", path(&Row::scene, &SceneResult::kind)},
         {"triangles", "its triangles", path(&Row::scene, &SceneResult::triangles)}},
        asked,
@@ -109,9 +109,9 @@ std::vector<TimedRow<Benchmark>> timed_rows(const std::vector<SceneResult>& resu
 
 using QueryRow = TimedRow<SceneBenchmark>;
 
-const run::Table<QueryRow>& queries_table() {
-  using run::path;
-  static const run::Table<QueryRow> table(
+const program::Table<QueryRow>& queries_table() {
+  using program::path;
+  static const program::Table<QueryRow> table(
       "queries.csv", "a scene, place of balls, question and library",
       timed_columns<QueryRow>(
           {{"balls", "where the balls are", path(&QueryRow::benchmark, &SceneBenchmark::place)},
@@ -122,20 +122,20 @@ const run::Table<QueryRow>& queries_table() {
 
 using MotionRow = TimedRow<MotionBenchmark>;
 
-const run::Table<MotionRow>& motions_table() {
-  static const run::Table<MotionRow> table(
+const program::Table<MotionRow>& motions_table() {
+  static const program::Table<MotionRow> table(
       "motions.csv", "a scene, length of motions and library",
-      timed_columns<MotionRow>(
-          {{"motions", "short, a radius, or long, thirty", run::path(&MotionRow::benchmark, &MotionBenchmark::length)}},
-          "the library; the scene about the ball at its start, too", "a first contact, median"));
+      timed_columns<MotionRow>({{"motions", "short, a radius, or long, thirty",
+                                 program::path(&MotionRow::benchmark, &MotionBenchmark::length)}},
+                               "the library; the scene about the ball at its start, too", "a first contact, median"));
   return table;
 }
 
 using PointRow = TimedRow<PointBenchmark>;
 
-const run::Table<PointRow>& points_table() {
-  static const run::Table<PointRow> table("points.csv", "a scene of closed triangles and library",
-                                          timed_columns<PointRow>({}, "the library", "a point, median"));
+const program::Table<PointRow>& points_table() {
+  static const program::Table<PointRow> table("points.csv", "a scene of closed triangles and library",
+                                              timed_columns<PointRow>({}, "the library", "a point, median"));
   return table;
 }
 
@@ -144,9 +144,9 @@ struct BuildRow {
   const Build* build;
 };
 
-const run::Table<BuildRow>& builds_csv() {
-  using run::path;
-  static const run::Table<BuildRow> table(
+const program::Table<BuildRow>& builds_csv() {
+  using program::path;
+  static const program::Table<BuildRow> table(
       "builds.csv", "a scene and library",
       {{"scene", "the kind of scene", path(&BuildRow::scene, &SceneResult::kind)},
        {"triangles", "its triangles", path(&BuildRow::scene, &SceneResult::triangles)},
@@ -177,7 +177,7 @@ std::string poses_table(const SceneResult& result) {
     auto& line = lines.emplace_back(1, row.name);
     for (const double value : {q.median, q.lower, q.upper}) line.push_back(fmt::format("{:.3g}", value));
   }
-  return lines.size() == 1 ? "" : fmt::format("\n{}, poses\n", title(result)) + run::aligned(lines);
+  return lines.size() == 1 ? "" : fmt::format("\n{}, poses\n", title(result)) + program::aligned(lines);
 }
 
 std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library) {
@@ -235,7 +235,7 @@ void write_scene_tables(const std::filesystem::path& folder, const std::vector<S
   builds_csv().write(folder, build_rows(results));
 }
 
-std::vector<run::TableDescription> tables() {
+std::vector<program::TableDescription> tables() {
   return {queries_table().description(), motions_table().description(), points_table().description(),
           builds_csv().description()};
 }

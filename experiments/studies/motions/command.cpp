@@ -5,7 +5,7 @@
 
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/study.h"
+#include "experiments/program/study.h"
 #include "experiments/studies/motions/measure.h"
 
 namespace touchstone::commands {
@@ -13,7 +13,7 @@ namespace {
 
 using namespace motions;
 
-struct Options : run::StudyOptions {
+struct Options : program::StudyOptions {
   methods::Selection methods{{"all"}};
   std::size_t vertices = 12;
 };
@@ -21,7 +21,7 @@ struct Options : run::StudyOptions {
 // Raised when sample n of a seed changes, or the form of what is kept.
 constexpr int kVersion = 2;
 
-int run_motions(run::StudyRun& run, const Options& options) {
+int run_motions(program::StudyRun& run, const Options& options) {
   const Settings settings{find_moving_methods(options.methods), options.vertices, options.samples, options.seed,
                           options.threads};
   const Errors errors = run.phase("motions", "part.json", settings.samples, no_errors(settings),
@@ -47,8 +47,8 @@ int run_motions(run::StudyRun& run, const Options& options) {
 
 }  // namespace
 
-run::Command motions_command() {
-  run::Command command("motions", "Measure where methods fail about moving balls, and how far off their times are");
+program::Command motions_command() {
+  program::Command command("motions", "Measure where methods fail about moving balls, and how far off their times are");
   auto options = std::make_shared<Options>();
   options->samples = 100;
   options->output = "results/motions";
@@ -57,10 +57,10 @@ run::Command motions_command() {
       .whole("--vertices", options->vertices, "Vertices of the polygons, approximate; families round it", 3,
              workloads::kMostRandomSimple)
       .changes_results();
-  run::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement");
+  program::declare_study(command, *options, "--samples", "Samples of each way, place of the ball and placement");
   command.writes(tables());
   command.help().examples.emplace_back("motions --methods fast,filtered --samples 20");
-  command.runs(run::study_runner(command, kVersion, options, run_motions));
+  command.runs(program::study_runner(command, kVersion, options, run_motions));
   return command;
 }
 

@@ -11,7 +11,7 @@
 #include "experiments/cases/workloads/grazing_radius.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/statistics/errors.h"
+#include "experiments/program/statistics/errors.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/motion.h"
@@ -246,9 +246,9 @@ Errors no_errors(const Settings& settings) {
   return {.at = {all_kinds().size(), std::vector<MethodErrors>(settings.methods.size())}};
 }
 
-void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors) {
-  run::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
-                 [&](std::uint64_t n, Errors& part) { ask_all(settings, n, part); });
+void measure_errors(const Settings& settings, const program::RunControl& control, Errors& errors) {
+  program::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
+                     [&](std::uint64_t n, Errors& part) { ask_all(settings, n, part); });
 }
 
 Eigen::Vector2d GrazingPass::seen(const Eigen::Vector3d& point) const {

@@ -14,9 +14,9 @@
 #include "experiments/cases/failures.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/statistics/errors.h"
-#include "experiments/run/sweep.h"
-#include "experiments/run/table.h"
+#include "experiments/program/statistics/errors.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/table.h"
 #include "geometry/contact/answer.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
@@ -142,13 +142,13 @@ struct Errors {
 ///
 /// The result is a function of the settings and the number of samples done; threads, stops and the other methods do not
 /// change it.
-void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors);
+void measure_errors(const Settings& settings, const program::RunControl& control, Errors& errors);
 
 template <class Wanted>
 MethodErrors Errors::sum(std::size_t method, const Wanted& wanted) const {
   MethodErrors sum;
   for (std::size_t kind = 0; kind < at.size(); ++kind)
-    if (wanted(all_kinds()[kind])) run::add(sum, at[kind][method]);
+    if (wanted(all_kinds()[kind])) program::add(sum, at[kind][method]);
   return sum;
 }
 
@@ -188,7 +188,7 @@ void write_furthest(const std::filesystem::path& folder, const Settings& setting
 /// pass.csv and pass-scene.csv.
 void write_pass(const std::filesystem::path& folder, const GrazingPass& pass, const std::vector<Said>& said);
 
-[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> tables();
 
 /// Returns the table of all ways for the terminal.
 [[nodiscard]] std::string table(const Settings& settings, const Errors& errors);

@@ -2,14 +2,14 @@
 #include <fmt/core.h>
 
 #include "experiments/cases/output_lines.h"
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "experiments/studies/motions/measure.h"
 
 namespace touchstone::motions {
 namespace {
 
 using cases::Failures;
-using run::path;
+using program::path;
 using statistics::Distribution;
 
 constexpr const char* kFormat = "{:.6g}";
@@ -18,7 +18,7 @@ struct WayRow {
   std::string_view way, method;
   MethodErrors errors;
   Failures all;
-  run::Rate rate;
+  program::Rate rate;
 };
 
 /// Returns a quantile, if there are any numbers.
@@ -29,17 +29,17 @@ auto quantile(Distribution TimeErrors::*errors, double share) {
   };
 }
 
-const run::Table<WayRow>& ways_table() {
-  static const run::Table<WayRow> table(
+const program::Table<WayRow>& ways_table() {
+  static const program::Table<WayRow> table(
       "ways.csv", "a way of the ball and a method",
-      run::all_columns<WayRow>(
+      program::all_columns<WayRow>(
           {{{"way", "the way of the ball, as `touchstone cases --way` has it, or `all`", &WayRow::way},
             {"method", "the method", &WayRow::method},
             {"samples", "motions about which the method decides, which are independent",
              path(&WayRow::errors, path(&MethodErrors::samples, &Failures::trials))},
             {"failed", "motions about which an answer is wrong for any radius",
              path(&WayRow::errors, path(&MethodErrors::samples, &Failures::wrong))}},
-           run::rate_columns<WayRow>("failed motions", &WayRow::rate),
+           program::rate_columns<WayRow>("failed motions", &WayRow::rate),
            {{"answers", "answers to whether the ball touches", path(&WayRow::all, &Failures::trials)},
             {"missed", "wrong answers: contacts that the method denies", path(&WayRow::all, &Failures::wrongly_out)},
             {"invented", "wrong answers: contacts that the method invents", path(&WayRow::all, &Failures::wrongly_in)},
@@ -68,13 +68,13 @@ struct ThresholdRow {
   std::string_view method;
   double offset;
   Failures answers;
-  run::Rate rate;
+  program::Rate rate;
 };
 
-const run::Table<ThresholdRow>& thresholds_table() {
-  static const run::Table<ThresholdRow> table(
+const program::Table<ThresholdRow>& thresholds_table() {
+  static const program::Table<ThresholdRow> table(
       "thresholds.csv", "an event, a feature, a method and an offset",
-      run::all_columns<ThresholdRow>(
+      program::all_columns<ThresholdRow>(
           {{{"event", "what a ball of the threshold radius does: start, graze or end in contact", &ThresholdRow::event},
             {"feature", "what it touches first", &ThresholdRow::feature},
             {"method", "the method", &ThresholdRow::method},
@@ -83,12 +83,12 @@ const run::Table<ThresholdRow>& thresholds_table() {
             {"missed", "contacts that the method denies", path(&ThresholdRow::answers, &Failures::wrongly_out)},
             {"invented", "contacts that the method invents", path(&ThresholdRow::answers, &Failures::wrongly_in)},
             {"unsure", "undecided answers", path(&ThresholdRow::answers, &Failures::unsure)}},
-           run::rate_columns<ThresholdRow>("wrong answers", &ThresholdRow::rate)}));
+           program::rate_columns<ThresholdRow>("wrong answers", &ThresholdRow::rate)}));
   return table;
 }
 
-const run::Table<Said>& pass_table() {
-  static const run::Table<Said> table(
+const program::Table<Said>& pass_table() {
+  static const program::Table<Said> table(
       "pass.csv", "what a method says about the grazing pass with a radius",
       {{"method", "the method", &Said::method},
        {"offset", "the radius less its threshold, as a share of the polygon's size", &Said::offset},
@@ -105,8 +105,8 @@ struct Spot {
   Eigen::Vector2d at;
 };
 
-const run::Table<Spot>& scene_table() {
-  static const run::Table<Spot> table(
+const program::Table<Spot>& scene_table() {
+  static const program::Table<Spot> table(
       "pass-scene.csv", "a point of the grazing pass as the picture has it",
       {{"what", "`from`, `to`, `center` (at the first contact), or `loop` and the number of a vertex's loop",
         &Spot::what},
@@ -166,7 +166,7 @@ void write_furthest(const std::filesystem::path& folder, const Settings& setting
                          {name, std::string(to_string(at->event)), fmt::format("offset {:.6g}", all_offsets()[offset])},
                          exact_answer(shapes));
   }
-  run::write_file(folder / "furthest.jsonl", text);
+  program::write_file(folder / "furthest.jsonl", text);
 }
 
 void write_pass(const std::filesystem::path& folder, const GrazingPass& pass, const std::vector<Said>& said) {
@@ -182,7 +182,7 @@ void write_pass(const std::filesystem::path& folder, const GrazingPass& pass, co
   scene_table().write(folder, spots);
 }
 
-std::vector<run::TableDescription> tables() {
+std::vector<program::TableDescription> tables() {
   return {ways_table().description(), thresholds_table().description(), pass_table().description(),
           scene_table().description()};
 }

@@ -7,9 +7,9 @@
 
 #include "experiments/cases/workloads/meshes.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/output.h"
-#include "experiments/run/study.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/output.h"
+#include "experiments/program/study.h"
 #include "experiments/studies/near_edge/faces.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/search.h"
@@ -22,7 +22,7 @@ using namespace near_edge;
 // More than --faces takes, so that help has no default.
 constexpr std::uint64_t kAllFaces = std::numeric_limits<std::uint64_t>::max();
 
-struct Options : run::StudyOptions {
+struct Options : program::StudyOptions {
   std::vector<std::string> meshes;
   std::uint64_t faces = kAllFaces;
   bool skip_bad = false;
@@ -37,12 +37,12 @@ struct Options : run::StudyOptions {
 constexpr int kVersion = 5;
 
 /// Files of an earlier run would belong to other data.
-void remove_files(const run::StudyRun& run) {
+void remove_files(const program::StudyRun& run) {
   run.remove_files({"bands", "failures", "left-out", "map-", "maps", "meshes", "onset", "rates", "rejected", "worst"});
 }
 
 /// A run about the faces of meshes.
-int run_faces(run::StudyRun& run, const Options& options) {
+int run_faces(program::StudyRun& run, const Options& options) {
   constexpr int kBadInput = 2;
   const faces::Settings settings{options.methods.methods(), options.seed, options.faces, options.threads};
   workloads::NamedFiles files =
@@ -55,25 +55,25 @@ int run_faces(run::StudyRun& run, const Options& options) {
   const auto result =
       run.phase("faces", "part.json", count, faces::no_result(settings, meshes),
                 [&](const auto& control, faces::Result& sum) { faces::measure(settings, meshes, control, sum); });
-  run::StudyRun::End end{
+  program::StudyRun::End end{
       .done = items_done(result), .missing = result.rejected.size(), .items = count, .pictures = false};
   if (!files.all_read && !run.stopped()) end.status = kBadInput;
   if (run.is_part()) return run.finish(end);
   remove_files(run);
   faces::write(run.folder(), settings, meshes, result);
-  run::write_file(run.folder() / "left-out.txt", workloads::left_out_text(files));
+  program::write_file(run.folder() / "left-out.txt", workloads::left_out_text(files));
   end.text = fmt::format("{}\n{} of {} faces in {} of {} meshes, {} of files left out; seed {}.\n",
                          faces::table(settings, meshes, result), end.done, count, meshes.size(), options.meshes.size(),
-                         run::counted(files.parts_left_out, "part"), settings.seed);
+                         program::counted(files.parts_left_out, "part"), settings.seed);
   if (const int status = run.finish(end); status != 0) return status;
   if (result.rejected.empty() || options.skip_bad) return 0;
   fmt::print(stderr, "touchstone: {}; with --skip-bad this is not an error\n",
-             run::counted(result.rejected.size(), "rejected face"));
+             program::counted(result.rejected.size(), "rejected face"));
   return kBadInput;
 }
 
 /// A run about random polygons. Parts measure samples; maps are drawn and climbs made where the parts are merged.
-int run_random(run::StudyRun& run, const Options& options) {
+int run_random(program::StudyRun& run, const Options& options) {
   const Settings settings{options.methods.methods(), workloads::find_families(options.families),
                           options.samples,           options.seed,
                           options.threads,           options.shape};
@@ -118,17 +118,17 @@ int run_random(run::StudyRun& run, const Options& options) {
 
 }  // namespace
 
-run::Command near_edge_command() {
-  run::Command command("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
+program::Command near_edge_command() {
+  program::Command command("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
   auto options = std::make_shared<Options>();
   options->samples = 1000;  // about 35 s on two cores
   options->output = "results/near-edge";
-  run::declare_meshes(command, options->meshes,
-                      "Mesh files (OBJ, OFF, STL, PLY), about every face of which to ask instead")
+  program::declare_meshes(command, options->meshes,
+                          "Mesh files (OBJ, OFF, STL, PLY), about every face of which to ask instead")
       .changes_results([options] { return workloads::with_hashes(options->meshes); });
   command
       .whole("--faces", options->faces, "The number of faces of each mesh to test, from the first on (default: all)", 1,
-             run::kMostSamples)
+             program::kMostSamples)
       .needs("MESH")
       .changes_results(
           [options] { return options->faces == kAllFaces ? std::string("all") : std::to_string(options->faces); });
@@ -136,9 +136,9 @@ run::Command near_edge_command() {
       .flag("--skip-bad", options->skip_bad,
             "Leave out faulty parts of a mesh file, and report them; rejected faces are then not an error")
       .needs("MESH")
-      .changes_results([options] { return std::string(run::yes_or_no(options->skip_bad)); });
+      .changes_results([options] { return std::string(program::yes_or_no(options->skip_bad)); });
   methods::declare_compared_methods(command, options->methods);
-  run::declare_families(command, options->families).changes_results([options] {
+  program::declare_families(command, options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
   command
@@ -154,15 +154,15 @@ run::Command near_edge_command() {
   command.whole("--search", options->search,
                 "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
                 "and distance from the origin",
-                0, run::kMostSamples);
+                0, program::kMostSamples);
   command.flag("--no-maps", options->no_maps, "Draw no maps: they ask each method some hundred thousand times");
-  run::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
+  program::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
   command.writes(tables());
   command.writes(search_tables());
   command.writes(faces::tables());
   command.help().examples.emplace_back("near-edge --methods fast,filtered --samples 20 --search 0");
   command.help().footer = "With mesh files, all options of random polygons are without effect.";
-  command.runs(run::study_runner(command, kVersion, options, [](run::StudyRun& run, const Options& given) {
+  command.runs(program::study_runner(command, kVersion, options, [](program::StudyRun& run, const Options& given) {
     return given.meshes.empty() ? run_random(run, given) : run_faces(run, given);
   }));
   return command;

@@ -7,8 +7,8 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/run/output.h"
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/output.h"
+#include "experiments/program/statistics/shares.h"
 #include "experiments/studies/near_edge/faces.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/mesh/scene_faces.h"
@@ -47,9 +47,9 @@ struct MeshRow {
   const Failures* answers;
 };
 
-const run::Table<MeshRow>& meshes_table() {
-  using run::path;
-  static const run::Table<MeshRow> table(
+const program::Table<MeshRow>& meshes_table() {
+  using program::path;
+  static const program::Table<MeshRow> table(
       "meshes.csv", "a mesh, method, place and test",
       {{"mesh", "the mesh", &MeshRow::mesh},
        {"faces", "its faces", path(&MeshRow::counts, &MeshCounts::faces)},
@@ -71,11 +71,11 @@ struct RejectedRow {
   const RejectedFace* face;
 };
 
-const run::Table<RejectedRow>& rejected_table() {
-  static const run::Table<RejectedRow> table(
+const program::Table<RejectedRow>& rejected_table() {
+  static const program::Table<RejectedRow> table(
       "rejected.csv", "a face that is not a polygon",
       {{"mesh", "the mesh", &RejectedRow::mesh},
-       {"face", "the number of the face in its file", run::path(&RejectedRow::face, &RejectedFace::face)},
+       {"face", "the number of the face in its file", program::path(&RejectedRow::face, &RejectedFace::face)},
        {"code", "the code of the rejection", [](const RejectedRow& row) { return row.face->rejection.code; }},
        {"message", "what is wrong", [](const RejectedRow& row) { return row.face->rejection.message; }}});
   return table;
@@ -126,10 +126,12 @@ void write(const std::filesystem::path& folder, const Settings& settings, const 
   std::vector<RejectedRow> rejected;
   for (const RejectedFace& face : result.rejected) rejected.push_back({meshes[face.mesh].name, &face});
   rejected_table().write(folder, rejected);
-  run::write_file(folder / "failures.jsonl", failures_jsonl(settings, meshes, result));
+  program::write_file(folder / "failures.jsonl", failures_jsonl(settings, meshes, result));
 }
 
-std::vector<run::TableDescription> tables() { return {meshes_table().description(), rejected_table().description()}; }
+std::vector<program::TableDescription> tables() {
+  return {meshes_table().description(), rejected_table().description()};
+}
 
 std::string table(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result) {
   const MeshCounts sum = cases::total(result.meshes);
@@ -146,7 +148,7 @@ std::string table(const Settings& settings, const std::vector<NamedMesh>& meshes
     line.push_back(fmt::format("{} to {} %", statistics::percent_to_digits(limits.lower, 2),
                                statistics::percent_to_digits(limits.upper, 2)));
   }
-  std::string text = run::aligned(by_method) + "\n";
+  std::string text = program::aligned(by_method) + "\n";
   for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh)
     text += fmt::format("{}: {} faces, {} bad, {} queries\n", io::legible(meshes[mesh].name), result.meshes[mesh].faces,
                         result.meshes[mesh].rejected, result.meshes[mesh].queries);

@@ -200,12 +200,12 @@ FaceCrossing draw_face_crossing(const Polygon& polygon, std::uint64_t seed, std:
 
 Failures MethodCounts::total(Test test) const {
   Failures sum;
-  for (const auto& tests : at) run::add(sum, tests[static_cast<std::size_t>(test)]);
+  for (const auto& tests : at) program::add(sum, tests[static_cast<std::size_t>(test)]);
   return sum;
 }
 
 Result& Result::operator+=(const Result& other) {
-  run::add(meshes, other.meshes);
+  program::add(meshes, other.meshes);
   rejected.insert(rejected.end(), other.rejected.begin(), other.rejected.end());
   std::ranges::sort(rejected, {}, [](const RejectedFace& face) { return std::tie(face.mesh, face.face); });
   failures.insert(failures.end(), other.failures.begin(), other.failures.end());
@@ -228,7 +228,7 @@ Result no_result(const Settings& settings, const std::vector<NamedMesh>& meshes)
   return result;
 }
 
-void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl& control,
+void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const program::RunControl& control,
              Result& result) {
   constexpr std::uint64_t kBlock = 32;
   std::vector<std::uint64_t> ends;  // of the faces of each mesh

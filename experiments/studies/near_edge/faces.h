@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/run/sweep.h"
-#include "experiments/run/table.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/table.h"
 #include "geometry/shapes/mesh.h"
 #include "geometry/shapes/rejection.h"
 
@@ -131,7 +131,7 @@ struct Result {
 ///
 /// A function of settings and meshes. `threads` does not change it, and the counts of one mesh and method do not depend
 /// on the others.
-void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const run::RunControl& control,
+void measure(const Settings& settings, const std::vector<NamedMesh>& meshes, const program::RunControl& control,
              Result& result);
 
 /// meshes.csv, rejected.csv, and failures.jsonl: the kept failures, in the contract's form of a case. A query that
@@ -144,7 +144,7 @@ void write(const std::filesystem::path& folder, const Settings& settings, const 
            const Result& result);
 
 /// Returns what the tables hold.
-[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> tables();
 
 /// Returns the text for the terminal: a row per method, a line per mesh, the rejected faces and a legend.
 [[nodiscard]] std::string table(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result);

@@ -192,7 +192,7 @@ std::string_view to_string(Spot spot) {
 std::uint64_t map_rows() { return kMaps * kSide; }
 
 std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed, unsigned threads,
-                           const std::atomic<bool>& stop, const run::Progress& progress) {
+                           const std::atomic<bool>& stop, const program::Progress& progress) {
   std::vector<bool> know_boundary;
   for (const auto* method : methods) know_boundary.push_back(cases::knows_boundary(*method));
   std::vector<Scene> scenes;
@@ -205,10 +205,11 @@ std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std
         scenes.push_back(draw_scene(spot, test, distance, seed, methods));
         maps.push_back({spot, distance, test, empty, std::vector<std::string>(methods.size(), empty)});
       }
-  const std::uint64_t done = run::run_blocks(map_rows(), threads, stop, progress, [&](unsigned, std::uint64_t number) {
-    const std::size_t map = number / kSide;
-    draw_row(scenes[map], know_boundary, number % kSide, maps[map]);
-  });
+  const std::uint64_t done =
+      program::run_blocks(map_rows(), threads, stop, progress, [&](unsigned, std::uint64_t number) {
+        const std::size_t map = number / kSide;
+        draw_row(scenes[map], know_boundary, number % kSide, maps[map]);
+      });
   maps.resize(static_cast<std::size_t>(done) / kSide);
   return maps;
 }

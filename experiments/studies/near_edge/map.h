@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/run/sweep.h"
+#include "experiments/program/sweep.h"
 #include "experiments/studies/near_edge/measure.h"
 
 namespace touchstone::near_edge {
@@ -55,7 +55,7 @@ inline constexpr double kOriginDistances[] = {0, 1e3, 1e6};
 /// methods.
 [[nodiscard]] std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed,
                                          unsigned threads, const std::atomic<bool>& stop,
-                                         const run::Progress& progress);
+                                         const program::Progress& progress);
 
 [[nodiscard]] std::uint64_t map_rows();
 

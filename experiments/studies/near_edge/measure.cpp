@@ -16,7 +16,7 @@ void TestFailures::add(const std::vector<std::optional<Outcome>>& outcomes) {
 
 TestFailures sum(const Counts& counts, const std::vector<std::size_t>& strata, Test test, std::size_t method) {
   TestFailures sum;
-  for (const std::size_t stratum : strata) run::add(sum, counts[stratum][static_cast<std::size_t>(test)][method]);
+  for (const std::size_t stratum : strata) program::add(sum, counts[stratum][static_cast<std::size_t>(test)][method]);
   return sum;
 }
 
@@ -27,7 +27,7 @@ Result no_result(const Settings& settings) {
   return result;
 }
 
-void run_study(const Settings& settings, const run::RunControl& control, Result& result) {
+void run_study(const Settings& settings, const program::RunControl& control, Result& result) {
   const cases::Method& exact = *methods::find_method("exact");
   cases::walk(
       {settings.methods, settings.samples, settings.threads}, control, no_result(settings), result,

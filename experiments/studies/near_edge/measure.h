@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/run/sweep.h"
-#include "experiments/run/table.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/table.h"
 
 namespace touchstone::near_edge {
 
@@ -62,14 +62,14 @@ struct Result {
 /// The result is a function of settings and the number of samples done. Threads, stops
 /// and the other families and methods do not change the counts of one family and method. A run stopped after m samples
 /// equals a run of m samples.
-void run_study(const Settings& settings, const run::RunControl& control, Result& result);
+void run_study(const Settings& settings, const program::RunControl& control, Result& result);
 
 /// rates.csv and bands.csv: byte for byte the same for the same settings, whatever the number of threads. Throws
 /// std::runtime_error, which names the file, if it cannot be written. tables() says what the tables hold.
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const Counts& counts);
 
 /// Returns what the tables hold, those of the maps included.
-[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> tables();
 
 /// Returns the table of bands for the terminal, over all families, of the test that is decided at each threshold.
 [[nodiscard]] std::string table(const Settings& settings, const Counts& counts);

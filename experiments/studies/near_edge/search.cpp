@@ -176,20 +176,20 @@ Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
 
-void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl& control, Onsets& onsets) {
+void run_onsets(const Settings& settings, std::uint64_t samples, const program::RunControl& control, Onsets& onsets) {
   const Search search(settings);
-  run::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
-                 [&](std::uint64_t n, Onsets& part) { search.measure(n, part); });
+  program::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
+                     [&](std::uint64_t n, Onsets& part) { search.measure(n, part); });
 }
 
 std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-WorstCases run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets) {
+WorstCases run_climbs(const Settings& settings, const program::RunControl& control, const Onsets& onsets) {
   const Search search(settings);
   std::vector<std::optional<Worst>> found(climb_count(settings));
-  run::run_items(found.size(), 1, settings.threads, control, [&](unsigned, std::uint64_t i) {
+  program::run_items(found.size(), 1, settings.threads, control, [&](unsigned, std::uint64_t i) {
     const std::size_t where = i / Onset::kMostKept, rank = i % Onset::kMostKept;
     const std::vector<Find>& furthest = onsets.all[where].furthest;
     if (rank < furthest.size()) found[i] = search.climb_from(where, furthest[rank]);

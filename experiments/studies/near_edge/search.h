@@ -136,10 +136,10 @@ struct WorstCases {
 
 /// Measures how far from the threshold each method is wrong, for those of `samples` samples of every region that the
 /// onsets do not contain yet, and adds them.
-void run_onsets(const Settings& settings, std::uint64_t samples, const run::RunControl& control, Onsets& onsets);
+void run_onsets(const Settings& settings, std::uint64_t samples, const program::RunControl& control, Onsets& onsets);
 /// Climbs from the furthest samples of each region and method, in climb_count(settings) climbs. The result is a
 /// function of settings and onsets, independent of threads; `exact` confirms each case.
-[[nodiscard]] WorstCases run_climbs(const Settings& settings, const run::RunControl& control, const Onsets& onsets);
+[[nodiscard]] WorstCases run_climbs(const Settings& settings, const program::RunControl& control, const Onsets& onsets);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);
 
 // Results only, and errors, as of write_failures.
@@ -149,7 +149,7 @@ void write_onsets(const std::filesystem::path& folder, const Settings& settings,
 void write_worst(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets,
                  const WorstCases& worst);
 /// Returns what these tables hold.
-[[nodiscard]] std::vector<run::TableDescription> search_tables();
+[[nodiscard]] std::vector<program::TableDescription> search_tables();
 
 /// Returns the table of the furthest answers for the terminal: over all families.
 [[nodiscard]] std::string search_table(const Settings& settings, const Onsets& onsets, const WorstCases& worst);

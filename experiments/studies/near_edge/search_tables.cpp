@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "experiments/studies/near_edge/search.h"
 
 namespace touchstone::near_edge {
@@ -53,7 +53,7 @@ struct Subject {
 
 /// The columns with which the rows of both tables begin.
 template <class Row>
-std::vector<run::Column<Row>> subject_columns() {
+std::vector<program::Column<Row>> subject_columns() {
   return {
       {"family", "the family of polygons, or `all`", [](const Row& row) { return row.group->family; }},
       {"threshold", "the threshold that balls cross", [](const Row& row) { return row.group->threshold; }},
@@ -66,17 +66,18 @@ std::vector<run::Column<Row>> subject_columns() {
 struct OnsetRow : Subject {
   std::size_t exponent;
   std::uint64_t wrong, samples;
-  run::Rate rate;
+  program::Rate rate;
 };
 
-const run::Table<OnsetRow>& onset_table() {
-  static const run::Table<OnsetRow> table(
+const program::Table<OnsetRow>& onset_table() {
+  static const program::Table<OnsetRow> table(
       "onset.csv", "a family, threshold, distance from the origin, method and exponent k",
-      run::all_columns<OnsetRow>({subject_columns<OnsetRow>(),
-                                  {{"exponent", "k: the ball is 2^-k sizes from the threshold", &OnsetRow::exponent},
-                                   {"wrong", "samples with a wrong answer on either side", &OnsetRow::wrong},
-                                   {"samples", "samples", &OnsetRow::samples}},
-                                  run::rate_columns<OnsetRow>("wrong samples", &OnsetRow::rate)}));
+      program::all_columns<OnsetRow>(
+          {subject_columns<OnsetRow>(),
+           {{"exponent", "k: the ball is 2^-k sizes from the threshold", &OnsetRow::exponent},
+            {"wrong", "samples with a wrong answer on either side", &OnsetRow::wrong},
+            {"samples", "samples", &OnsetRow::samples}},
+           program::rate_columns<OnsetRow>("wrong samples", &OnsetRow::rate)}));
   return table;
 }
 
@@ -85,10 +86,10 @@ struct WorstRow : Subject {
   std::optional<double> sampled, climbed;
 };
 
-const run::Table<WorstRow>& worst_table() {
-  static const run::Table<WorstRow> table(
+const program::Table<WorstRow>& worst_table() {
+  static const program::Table<WorstRow> table(
       "worst.csv", "a family, threshold, distance from the origin and method",
-      run::all_columns<WorstRow>(
+      program::all_columns<WorstRow>(
           {subject_columns<WorstRow>(),
            {{"samples", "random samples", &WorstRow::samples},
             {"sampled_share", "the furthest wrong offset of random samples, in sizes", &WorstRow::sampled, "{:.6g}"},
@@ -129,7 +130,7 @@ void write_onsets(const std::filesystem::path& folder, const Settings& settings,
                         k,
                         onset.wrong[k],
                         onset.samples,
-                        run::rate(onset.wrong[k], onset.samples)});
+                        program::rate(onset.wrong[k], onset.samples)});
     }
   onset_table().write(folder, rows);
 }
@@ -140,10 +141,10 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
   worst_table().write(folder, worst_rows(settings, groups, onsets, worst));
   std::string cases;
   for (const Worst& found : worst.all) cases += found.line;
-  run::write_file(folder / "worst.jsonl", cases);
+  program::write_file(folder / "worst.jsonl", cases);
 }
 
-std::vector<run::TableDescription> search_tables() {
+std::vector<program::TableDescription> search_tables() {
   return {onset_table().description(), worst_table().description()};
 }
 

@@ -12,13 +12,13 @@ using OffsetRow = cases::OffsetRow<Failures>;
 
 constexpr const char* kTestMeaning = "the decision that is compared";
 
-const run::Table<OffsetRow>& rates_table() {
-  static const run::Table<OffsetRow> table(
+const program::Table<OffsetRow>& rates_table() {
+  static const program::Table<OffsetRow> table(
       "rates.csv", "a family, placement, threshold, test, method and offset",
       cases::offset_columns<OffsetRow>(
           kTestMeaning,
-          {{"failures", "wrong or undecided answers", run::path(&OffsetRow::count, &Failures::not_right)},
-           {"trials", "answers", run::path(&OffsetRow::count, &Failures::trials)}},
+          {{"failures", "wrong or undecided answers", program::path(&OffsetRow::count, &Failures::not_right)},
+           {"trials", "answers", program::path(&OffsetRow::count, &Failures::trials)}},
           "failures"));
   return table;
 }
@@ -26,18 +26,18 @@ const run::Table<OffsetRow>& rates_table() {
 struct BandRow : cases::Subject {
   Failures samples, answers;
   cases::Band band;
-  run::Rate rate;
+  program::Rate rate;
 };
 
-const run::Table<BandRow>& bands_table() {
-  using run::path;
-  static const run::Table<BandRow> table(
+const program::Table<BandRow>& bands_table() {
+  using program::path;
+  static const program::Table<BandRow> table(
       "bands.csv", "a family, placement, threshold, test and method",
-      run::all_columns<BandRow>(
+      program::all_columns<BandRow>(
           {cases::subject_columns<BandRow>(kTestMeaning),
            {{"failed_samples", "samples that failed at any offset", path(&BandRow::samples, &Failures::wrong)},
             {"samples", "samples", path(&BandRow::samples, &Failures::trials)}},
-           run::rate_columns<BandRow>("failed samples", &BandRow::rate),
+           program::rate_columns<BandRow>("failed samples", &BandRow::rate),
            {{"failures", "wrong or undecided answers at all offsets", path(&BandRow::answers, &Failures::not_right)},
             {"trials", "answers at all offsets", path(&BandRow::answers, &Failures::trials)}},
            cases::band_columns<BandRow>("the lowest offset at which a failure was seen")}));
@@ -51,8 +51,8 @@ struct PixelRow {
 };
 
 /// The table of the maps with one column for each method.
-run::Table<PixelRow> map_table(const std::string& file, const std::vector<std::string>& methods) {
-  std::vector<run::Column<PixelRow>> columns{
+program::Table<PixelRow> map_table(const std::string& file, const std::vector<std::string>& methods) {
+  std::vector<program::Column<PixelRow>> columns{
       {"row", "the row of the pixel, from the top", [](const PixelRow& row) { return row.pixel / Map::kSize; }},
       {"column", "its column", [](const PixelRow& row) { return row.pixel % Map::kSize; }},
       {"truth", "i(nside), b(oundary), o(utside), or c(ontact), n(one)",
@@ -94,7 +94,7 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
             rows.push_back({{&group, test, settings.methods[m]->name()},
                             cases::all_offsets()[i],
                             at,
-                            run::rate(at.not_right(), at.trials)});
+                            program::rate(at.not_right(), at.trials)});
       }
   rates_table().write(folder, rows);
   bands_table().write(folder, band_rows(settings, groups, counts));
@@ -124,7 +124,7 @@ std::string table(const Settings& settings, const Counts& counts) {
          "doubles from the exact threshold; positive is larger (or: the foot is outside). bands.csv has the other tests.\n";
 }
 
-std::vector<run::TableDescription> tables() {
+std::vector<program::TableDescription> tables() {
   return {rates_table().description(), bands_table().description(),
           map_table("map-<spot>-<test>-<distance>.csv", {"<method>"}).description()};
 }

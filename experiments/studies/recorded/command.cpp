@@ -14,13 +14,13 @@
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/study.h"
+#include "experiments/program/study.h"
 #include "experiments/studies/recorded/measure.h"
 
 namespace touchstone::recorded {
 namespace {
 
-struct Options : run::StudyOptions {
+struct Options : program::StudyOptions {
   methods::Selection methods{
       {"fast", "fast-float", "thesis", "cgal-double-distance", "cgal-epick-distance", "filtered"}};
   std::size_t balls = 24, steps = 180;
@@ -33,7 +33,7 @@ std::string_view to_string(Radius radius) { return radius == Radius::Own ? "own"
 
 /// The answers of one method about piles, which are the samples.
 struct MethodFailures : cases::SampledFailures {
-  run::Maximum<double> furthest;  ///< wrong answer from contact, as a share of the triangle's size
+  program::Maximum<double> furthest;  ///< wrong answer from contact, as a share of the triangle's size
 
   auto members() { return std::tuple_cat(SampledFailures::members(), std::tie(furthest)); }
 };
@@ -64,15 +64,15 @@ struct Row {
   std::string_view method;
   const Part* part;
   const MethodFailures* failures;
-  run::Rate rate, pile_rate;
+  program::Rate rate, pile_rate;
 };
 
-const run::Table<Row>& table() {
+const program::Table<Row>& table() {
   using cases::Failures;
-  using run::path;
-  static const run::Table<Row> table(
+  using program::path;
+  static const program::Table<Row> table(
       "recorded.csv", "a simulation, a radius and a method",
-      run::all_columns<Row>(
+      program::all_columns<Row>(
           {{{"simulation", "the engine that stepped the piles: Bullet's build in doubles or in floats",
              &Row::simulation},
             {"radius", "`own`: the ball's; `with threshold`: with the contact breaking threshold that Bullet adds",
@@ -83,17 +83,17 @@ const run::Table<Row>& table() {
             {"touching", "of these, contacts", path(&Row::part, &Part::touching)},
             {"wrong", "answers that differ from those of `exact`",
              path(&Row::failures, path(&MethodFailures::answers, &Failures::wrong))}},
-           run::rate_columns<Row>("wrong answers, as if questions were independent, which those of one pile are not",
-                                  &Row::rate),
+           program::rate_columns<Row>(
+               "wrong answers, as if questions were independent, which those of one pile are not", &Row::rate),
            {{"failed_piles", "piles with a wrong answer",
              path(&Row::failures, path(&MethodFailures::samples, &Failures::wrong))},
             {"piles", "piles, which are independent",
              path(&Row::failures, path(&MethodFailures::samples, &Failures::trials))}},
-           run::rate_columns<Row>("failed piles", &Row::pile_rate, "piles_"),
+           program::rate_columns<Row>("failed piles", &Row::pile_rate, "piles_"),
            {{"furthest",
              "of the wrong answers, the largest difference of distance and radius, as a share of the triangle's "
              "largest coordinate difference",
-             path(&Row::failures, path(&MethodFailures::furthest, &run::Maximum<double>::value))}}}));
+             path(&Row::failures, path(&MethodFailures::furthest, &program::Maximum<double>::value))}}}));
   return table;
 }
 
@@ -104,8 +104,8 @@ struct NearRow {
   std::uint64_t questions, of;
 };
 
-const run::Table<NearRow>& near_table() {
-  static const run::Table<NearRow> table(
+const program::Table<NearRow>& near_table() {
+  static const program::Table<NearRow> table(
       "near.csv", "a simulation, a radius and an exponent",
       {{"simulation", "the engine that stepped the piles", &NearRow::simulation},
        {"radius", "as in recorded.csv", &NearRow::radius},
@@ -213,13 +213,13 @@ class Study {
   const cases::Method& exact_;
 };
 
-int run_recorded(run::StudyRun& run, const Options& options) {
+int run_recorded(program::StudyRun& run, const Options& options) {
   if (simulations().empty())
     throw std::runtime_error("this program was built without Bullet (libbullet-dev), which steps the piles");
   const Study study(options);
   const Sum sum = run.phase("piles", "part.json", options.samples, study.zero(), [&](const auto& control, Sum& so_far) {
-    run::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
-                   [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
+    program::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
+                       [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
   });
   if (run.is_part()) return run.finish({.done = sum.samples});
   const auto rows = study.rows(sum);
@@ -233,10 +233,10 @@ int run_recorded(run::StudyRun& run, const Options& options) {
 
 namespace touchstone::commands {
 
-run::Command recorded_command() {
+program::Command recorded_command() {
   using recorded::Options;
   constexpr int kVersion = 2;  // raised when pile n of a seed changes
-  run::Command command("recorded", "Replay every ball-triangle query of a Bullet simulation of piled balls");
+  program::Command command("recorded", "Replay every ball-triangle query of a Bullet simulation of piled balls");
   auto options = std::make_shared<Options>();
   options->samples = 100;
   options->output = "results/recorded";
@@ -244,10 +244,10 @@ run::Command recorded_command() {
   methods::declare_compared_methods(command, options->methods);
   command.whole("--balls", options->balls, "Balls of a pile", 1, 1000).changes_results();
   command.whole("--steps", options->steps, "Steps of 1/60 s", 1, 100'000).changes_results();
-  run::declare_study(command, *options, "--samples", "Piles");
+  program::declare_study(command, *options, "--samples", "Piles");
   command.writes({recorded::table().description(), recorded::near_table().description()});
   command.help().examples.emplace_back("recorded --samples 2");
-  command.runs(run::study_runner(command, kVersion, options, recorded::run_recorded));
+  command.runs(program::study_runner(command, kVersion, options, recorded::run_recorded));
   return command;
 }
 

@@ -10,8 +10,8 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/methods/process/engine_process.h"
-#include "experiments/run/input.h"
-#include "experiments/run/quoting.h"
+#include "experiments/program/input.h"
+#include "experiments/program/quoting.h"
 
 namespace touchstone::recorded {
 namespace {
@@ -81,17 +81,17 @@ Pile draw_pile(std::uint64_t seed, std::uint64_t index, std::size_t balls) {
 const std::vector<Simulation>& simulations() {
   static const std::vector<Simulation> list{
 #ifdef TOUCHSTONE_PILE_DOUBLE
-      {"bullet", run::helper_program("touchstone_pile_double").string()},
+      {"bullet", program::helper_program("touchstone_pile_double").string()},
 #endif
 #ifdef TOUCHSTONE_PILE_FLOAT
-      {"bullet-float", run::helper_program("touchstone_pile_float").string()},
+      {"bullet-float", program::helper_program("touchstone_pile_float").string()},
 #endif
   };
   return list;
 }
 
 std::vector<Question> record(const Simulation& simulation, const Pile& pile, std::size_t steps) {
-  methods::EngineProcess program("exec " + run::shell_quoted(simulation.program));
+  methods::EngineProcess program("exec " + program::shell_quoted(simulation.program));
   if (!program.send(text_of(pile, steps)))
     throw std::runtime_error(fmt::format("{} does not read the pile", simulation.program));
   program.end_input();

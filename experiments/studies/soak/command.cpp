@@ -8,8 +8,8 @@
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/adversarial/case.h"
-#include "experiments/run/printing.h"
-#include "experiments/run/study.h"
+#include "experiments/program/printing.h"
+#include "experiments/program/study.h"
 #include "experiments/studies/soak/measure.h"
 
 namespace touchstone::commands {
@@ -17,7 +17,7 @@ namespace {
 
 using namespace soak;
 
-struct Options : run::StudyOptions {
+struct Options : program::StudyOptions {
   std::uint64_t from = 0;
   bool print = false, moving = false;
 
@@ -27,14 +27,14 @@ struct Options : run::StudyOptions {
 // Raised when case i of a seed changes, or the form of the tally.
 constexpr int kVersion = 6;
 
-int run_cases(run::StudyRun& run, const Options& options) {
+int run_cases(program::StudyRun& run, const Options& options) {
   const Settings settings{options.samples, options.seed, options.from, options.threads, options.asked()};
   const Tally tally = run.phase("cases", "part.json", settings.cases, Tally(), [&](const auto& control, Tally& sum) {
     std::mutex turn;
     run_campaign(settings, SystemUnderTest(), control, sum, [&](const Difference& difference) {
       const std::lock_guard lock(turn);  // an endless run tells of differences at once
       fmt::print("{}", difference.line);
-      run::flush_standard_output();
+      program::flush_standard_output();
     });
   });
   if (run.is_part()) return run.finish({.done = tally.cases()});
@@ -65,8 +65,8 @@ int print_cases(const Options& options) {
 
 }  // namespace
 
-run::Command soak_command() {
-  run::Command command("soak", "Compare filtered with exact on hard random cases; exit status 1 if they differ");
+program::Command soak_command() {
+  program::Command command("soak", "Compare filtered with exact on hard random cases; exit status 1 if they differ");
   auto options = std::make_shared<Options>();
   options->samples = 1'000'000;
   options->output = "results/soak";
@@ -74,11 +74,12 @@ run::Command soak_command() {
   command.whole("--from", options->from, "The index of the first case").changes_results();
   command.flag("--moving", options->moving, "Balls move: compare contact and first contact on their ways")
       .changes_results();
-  run::declare_study(command, *options, "--samples", "The number of cases; case i depends on the seed and on i alone");
+  program::declare_study(command, *options, "--samples",
+                         "The number of cases; case i depends on the seed and on i alone");
   command.flag("--print", options->print, "Only print the cases, as `judge` takes them")
       .excludes_all_but({"--from", "--moving", "--samples", "--seed"});
   command.writes(tables());
-  const auto compare = run::study_runner(command, kVersion, options, run_cases);
+  const auto compare = program::study_runner(command, kVersion, options, run_cases);
   command.help().examples.emplace_back("soak --samples 10000");
   command.runs([options, compare] {
     if (options->from > std::numeric_limits<std::uint64_t>::max() - options->samples)

@@ -339,7 +339,7 @@ void Tally::add_case(std::vector<Difference> differences) {
 }
 
 Tally& Tally::operator+=(const Tally& other) {
-  run::add(outcomes_, other.outcomes_);
+  program::add(outcomes_, other.outcomes_);
   cases_ += other.cases_;
   differing_ += other.differing_;
   kept_.insert(kept_.end(), other.kept_.begin(), other.kept_.end());
@@ -354,11 +354,11 @@ void Tally::keep_first() {
   if (kept_.size() > kMostKept) kept_.resize(kMostKept);
 }
 
-std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested, const run::RunControl& control,
+std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested, const program::RunControl& control,
                            Tally& tally, const std::function<void(const Difference&)>& tell) {
   const auto ask = settings.asked == Asked::Rest ? compare : compare_moving;
   constexpr std::uint64_t kBlock = 256;  // 10 to 40 ms on one core
-  return run::run_sweep(
+  return program::run_sweep(
       settings.cases, settings.threads, control, Tally(), tally,
       [&](std::uint64_t i, Tally& part) {
         Tally one;

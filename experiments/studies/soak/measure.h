@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "experiments/cases/workloads/adversarial/case.h"
-#include "experiments/run/sweep.h"
-#include "experiments/run/table.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/table.h"
 #include "experiments/studies/soak/system_under_test.h"
 #include "robust/filtered/stage.h"
 
@@ -127,7 +127,7 @@ struct Settings {
 /// The tally is a function of the system under test, seed, from and the number of cases that it contains; threads and
 /// stops do not change it. Returns the number of cases done.
 std::uint64_t run_campaign(
-    const Settings& settings, const SystemUnderTest& tested, const run::RunControl& control, Tally& tally,
+    const Settings& settings, const SystemUnderTest& tested, const program::RunControl& control, Tally& tally,
     const std::function<void(const Difference&)>& tell = [](const Difference&) {});
 
 // Results only: byte for byte the same for the same seed, first case and number of cases, whatever the number of
@@ -138,7 +138,7 @@ void write_counts(const std::filesystem::path& folder, const Tally& tally);
 /// differences.jsonl: the first cases that differed, for `touchstone judge --methods filtered`; empty if none did.
 void write_differences(const std::filesystem::path& folder, const Tally& tally);
 
-[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> tables();
 
 /// Returns the table for the terminal, with the verdict below it.
 [[nodiscard]] std::string table(const Tally& tally);

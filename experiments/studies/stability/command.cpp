@@ -6,22 +6,22 @@
 
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/output.h"
-#include "experiments/run/statistics/shares.h"
-#include "experiments/run/study.h"
-#include "experiments/run/table.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/output.h"
+#include "experiments/program/statistics/shares.h"
+#include "experiments/program/study.h"
+#include "experiments/program/table.h"
 #include "experiments/studies/stability/measure.h"
 #include "experiments/studies/stability/onset.h"
 
 namespace touchstone::stability {
 namespace {
 
-using run::path;
+using program::path;
 
 /// Returns the columns `axis`, `level` and `value` of a row with an axis and a level.
 template <class Row>
-std::vector<run::Column<Row>> level_columns() {
+std::vector<program::Column<Row>> level_columns() {
   const auto level = [](const Row& row) -> const Level& { return levels(row.axis)[row.level]; };
   return {{"axis", "the property that gets worse", &Row::axis},
           {"level", "how bad it is, as tables name it", [level](const Row& row) { return level(row).name; }},
@@ -35,10 +35,10 @@ struct FailureRow {
   Test test;
   std::string_view method;
   const SampledFailures* failures;
-  run::Rate rate;
+  program::Rate rate;
 };
 
-const run::Table<FailureRow>& failures_table() {
+const program::Table<FailureRow>& failures_table() {
   using cases::Failures;
   const auto of_samples = [](auto number) {
     return path(&FailureRow::failures, path(&SampledFailures::samples, number));
@@ -46,16 +46,16 @@ const run::Table<FailureRow>& failures_table() {
   const auto of_answers = [](auto number) {
     return path(&FailureRow::failures, path(&SampledFailures::answers, number));
   };
-  static const run::Table<FailureRow> table(
+  static const program::Table<FailureRow> table(
       "failures.csv", "an axis, level, nearness, test and method",
-      run::all_columns<FailureRow>(
+      program::all_columns<FailureRow>(
           {level_columns<FailureRow>(),
            {{"nearness", "how close the ball's radius is to the exact distance", &FailureRow::nearness},
             {"test", "the decision that is compared", &FailureRow::test},
             {"method", "the method", &FailureRow::method},
             {"failed_samples", "polygons with a wrong answer", of_samples(&Failures::wrong)},
             {"samples", "polygons", of_samples(&Failures::trials)}},
-           run::rate_columns<FailureRow>("failed samples", &FailureRow::rate),
+           program::rate_columns<FailureRow>("failed samples", &FailureRow::rate),
            {{"wrong_answers", "wrong answers", of_answers(&Failures::wrong)},
             {"answers", "answers", of_answers(&Failures::trials)}}}));
   return table;
@@ -69,15 +69,15 @@ struct FirstFailureRow {
   std::optional<std::string_view> first, before;
   std::optional<std::uint64_t> samples_before;
   cases::Failures all;  ///< samples of all levels
-  run::Rate rate;
+  program::Rate rate;
 };
 
-const run::Table<FirstFailureRow>& first_failure_table() {
+const program::Table<FirstFailureRow>& first_failure_table() {
   using Row = FirstFailureRow;
   const auto upper = [](std::uint64_t samples) { return statistics::clopper_pearson(0, samples).upper; };
-  static const run::Table<Row> table(
+  static const program::Table<Row> table(
       "first-failure.csv", "an axis, nearness, test and method",
-      run::all_columns<Row>(
+      program::all_columns<Row>(
           {{{"axis", "the property that gets worse", &Row::axis},
             {"nearness", "how close the ball's radius is to the exact distance", &Row::nearness},
             {"test", "the decision that is compared", &Row::test},
@@ -92,7 +92,7 @@ const run::Table<FirstFailureRow>& first_failure_table() {
              "{:.6g}"},
             {"failed_samples", "failed samples of all levels", path(&Row::all, &cases::Failures::wrong)},
             {"samples", "samples of all levels", path(&Row::all, &cases::Failures::trials)}},
-           run::rate_columns<Row>("failed samples of all levels", &Row::rate)}));
+           program::rate_columns<Row>("failed samples of all levels", &Row::rate)}));
   return table;
 }
 
@@ -104,14 +104,14 @@ struct ErrorRow {
   const statistics::Distribution* errors;
 };
 
-const run::Table<ErrorRow>& errors_table() {
+const program::Table<ErrorRow>& errors_table() {
   constexpr const char* kFormat = "{:.4g}";
   const auto quantile = [](double share) {
     return [share](const ErrorRow& row) { return row.errors->quantile(share); };
   };
-  static const run::Table<ErrorRow> table(
+  static const program::Table<ErrorRow> table(
       "errors.csv", "an axis, level, quantity and method",
-      run::all_columns<ErrorRow>(
+      program::all_columns<ErrorRow>(
           {level_columns<ErrorRow>(),
            {{"quantity", "distance or point", &ErrorRow::quantity},
             {"method", "the method", &ErrorRow::method},
@@ -136,7 +136,7 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
             const SampledFailures* failures = summary.at(axis, nearness, test, m, level);
             if (failures == nullptr) continue;
             rows.push_back({axis, level, nearness, test, name, failures, failures->samples.rate()});
-            run::add(first.all, failures->samples);
+            program::add(first.all, failures->samples);
             if (first.first) continue;
             if (failures->samples.wrong > 0)
               first.first = levels(axis)[level].name;
@@ -170,7 +170,7 @@ void write_worst(const std::filesystem::path& folder, const Summary& summary) {
   });
   std::string text;
   for (const WorstCase* worst : cases) text += worst->line;
-  run::write_file(folder / "worst.jsonl", text);
+  program::write_file(folder / "worst.jsonl", text);
 }
 
 /// Returns the first level of each axis at which each method's contact was wrong, by the nearness of the ball.
@@ -187,7 +187,7 @@ std::string first_failures(const Settings& settings, const Summary& summary) {
       }
     }
   return "The first level at which contact was wrong about a polygon (-motion: against the motion that was meant)\n" +
-         run::aligned(lines);
+         program::aligned(lines);
 }
 
 /// Returns how many of the truths of polygons of many vertices `exact` has confirmed.
@@ -195,22 +195,22 @@ std::string confirmed(const Summary& summary) {
   if (summary.confirmed + summary.disputed == 0) return "";
   return fmt::format(
       "Of polygons with more than {} vertices, filtered is the truth: exact confirmed {}, {} DISPUTED.\n",
-      kMostForExact, run::counted(summary.confirmed, "answer"), summary.disputed);
+      kMostForExact, program::counted(summary.confirmed, "answer"), summary.disputed);
 }
 
-struct Options : run::StudyOptions {
+struct Options : program::StudyOptions {
   methods::Selection methods{{"fast", "fast-float", "fast-long-double", "thesis", "thesis-signed", "filtered"}};
   std::vector<std::string> axes{"all"};
 };
 
-// Throws run::UsageError, which names what is unknown.
+// Throws program::UsageError, which names what is unknown.
 Axis find_axis(const std::string& name) {
   std::string known;
   for (const Axis axis : all_axes()) {
     if (to_string(axis) == name) return axis;
     known.append(known.empty() ? "" : ", ").append(to_string(axis));
   }
-  throw run::UsageError("--axes", "there is no axis \"" + name + "\"; there are " + known + ", or all");
+  throw program::UsageError("--axes", "there is no axis \"" + name + "\"; there are " + known + ", or all");
 }
 
 /// In the order of all_axes(), each once.
@@ -227,13 +227,13 @@ std::vector<Axis> select_axes(const std::vector<std::string>& names) {
 std::string selected_axes(const std::vector<std::string>& names) {
   std::vector<std::string> words;
   for (const Axis axis : select_axes(names)) words.emplace_back(to_string(axis));
-  return run::joined(words);
+  return program::joined(words);
 }
 
 // Raised when a block of a seed changes, or the form of what is kept. Blocks are numbered through all axes.
 constexpr int kVersion = 7;
 
-int run_stability(run::StudyRun& run, const Options& options) {
+int run_stability(program::StudyRun& run, const Options& options) {
   const Settings settings{options.methods.methods(), select_axes(options.axes), options.samples, options.seed,
                           options.threads};
   const Summary summary = run.phase("samples", "part.json", block_count(settings), Summary(),
@@ -260,19 +260,19 @@ int run_stability(run::StudyRun& run, const Options& options) {
 
 namespace touchstone::commands {
 
-run::Command stability_command() {
-  run::Command command("stability", "Measure where methods fail as polygons get worse");
+program::Command stability_command() {
+  program::Command command("stability", "Measure where methods fail as polygons get worse");
   auto options = std::make_shared<stability::Options>();
   options->samples = 400;
   options->output = "results/stability";
   methods::declare_compared_methods(command, options->methods);
   command.names("--axes", options->axes, "Axes, the properties that get worse, separated by commas, or all")
       .changes_results([options] { return stability::selected_axes(options->axes); });
-  run::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels");
+  program::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels");
   command.writes({stability::failures_table().description(), stability::first_failure_table().description(),
                   stability::errors_table().description(), stability::onset_description()});
   command.help().examples.emplace_back("stability --methods fast,filtered --axes aspect,origin --samples 20");
-  command.runs(run::study_runner(command, stability::kVersion, options, stability::run_stability));
+  command.runs(program::study_runner(command, stability::kVersion, options, stability::run_stability));
   return command;
 }
 

@@ -233,7 +233,7 @@ class Study {
     for (const auto& [key, answers] : found) {
       SampledFailures& cell = sum.failures[{at.axis, key.second, key.first, m, at.level}];
       cell.samples.add_sample(answers.wrong > 0);
-      run::add(cell.answers, answers);
+      program::add(cell.answers, answers);
     }
   }
 
@@ -297,10 +297,10 @@ std::optional<std::size_t> Summary::first_failure(Axis axis, Nearness nearness, 
 
 std::uint64_t block_count(const Settings& settings) { return settings.samples * settings.axes.size(); }
 
-void run_study(const Settings& settings, const run::RunControl& control, Summary& summary) {
+void run_study(const Settings& settings, const program::RunControl& control, Summary& summary) {
   const Study study(settings);
-  run::run_sweep(block_count(settings), settings.threads, control, Summary(), summary,
-                 [&](std::uint64_t block, Summary& sum) { study.ask_block(block, sum); });
+  program::run_sweep(block_count(settings), settings.threads, control, Summary(), summary,
+                     [&](std::uint64_t block, Summary& sum) { study.ask_block(block, sum); });
 }
 
 }  // namespace touchstone::stability

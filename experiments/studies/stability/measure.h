@@ -13,8 +13,8 @@
 
 #include "experiments/cases/failures.h"
 #include "experiments/cases/method.h"
-#include "experiments/run/statistics/errors.h"
-#include "experiments/run/sweep.h"
+#include "experiments/program/statistics/errors.h"
+#include "experiments/program/sweep.h"
 #include "experiments/studies/stability/scene.h"
 
 namespace touchstone::stability {
@@ -99,6 +99,6 @@ struct Summary {
 /// Close balls, asks the test that their radius or foot is near to (the plane if the face is nearest, otherwise the
 /// edges) and the final answer; for Ample balls, all tests that do not depend on the foot alone. For an intended motion,
 /// the truth and the radii are those before it.
-void run_study(const Settings& settings, const run::RunControl& control, Summary& summary);
+void run_study(const Settings& settings, const program::RunControl& control, Summary& summary);
 
 }  // namespace touchstone::stability

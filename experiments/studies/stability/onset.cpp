@@ -111,7 +111,7 @@ std::optional<int> Onset::first(std::size_t distance, std::size_t method) const 
 }
 
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const run::RunControl& control, Onset& onset) {
+                unsigned threads, const program::RunControl& control, Onset& onset) {
   const auto ask_all = [&](std::uint64_t index, Onset& part) {
     for (std::size_t distance = 0; distance < std::size(kOnsetDistances); ++distance) {
       const Above above = draw_above(seed, index, distance);
@@ -127,7 +127,7 @@ void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t 
     }
     part.add_triangle();
   };
-  run::run_sweep(triangles, threads, control, Onset(methods), onset, ask_all);
+  program::run_sweep(triangles, threads, control, Onset(methods), onset, ask_all);
 }
 
 namespace {
@@ -137,19 +137,19 @@ struct OnsetRow {
   std::string_view method;
   int exponent;
   std::uint64_t failed, triangles, wrong;
-  run::Rate rate;
+  program::Rate rate;
 };
 
-const run::Table<OnsetRow>& onset_table() {
-  static const run::Table<OnsetRow> table(
+const program::Table<OnsetRow>& onset_table() {
+  static const program::Table<OnsetRow> table(
       "onset.csv", "a distance from the origin, method and offset",
-      run::all_columns<OnsetRow>(
+      program::all_columns<OnsetRow>(
           {{{"origin_distance", "of the triangle, in multiples of its size", &OnsetRow::distance},
             {"method", "the method", &OnsetRow::method},
             {"offset_exponent", "of the radius: 2^this of the exact distance", &OnsetRow::exponent},
             {"failed_triangles", "triangles with a wrong answer", &OnsetRow::failed},
             {"triangles", "triangles", &OnsetRow::triangles}},
-           run::rate_columns<OnsetRow>("failed triangles", &OnsetRow::rate),
+           program::rate_columns<OnsetRow>("failed triangles", &OnsetRow::rate),
            {{"wrong_answers", "wrong answers", &OnsetRow::wrong},
             {"answers", "answers, two for each triangle", [](const OnsetRow& row) { return 2 * row.triangles; }}}}));
   return table;
@@ -163,11 +163,11 @@ void write_onset(const std::filesystem::path& folder, const Onset& onset) {
     for (std::size_t m = 0; m < onset.methods().size(); ++m)
       for (int k = kCoarsest; k <= kFinest; ++k)
         rows.push_back({kOnsetDistances[d], onset.methods()[m], -k, onset.failures(d, m, k), onset.triangles(),
-                        onset.wrong(d, m, k), run::rate(onset.failures(d, m, k), onset.triangles())});
+                        onset.wrong(d, m, k), program::rate(onset.failures(d, m, k), onset.triangles())});
   onset_table().write(folder, rows);
 }
 
-run::TableDescription onset_description() { return onset_table().description(); }
+program::TableDescription onset_description() { return onset_table().description(); }
 
 std::string text(const Onset& onset) {
   std::vector<std::vector<std::string>> lines{{"method", "at the origin", "1e6 sizes away"}};
@@ -181,7 +181,7 @@ std::string text(const Onset& onset) {
   return fmt::format(
              "The first wrong contact, by the offset of the radius from the distance to a face, of {} triangles\n",
              onset.triangles()) +
-         run::aligned(lines);
+         program::aligned(lines);
 }
 
 }  // namespace touchstone::stability

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/run/sweep.h"
-#include "experiments/run/table.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/table.h"
 
 namespace touchstone::stability {
 
@@ -66,12 +66,12 @@ class Onset {
 /// Measures random triangles. The result is a function of (methods, triangles done, seed), independent of threads and
 /// stops.
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const run::RunControl& control, Onset& onset);
+                unsigned threads, const program::RunControl& control, Onset& onset);
 
 /// Writes onset.csv. Throws std::runtime_error, which names the file, if it cannot be written.
 void write_onset(const std::filesystem::path& folder, const Onset& onset);
 
-[[nodiscard]] run::TableDescription onset_description();
+[[nodiscard]] program::TableDescription onset_description();
 
 /// Returns the first failures of each method for the terminal.
 [[nodiscard]] std::string text(const Onset& onset);

@@ -5,8 +5,8 @@
 
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/run/command_run.h"
-#include "experiments/run/study.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/study.h"
 #include "experiments/studies/tradeoff/front.h"
 
 namespace touchstone::commands {
@@ -14,7 +14,7 @@ namespace {
 
 using namespace tradeoff;
 
-struct Options : run::StudyOptions {
+struct Options : program::StudyOptions {
   methods::Selection methods{{"all"}};
   std::vector<std::string> families{"all"};
   std::size_t queries = 2000;
@@ -26,9 +26,9 @@ int redraw(const Options& options) {
   const std::filesystem::path folder = options.output;
   for (const char* file : {"front.csv", "errors.csv"})
     if (!std::filesystem::exists(folder / file))
-      throw run::UsageError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
-  const run::OutputFolder held(folder, true);
-  return run::draw_pictures("tradeoff", held);
+      throw program::UsageError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
+  const program::OutputFolder held(folder, true);
+  return program::draw_pictures("tradeoff", held);
 }
 
 std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& families) {
@@ -43,7 +43,7 @@ std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& famili
 constexpr int kVersion = 4;
 
 /// One run. Parts measure errors; times are measured where the parts are merged.
-int run_tradeoff(run::StudyRun& run, const Options& options) {
+int run_tradeoff(program::StudyRun& run, const Options& options) {
   const Settings settings{options.methods.methods(), workloads::find_families(options.families), options.samples,
                           options.seed, options.threads};
   const TimingSettings timed{settings.methods, groups_of(settings.families), options.seed, options.queries,
@@ -74,23 +74,24 @@ constexpr const char* kFooter =
 
 }  // namespace
 
-run::Command tradeoff_command() {
-  run::Command command("tradeoff", "Compare the run time of methods with their errors; draw the best");
+program::Command tradeoff_command() {
+  program::Command command("tradeoff", "Compare the run time of methods with their errors; draw the best");
   command.help().footer = kFooter;
   auto options = std::make_shared<Options>();
   options->samples = 200;  // with the times about a minute and a half on two cores
   options->output = "results/tradeoff";
   methods::declare_compared_methods(command, options->methods);
-  run::declare_families(command, options->families).changes_results([options] {
+  program::declare_families(command, options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
   command.whole("--queries", options->queries, "The number of distinct balls in each timed list", 1, 1'000'000);
   command.whole("--repetitions", options->repetitions, "The number of turns of each method on a list", 1, 100'000);
-  run::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold: for the errors");
+  program::declare_study(command, *options, "--samples",
+                         "Samples of each family, placement and threshold: for the errors");
   command.flag("--redraw", options->redraw, "Do not measure; only draw pictures of the results in --output")
       .excludes_all_but({"--output"});
   command.writes(tables());
-  const auto measure = run::study_runner(command, kVersion, options, run_tradeoff);
+  const auto measure = program::study_runner(command, kVersion, options, run_tradeoff);
   command.help().examples.emplace_back("tradeoff --methods fast,filtered --samples 20");
   command.runs([options, measure] { return options->redraw ? redraw(*options) : measure(); });
   return command;

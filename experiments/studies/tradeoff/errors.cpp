@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "experiments/methods/registry.h"
-#include "experiments/run/statistics/errors.h"
+#include "experiments/program/statistics/errors.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::tradeoff {
@@ -53,13 +53,13 @@ Worst& Worst::operator+=(const Worst& other) {
 Answers MethodErrors::near_threshold() const {
   Answers sum;
   for (std::size_t i = 0; i < offsets.size(); ++i)
-    if (std::abs(cases::all_offsets()[i]) <= kNear) run::add(sum, offsets[i]);
+    if (std::abs(cases::all_offsets()[i]) <= kNear) program::add(sum, offsets[i]);
   return sum;
 }
 
 MethodErrors Errors::sum(const std::vector<std::size_t>& strata, std::size_t method) const {
   MethodErrors sum;
-  for (const std::size_t stratum : strata) run::add(sum, at[stratum][method]);
+  for (const std::size_t stratum : strata) program::add(sum, at[stratum][method]);
   return sum;
 }
 
@@ -81,7 +81,7 @@ Errors no_errors(const Settings& settings) {
   return errors;
 }
 
-void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors) {
+void measure_errors(const Settings& settings, const program::RunControl& control, Errors& errors) {
   const cases::Method& exact = *methods::find_method("exact");
   const auto crosses_radius = [](const Crossing& crossing) {
     return cases::moves_radius(cases::all_strata()[crossing.stratum].threshold);

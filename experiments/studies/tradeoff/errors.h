@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "experiments/cases/failures.h"
-#include "experiments/run/statistics/errors.h"
-#include "experiments/run/sweep.h"
-#include "experiments/run/table.h"
+#include "experiments/program/statistics/errors.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/table.h"
 
 namespace touchstone::tradeoff {
 
@@ -91,7 +91,7 @@ struct Errors {
 ///
 /// The result is a function of the settings and the number of samples done; threads,
 /// stops and the other families and methods do not change it. A run stopped after m samples equals a run of m samples.
-void measure_errors(const Settings& settings, const run::RunControl& control, Errors& errors);
+void measure_errors(const Settings& settings, const program::RunControl& control, Errors& errors);
 
 /// errors.csv, bands.csv, points.csv, and worst.jsonl: the case of the worst error of each placement, method and
 /// quantity that ever has an error, in the contract's form; `expected` holds the exact value of that quantity.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/statistics/shares.h"
 
 namespace touchstone::tradeoff {
 namespace {

@@ -74,7 +74,7 @@ void write_front(const std::filesystem::path& folder, const Settings& settings, 
                  const std::vector<Timing>& timings);
 
 /// Returns what the tables hold.
-[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> tables();
 
 /// Returns the tables for the terminal, all families together, with their legend.
 [[nodiscard]] std::string table(const Settings& settings, const Errors& errors, const std::vector<Timing>& timings);

@@ -7,8 +7,8 @@
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/output.h"
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/output.h"
+#include "experiments/program/statistics/shares.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "robust/exact/exact.h"
 
@@ -34,18 +34,18 @@ constexpr const char* kTestMeaning = "contact, or foot where the centre moves";
 
 /// Returns the columns of a row's member `count`; `answers`: the name of the last one.
 template <class Row>
-std::vector<run::Column<Row>> count_columns(const char* answers) {
-  return {{"wrong", "wrong answers", run::path(&Row::count, &Answers::wrong)},
+std::vector<program::Column<Row>> count_columns(const char* answers) {
+  return {{"wrong", "wrong answers", program::path(&Row::count, &Answers::wrong)},
           {"overflowed", "wrong answers for which the method's distance or point is not finite",
-           run::path(&Row::count, &Answers::overflowed)},
-          {"unsure", "undecided answers", run::path(&Row::count, &Answers::unsure)},
-          {answers, "answers", run::path(&Row::count, &Answers::trials)}};
+           program::path(&Row::count, &Answers::overflowed)},
+          {"unsure", "undecided answers", program::path(&Row::count, &Answers::unsure)},
+          {answers, "answers", program::path(&Row::count, &Answers::trials)}};
 }
 
 using OffsetRow = cases::OffsetRow<Answers>;
 
-const run::Table<OffsetRow>& errors_table() {
-  static const run::Table<OffsetRow> table(
+const program::Table<OffsetRow>& errors_table() {
+  static const program::Table<OffsetRow> table(
       "errors.csv", "a family, placement, threshold, method and offset",
       cases::offset_columns<OffsetRow>(kTestMeaning, count_columns<OffsetRow>("trials"), "wrong answers"));
   return table;
@@ -55,17 +55,17 @@ struct BandRow : cases::Subject {
   std::uint64_t samples;
   Answers count;  ///< near the threshold
   cases::Band band;
-  run::Rate rate;
+  program::Rate rate;
 };
 
-const run::Table<BandRow>& bands_table() {
-  static const run::Table<BandRow> table(
+const program::Table<BandRow>& bands_table() {
+  static const program::Table<BandRow> table(
       "bands.csv", "a family, placement, threshold and method, within 8 doubles of the threshold",
-      run::all_columns<BandRow>({cases::subject_columns<BandRow>(kTestMeaning),
-                                 {{"samples", "samples, which are independent", &BandRow::samples}},
-                                 count_columns<BandRow>("answers"),
-                                 run::rate_columns<BandRow>("wrong answers", &BandRow::rate),
-                                 cases::band_columns<BandRow>("the lowest offset with a wrong answer")}));
+      program::all_columns<BandRow>({cases::subject_columns<BandRow>(kTestMeaning),
+                                     {{"samples", "samples, which are independent", &BandRow::samples}},
+                                     count_columns<BandRow>("answers"),
+                                     program::rate_columns<BandRow>("wrong answers", &BandRow::rate),
+                                     cases::band_columns<BandRow>("the lowest offset with a wrong answer")}));
   return table;
 }
 
@@ -76,9 +76,9 @@ struct Where {
 };
 
 template <class Row>
-std::vector<run::Column<Row>> where_columns() {
-  return {{"family", "the family of polygons, or `all`", run::path(&Row::where, &Where::family)},
-          {"placement", "on the lattice, or rotated", run::path(&Row::where, &Where::placement)},
+std::vector<program::Column<Row>> where_columns() {
+  return {{"family", "the family of polygons, or `all`", program::path(&Row::where, &Where::family)},
+          {"placement", "on the lattice, or rotated", program::path(&Row::where, &Where::placement)},
           {"method", "the method", &Row::method}};
 }
 
@@ -91,11 +91,11 @@ struct PointRow {
   [[nodiscard]] double quantile(double share) const { return ulps.quantile_of_finite(share); }
 };
 
-const run::Table<PointRow>& points_table() {
+const program::Table<PointRow>& points_table() {
   constexpr const char* kFormat = "{:.6g}";
-  static const run::Table<PointRow> table(
+  static const program::Table<PointRow> table(
       "points.csv", "a family, placement, method and quantity, with its errors in units in the last place",
-      run::all_columns<PointRow>(
+      program::all_columns<PointRow>(
           {where_columns<PointRow>(),
            {{"quantity", "distance or point", &PointRow::quantity},
             {"asked", "answers", [](const PointRow& row) { return row.ulps.asked; }},
@@ -123,22 +123,22 @@ struct TimingRow {
   timing::Quartiles nanoseconds;
 };
 
-const run::Table<TimingRow>& timings_table() {
+const program::Table<TimingRow>& timings_table() {
   constexpr const char* kFormat = "{:.1f}";
-  static const run::Table<TimingRow> table(
+  static const program::Table<TimingRow> table(
       "timings.csv", "a list of questions and a method",
       {{"family", "the family of polygons", [](const TimingRow& row) { return row.timing->group.family; }},
        {"placement", "on the lattice, or rotated", [](const TimingRow& row) { return row.timing->group.placement; }},
-       {"balls", "where the balls are", run::path(&TimingRow::timing, &Timing::balls)},
+       {"balls", "where the balls are", program::path(&TimingRow::timing, &Timing::balls)},
        {"question", "contact, or the whole answer", [](const TimingRow& row) { return to_string(row.timing->kind); }},
-       {"method", "the method", run::path(&TimingRow::measured, &timing::Measured::name)},
-       {"asked", "questions", run::path(&TimingRow::measured, &timing::Measured::queries)},
+       {"method", "the method", program::path(&TimingRow::measured, &timing::Measured::name)},
+       {"asked", "questions", program::path(&TimingRow::measured, &timing::Measured::queries)},
        {"repetitions", "turns of the method", [](const TimingRow& row) { return row.measured->nanoseconds.size(); }},
        {"lower_quartile_ns", "a question, over the turns",
-        run::path(&TimingRow::nanoseconds, &timing::Quartiles::lower), kFormat},
-       {"median_ns", "the same, median", run::path(&TimingRow::nanoseconds, &timing::Quartiles::median), kFormat},
-       {"upper_quartile_ns", "the same, upper quartile", run::path(&TimingRow::nanoseconds, &timing::Quartiles::upper),
-        kFormat},
+        program::path(&TimingRow::nanoseconds, &timing::Quartiles::lower), kFormat},
+       {"median_ns", "the same, median", program::path(&TimingRow::nanoseconds, &timing::Quartiles::median), kFormat},
+       {"upper_quartile_ns", "the same, upper quartile",
+        program::path(&TimingRow::nanoseconds, &timing::Quartiles::upper), kFormat},
        {"through", kThrough, [](const TimingRow& row) { return through(row.measured->name); }}});
   return table;
 }
@@ -150,12 +150,12 @@ struct FrontRow {
   ParetoEntry entry;
 };
 
-const run::Table<FrontRow>& front_table() {
+const program::Table<FrontRow>& front_table() {
   constexpr const char* kTime = "{:.1f}";
   constexpr const char* kError = "{:.6g}";
-  static const run::Table<FrontRow> table(
+  static const program::Table<FrontRow> table(
       "front.csv", "a measure of error, family, placement and method",
-      run::all_columns<FrontRow>(
+      program::all_columns<FrontRow>(
           {{{"measure", "the measure of error", &FrontRow::measure}},
            where_columns<FrontRow>(),
            {{"nanoseconds", "a question, median", [](const FrontRow& row) { return row.entry.nanoseconds.median; },
@@ -163,18 +163,18 @@ const run::Table<FrontRow>& front_table() {
             {"lower_quartile_ns", "a question", [](const FrontRow& row) { return row.entry.nanoseconds.lower; }, kTime},
             {"upper_quartile_ns", "a question", [](const FrontRow& row) { return row.entry.nanoseconds.upper; }, kTime},
             {"error", "the share of answers, or the 99 % quantile of units in the last place",
-             run::path(&FrontRow::entry, &ParetoEntry::error), kError},
+             program::path(&FrontRow::entry, &ParetoEntry::error), kError},
             {"lower", "the lower limit of a share; the median of units",
-             run::path(&FrontRow::entry, &ParetoEntry::lower), kError},
+             program::path(&FrontRow::entry, &ParetoEntry::lower), kError},
             {"upper", "the upper limit of a share; the worst of units",
-             run::path(&FrontRow::entry, &ParetoEntry::upper), kError},
-            {"finite_error", "the error of finite answers", run::path(&FrontRow::entry, &ParetoEntry::finite_error),
+             program::path(&FrontRow::entry, &ParetoEntry::upper), kError},
+            {"finite_error", "the error of finite answers", program::path(&FrontRow::entry, &ParetoEntry::finite_error),
              kError},
             {"not_finite", "the share of answers that are not finite, or wrong for that reason",
-             run::path(&FrontRow::entry, &ParetoEntry::not_finite), kError},
-            {"samples", "polygons behind the error", run::path(&FrontRow::entry, &ParetoEntry::samples)},
+             program::path(&FrontRow::entry, &ParetoEntry::not_finite), kError},
+            {"samples", "polygons behind the error", program::path(&FrontRow::entry, &ParetoEntry::samples)},
             {"front", "on: nothing is better; within-noise; off: another method is better",
-             run::path(&FrontRow::entry, &ParetoEntry::front)},
+             program::path(&FrontRow::entry, &ParetoEntry::front)},
             {"through", kThrough, [](const FrontRow& row) { return through(row.method); }}}}));
   return table;
 }
@@ -224,7 +224,7 @@ std::vector<FrontRow> front_rows(const Settings& settings, const Errors& errors,
 
 /// Returns the rows about all families, for the terminal.
 template <class Row>
-std::string of_all_families(const run::Table<Row>& table, std::vector<Row> rows) {
+std::string of_all_families(const program::Table<Row>& table, std::vector<Row> rows) {
   std::erase_if(rows, [](const Row& row) { return row.where.family != "all"; });
   return table.aligned(rows) + "\n";
 }
@@ -277,7 +277,7 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
       for (std::size_t q = 0; q < kQuantities.size(); ++q)
         if (sum.worst[q].ulps > 0) worst += worst_case(settings, m, kQuantities[q], sum.worst[q]);
     }
-  run::write_file(folder / "worst.jsonl", worst);
+  program::write_file(folder / "worst.jsonl", worst);
 }
 
 void write_timings(const std::filesystem::path& folder, const std::vector<Timing>& timings) {
@@ -292,7 +292,7 @@ void write_front(const std::filesystem::path& folder, const Settings& settings, 
   front_table().write(folder, front_rows(settings, errors, timings));
 }
 
-std::vector<run::TableDescription> tables() {
+std::vector<program::TableDescription> tables() {
   return {errors_table().description(), bands_table().description(), points_table().description(),
           timings_table().description(), front_table().description()};
 }

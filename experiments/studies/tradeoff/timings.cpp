@@ -85,7 +85,7 @@ std::uint64_t list_count(const TimingSettings& settings) {
 }
 
 std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
-                                    const run::Progress& progress) {
+                                    const program::Progress& progress) {
   std::vector<Timing> timings;
   std::uint64_t done = 0;
   for (const PolygonGroup& group : settings.groups) {

@@ -10,7 +10,7 @@
 
 #include "experiments/cases/method.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/run/timing.h"
+#include "experiments/program/timing.h"
 
 namespace touchstone::tradeoff {
 
@@ -72,7 +72,7 @@ inline constexpr double kSecondsOfList = 0.005;
 /// time is that of PreparedMethod::ask, which includes an indirect call and a partial answer. Lists that were
 /// unfinished when stopped are left out.
 [[nodiscard]] std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
-                                                  const run::Progress& progress);
+                                                  const program::Progress& progress);
 
 /// Returns the number of lists, the unit of progress.
 [[nodiscard]] std::uint64_t list_count(const TimingSettings& settings);

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/run/study.h"
+#include "experiments/program/study.h"
 #include "experiments/studies/tunnelling/measure.h"
 
 namespace touchstone::commands {
@@ -12,7 +12,7 @@ namespace {
 
 using namespace tunnelling;
 
-struct Options : run::StudyOptions {
+struct Options : program::StudyOptions {
   std::size_t vertices = 12;
   unsigned repetitions = 7;
 };
@@ -21,7 +21,7 @@ struct Options : run::StudyOptions {
 constexpr int kVersion = 1;
 
 /// One run. Parts count misses; times are measured where the parts are merged.
-int run_tunnelling(run::StudyRun& run, const Options& options) {
+int run_tunnelling(program::StudyRun& run, const Options& options) {
   const Settings settings{options.vertices, options.samples, options.seed, options.threads};
   const Misses misses = run.phase("passes", "part.json", settings.samples, Misses(),
                                   [&](const auto& control, Misses& sum) { count_misses(settings, control, sum); });
@@ -45,8 +45,8 @@ int run_tunnelling(run::StudyRun& run, const Options& options) {
 
 }  // namespace
 
-run::Command tunnelling_command() {
-  run::Command command("tunnelling", "Count the contacts that discrete steps of a moving ball miss");
+program::Command tunnelling_command() {
+  program::Command command("tunnelling", "Count the contacts that discrete steps of a moving ball miss");
   command.help().footer = "Counts are the same bytes for the same settings; cost.csv holds times, which are measured.";
   auto options = std::make_shared<Options>();
   options->samples = 20'000;
@@ -56,10 +56,10 @@ run::Command tunnelling_command() {
              workloads::kMostRandomSimple)
       .changes_results();
   command.whole("--repetitions", options->repetitions, "The number of turns of each way of asking", 1, 100'000);
-  run::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");
+  program::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");
   command.writes(tables());
   command.help().examples.emplace_back("tunnelling --samples 1000");
-  command.runs(run::study_runner(command, kVersion, options, run_tunnelling));
+  command.runs(program::study_runner(command, kVersion, options, run_tunnelling));
   return command;
 }
 

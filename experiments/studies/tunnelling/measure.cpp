@@ -125,8 +125,8 @@ std::optional<std::size_t> first_level_that_touches(const Motion& motion, const 
   return std::nullopt;
 }
 
-void count_misses(const Settings& settings, const run::RunControl& control, Misses& misses) {
-  run::run_sweep(
+void count_misses(const Settings& settings, const program::RunControl& control, Misses& misses) {
+  program::run_sweep(
       settings.samples, settings.threads, control, Misses(), misses,
       [&](std::uint64_t n, Misses& part) {
         ++part.samples;
@@ -146,7 +146,7 @@ std::string steps_name(std::size_t level) {
 }
 
 timing::Result measure_cost(const CostSettings& settings, const std::atomic<bool>& stop,
-                            const run::Progress& progress) {
+                            const program::Progress& progress) {
   const auto queries = draw_queries(settings);
   const timing::Comparison to_contact{kContact, {}};
   timing::Benchmark benchmark;

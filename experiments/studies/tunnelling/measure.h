@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/run/sweep.h"
-#include "experiments/run/table.h"
-#include "experiments/run/timing.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/table.h"
+#include "experiments/program/timing.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
 #include "robust/filtered/filtered.h"
@@ -81,7 +81,7 @@ struct Misses {
 
 /// Counts the passes that `misses` does not contain yet. The result is a function of the settings and the
 /// number of samples done.
-void count_misses(const Settings& settings, const run::RunControl& control, Misses& misses);
+void count_misses(const Settings& settings, const program::RunControl& control, Misses& misses);
 
 struct CostSettings {
   std::size_t vertices = 12;
@@ -97,7 +97,7 @@ inline constexpr const char* kFirstContact = "first contact of the motion";
 
 /// Times steps and sweeps by turns, on prepared polygons. Ratios are to the contact of the motion.
 [[nodiscard]] timing::Result measure_cost(const CostSettings& settings, const std::atomic<bool>& stop,
-                                          const run::Progress& progress);
+                                          const program::Progress& progress);
 
 // tables() says what the tables hold. Each function throws std::runtime_error, which names the file, if it cannot be
 // written.
@@ -107,7 +107,7 @@ void write_misses(const std::filesystem::path& folder, const Misses& misses);
 /// cost.csv: times, which differ from run to run.
 void write_cost(const std::filesystem::path& folder, const timing::Result& cost);
 
-[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> tables();
 
 /// Returns the tables for the terminal.
 [[nodiscard]] std::string table(const Misses& misses);

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/command_run.h"
-#include "experiments/run/table.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/reach.h"
 #include "experiments/thesis/cell/model/solid.h"
@@ -44,10 +44,10 @@ Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
 std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector<ModelPart>& parts,
                                              const std::shared_ptr<const std::vector<Covered>>& covered,
                                              const Grid& grid, const Rule& rule, unsigned threads,
-                                             const std::atomic<bool>& stop, const run::Progress& progress) {
+                                             const std::atomic<bool>& stop, const program::Progress& progress) {
   std::vector<Tried> tried(grid.size());
   const std::size_t heights = grid.heights.size(), radii = grid.radii.size();
-  const std::uint64_t done = run::run_blocks(tried.size(), threads, stop, progress, [&](unsigned, std::uint64_t i) {
+  const std::uint64_t done = program::run_blocks(tried.size(), threads, stop, progress, [&](unsigned, std::uint64_t i) {
     tried[i] = try_place(cell, parts, covered, rule, grid.angles[i / heights / radii], grid.radii[i / heights % radii],
                          grid.heights[i % heights]);
   });
@@ -57,9 +57,9 @@ std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector
 
 namespace {
 
-struct AreaOptions : RunOptions, run::FolderOptions {
+struct AreaOptions : RunOptions, program::FolderOptions {
   double angle_step = 5, length_step = 25;
-  unsigned threads = run::all_threads();
+  unsigned threads = program::all_threads();
 };
 
 /// The multiples of a step from `low` to `high`, both at most half a step away.
@@ -71,7 +71,7 @@ std::vector<double> multiples(double low, double high, double step) {
 }
 
 /// The table of the tried places; `row`: what varies.
-run::Table<Tried> tried_table(const std::string& file, const std::string& row) {
+program::Table<Tried> tried_table(const std::string& file, const std::string& row) {
   return {file,
           row,
           {{"angle_deg", "of the storage about the robot", &Tried::angle},
@@ -82,18 +82,18 @@ run::Table<Tried> tried_table(const std::string& file, const std::string& row) {
            {"reason", "what failed", &Tried::reason}}};
 }
 
-run::Table<Tried> plan_csv() { return tried_table("plan.csv", "an angle and radius of the storage"); }
+program::Table<Tried> plan_csv() { return tried_table("plan.csv", "an angle and radius of the storage"); }
 
-run::Table<Tried> heights_csv() { return tried_table("heights.csv", "a height and radius of the storage"); }
+program::Table<Tried> heights_csv() { return tried_table("heights.csv", "a height and radius of the storage"); }
 
 struct StationRow {
   std::string_view name;
   const Station* station;
 };
 
-const run::Table<StationRow>& stations_csv() {
-  using run::path;
-  static const run::Table<StationRow> table(
+const program::Table<StationRow>& stations_csv() {
+  using program::path;
+  static const program::Table<StationRow> table(
       "stations.csv", "a station of the cell",
       {{"station", "storage or machine", &StationRow::name},
        {"home_deg", "its home angle", path(&StationRow::station, &Station::home)},
@@ -114,7 +114,7 @@ std::string table_of(const std::vector<Tried>& tried) {
 }
 
 int run(const AreaOptions& options) {
-  run::CommandRun run(options);
+  program::CommandRun run(options);
   const Cell cell = cell_of(options);
   const auto parts = build_model(cell);
   const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(parts));
@@ -132,7 +132,7 @@ int run(const AreaOptions& options) {
 
   std::optional<std::vector<Tried>> in_plan, in_height;
   {
-    run::ProgressLine line = run.progress("places of the storage", plan.size() + heights.size());
+    program::ProgressLine line = run.progress("places of the storage", plan.size() + heights.size());
     in_plan = try_places(cell, parts, covered, plan, rule_of(options), options.threads, run.stop(), std::ref(line));
     if (in_plan)
       in_height = try_places(cell, parts, covered, heights, rule_of(options), options.threads, run.stop(),
@@ -151,8 +151,8 @@ int run(const AreaOptions& options) {
 
 }  // namespace
 
-run::Command area_command() {
-  run::Command command("area", "Find where the storage may stand: the area of configuration and the heights");
+program::Command area_command() {
+  program::Command command("area", "Find where the storage may stand: the area of configuration and the heights");
   auto options = std::make_shared<AreaOptions>();
   options->output = "results/cell-area";
   command.help().footer =
@@ -163,11 +163,11 @@ run::Command area_command() {
       .required();
   add_cell_options(command, *options);
   command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
-  run::declare_positive(command, "--length-step", options->length_step,
-                        "Between radii, and between heights, in the cell's unit");
-  run::declare_threads(command, options->threads);
-  run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
-  run::declare_quiet(command, options->quiet);
+  program::declare_positive(command, "--length-step", options->length_step,
+                            "Between radii, and between heights, in the cell's unit");
+  program::declare_threads(command, options->threads);
+  program::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
+  program::declare_quiet(command, options->quiet);
   command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
   command.help().examples.emplace_back(
       "cell area experiments/thesis/cell/cells/aristo.json --angle-step 90 --length-step 2000");

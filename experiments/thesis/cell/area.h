@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/sweep.h"
+#include "experiments/program/sweep.h"
 #include "experiments/thesis/cell/model/cell.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/simulation/process.h"
@@ -46,6 +46,6 @@ struct Tried {
                                                            const std::shared_ptr<const std::vector<Covered>>& covered,
                                                            const Grid& grid, const Rule& rule, unsigned threads,
                                                            const std::atomic<bool>& stop,
-                                                           const run::Progress& progress);
+                                                           const program::Progress& progress);
 
 }  // namespace touchstone::cell

@@ -87,8 +87,8 @@ std::string gripper_cases(const std::string& cell_file) {
 
 }  // namespace
 
-run::Command cases_command() {
-  run::Command command("cases", "Print the gripper's cases of a run, as the corpus holds them");
+program::Command cases_command() {
+  program::Command command("cases", "Print the gripper's cases of a run, as the corpus holds them");
   auto file = std::make_shared<std::string>();
   command.text("CELL", *file, "A cell file").required();
   command.help().examples.emplace_back("cell cases experiments/thesis/cell/cells/aristo.json");

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/run/input.h"
-#include "experiments/run/output.h"
+#include "experiments/program/input.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "geometry/io/detail/legible.h"
 
@@ -22,11 +22,11 @@ struct NewOptions {
 };
 
 int run(const NewOptions& options) {
-  const std::filesystem::path least = run::data("experiments/thesis/cell/cells/least");
-  const run::OutputFolder held(options.folder, options.force);
+  const std::filesystem::path least = program::data("experiments/thesis/cell/cells/least");
+  const program::OutputFolder held(options.folder, options.force);
   for (const char* name : {"arm.urdf", "cell.json"}) {
-    std::ifstream stream = run::open_file(least / name);
-    run::write_file(held.path() / name, {std::istreambuf_iterator<char>(stream), {}});
+    std::ifstream stream = program::open_file(least / name);
+    program::write_file(held.path() / name, {std::istreambuf_iterator<char>(stream), {}});
   }
   const std::string folder = io::all_legible(options.folder);
   fmt::print(
@@ -38,11 +38,11 @@ int run(const NewOptions& options) {
 
 }  // namespace
 
-run::Command new_command() {
-  run::Command command("new", "Write the least cell and its arm into a folder, to start from");
+program::Command new_command() {
+  program::Command command("new", "Write the least cell and its arm into a folder, to start from");
   auto options = std::make_shared<NewOptions>();
   command.text("FOLDER", options->folder, "The folder").required();
-  run::declare_force(command, options->force);
+  program::declare_force(command, options->force);
   command.help().examples.emplace_back("cell new mine && touchstone cell show mine/cell.json");
   command.runs([options] { return run(*options); });
   return command;
@@ -52,7 +52,7 @@ run::Command new_command() {
 
 namespace touchstone::commands {
 
-run::Command cell_command() {
+program::Command cell_command() {
   return {
       "cell",
       "The virtual manufacturing cell: its model, its layout, its contacts",

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "experiments/run/command.h"
+#include "experiments/program/command.h"
 
 // The subcommands of `touchstone cell`. Each is defined beside what it runs.
 namespace touchstone::cell {
 
-[[nodiscard]] run::Command new_command();
-[[nodiscard]] run::Command show_command();
-[[nodiscard]] run::Command layout_command();
-[[nodiscard]] run::Command missed_command();
-[[nodiscard]] run::Command run_command();
-[[nodiscard]] run::Command area_command();
-[[nodiscard]] run::Command serve_command();
-[[nodiscard]] run::Command export_command();
-[[nodiscard]] run::Command cases_command();
+[[nodiscard]] program::Command new_command();
+[[nodiscard]] program::Command show_command();
+[[nodiscard]] program::Command layout_command();
+[[nodiscard]] program::Command missed_command();
+[[nodiscard]] program::Command run_command();
+[[nodiscard]] program::Command area_command();
+[[nodiscard]] program::Command serve_command();
+[[nodiscard]] program::Command export_command();
+[[nodiscard]] program::Command cases_command();
 
 }  // namespace touchstone::cell

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/input.h"
-#include "experiments/run/output.h"
-#include "experiments/run/printing.h"
+#include "experiments/program/input.h"
+#include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "experiments/thesis/cell/browser/cell_json.h"
 #include "experiments/thesis/cell/browser/http_server.h"
 #include "experiments/thesis/cell/browser/page.h"
@@ -37,11 +37,11 @@ int run_export(const ExportOptions& options) {
   const std::string extension = std::filesystem::path(options.file).extension().string();
   if (extension != ".html")
     throw std::invalid_argument(fmt::format("{}: the extension '{}' must be .html", options.file, extension));
-  run::refuse_overwrite(options.file, options.force);
+  program::refuse_overwrite(options.file, options.force);
   const browser::Simulator simulator = simulator_of(options.run);
   const browser::Recording recording = simulator.run(simulator.setting());
   const std::string text = browser::recorded_page(browser::cell_json(simulator), browser::run_json(recording));
-  run::write_file(options.file, text, options.force);
+  program::write_file(options.file, text, options.force);
   fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.snapshots.size(), text.size(),
              io::all_legible(options.file));
   if (recording.process.failure.empty()) return 0;
@@ -58,7 +58,7 @@ struct ServeOptions {
 /// Serves until a signal ends the process, as it would end any other: no run writes anything that could be lost.
 int serve(const ServeOptions& options) {
   RunOptions chosen = options.run;
-  if (chosen.file.empty()) chosen.file = run::data("experiments/thesis/cell/cells/aristo.json").string();
+  if (chosen.file.empty()) chosen.file = program::data("experiments/thesis/cell/cells/aristo.json").string();
   const browser::Simulator simulator = simulator_of(chosen);
   std::vector<browser::Variant> presets;
   if (chosen.preset.empty())
@@ -76,7 +76,7 @@ int serve(const ServeOptions& options) {
   if (!server.loopback())
     fmt::print(stderr, "touchstone: --host {}: other machines can also reach this server\n", options.host);
   fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());
-  run::flush_standard_output();
+  program::flush_standard_output();
   const std::atomic<bool> never = false;
   server.run(never);
   return 0;
@@ -84,8 +84,8 @@ int serve(const ServeOptions& options) {
 
 }  // namespace
 
-run::Command export_command() {
-  run::Command command("export", "Run the process and write it to a page");
+program::Command export_command() {
+  program::Command command("export", "Run the process and write it to a page");
   auto options = std::make_shared<ExportOptions>();
   command.text("CELL", options->run.file, "A cell file (JSON): `cell new` writes one, docs/formats.md has its keys")
       .required();
@@ -100,8 +100,8 @@ run::Command export_command() {
   return command;
 }
 
-run::Command serve_command() {
-  run::Command command("serve", "Show the cell in a browser: move the storage, run the process, look");
+program::Command serve_command() {
+  program::Command command("serve", "Show the cell in a browser: move the storage, run the process, look");
   auto options = std::make_shared<ServeOptions>();
   command.text("CELL", options->run.file, "A cell file (JSON); without one, the Aristo's");
   command.whole("--port", options->port, "The port to listen at; 0 chooses a free one");

@@ -11,8 +11,8 @@
 
 #include "experiments/cases/method.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/command_run.h"
-#include "experiments/run/output.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"
@@ -23,7 +23,7 @@
 namespace touchstone::cell {
 namespace {
 
-struct RunCommandOptions : RunOptions, run::FolderOptions {
+struct RunCommandOptions : RunOptions, program::FolderOptions {
   bool every_face = false, explain = false;
 };
 
@@ -100,7 +100,7 @@ std::vector<std::size_t> pieces_of(const Plant& plant, const RunCommandOptions& 
 }
 
 int run(const RunCommandOptions& options) {
-  run::CommandRun run(options);
+  program::CommandRun run(options);
   const Plant plant = plant_of(options);
   const std::vector<std::size_t> pieces = pieces_of(plant, options);
   const auto methods = options.methods.methods();
@@ -120,7 +120,7 @@ int run(const RunCommandOptions& options) {
   const auto write = [&](const std::filesystem::path& to) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const std::filesystem::path into = pieces.size() > 1 ? to / names[i] : to;
-      if (pieces.size() > 1) run::make_folder(into);
+      if (pieces.size() > 1) program::make_folder(into);
       runs[i]->write(into);
     }
   };
@@ -130,14 +130,14 @@ int run(const RunCommandOptions& options) {
     text += fmt::format("moves, trajectory, distances, methods and {} disagreements: {}\n", disagreements,
                         io::all_legible(options.output));
   }
-  run::print_result(text, options.quiet);
+  program::print_result(text, options.quiet);
   return runs.back()->completed() ? 0 : 1;
 }
 
 }  // namespace
 
-run::Command run_command() {
-  run::Command command("run", "Run the cell's whole process, and compare every method with the exact answer");
+program::Command run_command() {
+  program::Command command("run", "Run the cell's whole process, and compare every method with the exact answer");
   auto options = std::make_shared<RunCommandOptions>();
   command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, docs/formats.md has its keys")
       .required();
@@ -145,10 +145,11 @@ run::Command run_command() {
   command.flag("--every-face", options->every_face,
                "Also ask about faces whose boxes the sphere misses (except with slow methods)");
   command.flag("--explain", options->explain, "If it does not complete, say why every approach was refused");
-  run::declare_output(command, *options,
-                      "A folder for moves, trajectory, distances, methods and disagreements; of each piece a folder if "
-                      "there are several");
-  run::declare_quiet(command, options->quiet);
+  program::declare_output(
+      command, *options,
+      "A folder for moves, trajectory, distances, methods and disagreements; of each piece a folder if "
+      "there are several");
+  program::declare_quiet(command, options->quiet);
   command.writes(run_tables());
   command.help().examples.emplace_back("cell run experiments/thesis/cell/cells/aristo.json --methods fast,thesis");
   command.runs([options] { return run(*options); });

@@ -11,7 +11,7 @@
 
 namespace touchstone::cell {
 
-void add_cell_options(run::Command& command, RunOptions& options) {
+void add_cell_options(program::Command& command, RunOptions& options) {
   command
       .texts("--set", options.changes,
              "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be repeated")
@@ -28,7 +28,7 @@ void add_cell_options(run::Command& command, RunOptions& options) {
   command.text("--meshes", options.meshes, "The folder of mesh files, instead of the cell file's").takes("FOLDER");
 }
 
-void add_run_options(run::Command& command, RunOptions& options) {
+void add_run_options(program::Command& command, RunOptions& options) {
   add_cell_options(command, options);
   methods::declare_methods(command, options.methods, "Methods to ask at every stop; `all` for every method");
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/methods/selection.h"
-#include "experiments/run/command.h"
+#include "experiments/program/command.h"
 #include "experiments/thesis/cell/browser/recording.h"
 #include "experiments/thesis/cell/model/plant.h"
 
@@ -21,9 +21,9 @@ struct RunOptions {
 };
 
 /// Adds the options about the cell and the rule, except the file. `options` must outlive the command.
-void add_cell_options(run::Command& command, RunOptions& options);
+void add_cell_options(program::Command& command, RunOptions& options);
 /// Adds these and the methods.
-void add_run_options(run::Command& command, RunOptions& options);
+void add_run_options(program::Command& command, RunOptions& options);
 
 /// Reads the file with the preset, then the changes applied. Throws what read_plant and preset throw.
 [[nodiscard]] Plant plant_of(const RunOptions& options);

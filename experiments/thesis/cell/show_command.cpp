@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/command_run.h"
-#include "experiments/run/output.h"
-#include "experiments/run/table.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/output.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/link_model.h"
 #include "experiments/thesis/cell/model/model.h"
@@ -88,9 +88,9 @@ struct FaceRow {
   const Face* face;
 };
 
-const run::Table<FaceRow>& faces_csv() {
-  using run::path;
-  static const run::Table<FaceRow> table(
+const program::Table<FaceRow>& faces_csv() {
+  using program::path;
+  static const program::Table<FaceRow> table(
       "faces.csv", "a face of the model",
       {{"part", "the part", path(&FaceRow::part, &ModelPart::name)},
        {"moves_with", "what carries the part", path(&FaceRow::part, &ModelPart::carrier)},
@@ -131,11 +131,11 @@ void write_faces(const std::filesystem::path& folder, const std::vector<ModelPar
 /// One file for all parts of a link, and one for every other part. Returns their number.
 std::size_t write_models(const std::filesystem::path& folder, const std::vector<ModelPart>& parts) {
   const auto models = link_models(parts);
-  for (const auto& [name, model] : models) run::write_file(folder / (name + ".txt"), link_model_text(model));
+  for (const auto& [name, model] : models) program::write_file(folder / (name + ".txt"), link_model_text(model));
   return models.size();
 }
 
-struct ShowOptions : run::FolderOptions {
+struct ShowOptions : program::FolderOptions {
   std::string file, meshes;
 };
 
@@ -156,14 +156,14 @@ void check(const Cell& cell, const std::optional<std::filesystem::path>& meshes)
 }
 
 int run(const ShowOptions& options) {
-  run::CommandRun run(options);
-  if (run.has_folder()) run::make_folder(run.folder() / "models");
+  program::CommandRun run(options);
+  if (run.has_folder()) program::make_folder(run.folder() / "models");
   const auto meshes = options.meshes.empty() ? std::nullopt : std::optional<std::filesystem::path>(options.meshes);
   const Cell cell = read_cell(options.file, meshes);
   check(cell, meshes);
   std::vector<ModelPart> parts;
   {
-    std::optional<run::ProgressLine> line;
+    std::optional<program::ProgressLine> line;
     parts = build_model(cell, [&](std::size_t done, std::size_t total) {
       if (!line) line.emplace("cell: parts", total, !options.quiet);
       (*line)(done);
@@ -171,7 +171,7 @@ int run(const ShowOptions& options) {
   }
   std::string text = summary(cell, parts);
   const auto print = [&] {
-    run::print_result(text, options.quiet);
+    program::print_result(text, options.quiet);
     return 0;
   };
   if (!run.has_folder()) return print();
@@ -184,15 +184,15 @@ int run(const ShowOptions& options) {
 
 }  // namespace
 
-run::Command show_command() {
-  run::Command command("show", "Check a cell file, build its model, and summarize it");
+program::Command show_command() {
+  program::Command command("show", "Check a cell file, build its model, and summarize it");
   auto options = std::make_shared<ShowOptions>();
   command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, docs/formats.md has its keys")
       .required();
   command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's").takes("FOLDER");
-  run::declare_output(command, *options,
-                      "A folder for faces.csv, one line per face, and models/, one model file (.txt) per link");
-  run::declare_quiet(command, options->quiet);
+  program::declare_output(command, *options,
+                          "A folder for faces.csv, one line per face, and models/, one model file (.txt) per link");
+  program::declare_quiet(command, options->quiet);
   command.writes({faces_csv().description()});
   command.help().examples.emplace_back("cell show experiments/thesis/cell/cells/aristo.json");
   command.runs([options] { return run(*options); });

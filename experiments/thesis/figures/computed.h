@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/statistics/shares.h"
 #include "experiments/thesis/figures/study.h"
 
 namespace touchstone::figures {

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "experiments/run/input.h"
-#include "experiments/run/json.h"
+#include "experiments/program/input.h"
+#include "experiments/program/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 
 namespace touchstone::figures {
@@ -138,10 +138,10 @@ double tolerance(std::uint64_t wrong, std::uint64_t right, std::uint64_t samples
 }
 
 std::vector<Entry> read_entries(const std::filesystem::path& file, const Computed& computed) {
-  run::StrictJson json;
+  program::StrictJson json;
   try {
-    json = run::read_strict_json(cell::read_at_most<cell::BadCell>(file, 1));
-  } catch (const run::NotJson& error) {
+    json = program::read_strict_json(cell::read_at_most<cell::BadCell>(file, 1));
+  } catch (const program::NotJson& error) {
     throw cell::BadCell(file.string() + ": is not JSON: " + error.what());
   }
   const Item whole(file.string(), "", json.value);
@@ -156,7 +156,7 @@ std::vector<Entry> read_entries(const std::filesystem::path& file, const Compute
 }
 
 std::vector<Entry> entries_of(const Study& study) {
-  return read_entries(run::data("experiments/thesis/figures/figures.json"), computed(study));
+  return read_entries(program::data("experiments/thesis/figures/figures.json"), computed(study));
 }
 
 }  // namespace touchstone::figures

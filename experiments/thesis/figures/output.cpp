@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "experiments/run/output.h"
-#include "experiments/run/table.h"
+#include "experiments/program/output.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/kinematics/aristo.h"
 #include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/figures/drawn_cell.h"
@@ -22,10 +22,10 @@ namespace {
 
 using namespace kinematics;
 using nlohmann::ordered_json;
-using run::path;
+using program::path;
 
-const run::Table<Entry>& entries_csv() {
-  static const run::Table<Entry> table(
+const program::Table<Entry>& entries_csv() {
+  static const program::Table<Entry> table(
       "entries.csv", "a figure or table",
       {{"id", "its number", &Entry::id},
        {"caption", "its caption", &Entry::caption},
@@ -44,13 +44,13 @@ struct NumberRow {
   const Number* number;
 };
 
-const run::Table<NumberRow>& numbers_csv() {
+const program::Table<NumberRow>& numbers_csv() {
   const auto limit = [](double statistics::Limits::*side) {
     return [side](const NumberRow& row) {
       return row.number->ours.limits ? std::optional((*row.number->ours.limits).*side) : std::nullopt;
     };
   };
-  static const run::Table<NumberRow> table(
+  static const program::Table<NumberRow> table(
       "numbers.csv", "a number of a figure or table",
       {{"id", "the figure or table", &NumberRow::id},
        {"what", "the number", path(&NumberRow::number, &Number::what)},
@@ -72,7 +72,7 @@ const run::Table<NumberRow>& numbers_csv() {
           return row.number->basis ? std::string(1, static_cast<char>(label_of(*row.number->basis))) : std::string();
         }},
        {"agrees", "whether the two agree",
-        [](const NumberRow& row) { return row.number->stated ? run::yes_or_no(*row.number->agrees()) : ""; }},
+        [](const NumberRow& row) { return row.number->stated ? program::yes_or_no(*row.number->agrees()) : ""; }},
        {"rests_on", "C if our value depends on chosen values",
         [](const NumberRow& row) { return row.number->chosen ? "C" : ""; }}});
   return table;
@@ -141,16 +141,16 @@ void write_data(const std::filesystem::path& folder, const Study& study) {
   write_picture_tables(folder, study);
   predictions_csv().write(folder, study.predictions);
   sensitivity_csv().write(folder, study.sensitivities);
-  run::write_file(folder / "drawing.json", drawing(study).dump() + "\n");
-  run::make_folder(folder / "models");
+  program::write_file(folder / "drawing.json", drawing(study).dump() + "\n");
+  program::make_folder(folder / "models");
   for (const LinkFile& file : study.link_files)
     if (file.model.name == "Axis1" || file.model.name == "Gripper1" || file.model.name == "machine-bottom")
-      run::write_file(folder / "models" / (file.model.name + ".txt"), file.text);
+      program::write_file(folder / "models" / (file.model.name + ".txt"), file.text);
 }
 
-std::vector<run::TableDescription> tables() {
-  std::vector<run::TableDescription> all{entries_csv().description(), numbers_csv().description(),
-                                         predictions_csv().description(), sensitivity_csv().description()};
+std::vector<program::TableDescription> tables() {
+  std::vector<program::TableDescription> all{entries_csv().description(), numbers_csv().description(),
+                                             predictions_csv().description(), sensitivity_csv().description()};
   for (auto& table : picture_tables()) all.push_back(std::move(table));
   return all;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/table.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/figures/entry.h"
 #include "experiments/thesis/figures/study.h"
 
@@ -21,7 +21,7 @@ void write_entries(const std::filesystem::path& folder, const std::vector<Entry>
 /// machine's bottom part.
 void write_data(const std::filesystem::path& folder, const Study& study);
 
-[[nodiscard]] std::vector<run::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> tables();
 
 /// Returns for the terminal the number of entries with each status, and every stated number that ours differs from.
 [[nodiscard]] std::string table(const std::vector<Entry>& entries);

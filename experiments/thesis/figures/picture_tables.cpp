@@ -15,7 +15,7 @@ namespace touchstone::figures {
 namespace {
 
 using namespace kinematics;
-using run::path;
+using program::path;
 
 struct BranchRow {
   const Flowchart* flowchart;
@@ -24,8 +24,8 @@ struct BranchRow {
   std::uint64_t balls;
 };
 
-const run::Table<BranchRow>& branches_csv() {
-  static const run::Table<BranchRow> table(
+const program::Table<BranchRow>& branches_csv() {
+  static const program::Table<BranchRow> table(
       "branches.csv", "an outline, radius, method, end of the method and exact end",
       {{"outline", "the outline", [](const BranchRow& row) { return row.flowchart->outline->name; }},
        {"radius_share", "the radius, relative to the outline's extent",
@@ -37,16 +37,16 @@ const run::Table<BranchRow>& branches_csv() {
   return table;
 }
 
-const run::Table<MapPoint>& map_csv() {
+const program::Table<MapPoint>& map_csv() {
   constexpr const char* kFormat = "{:.4f}";
-  static const run::Table<MapPoint> table(
+  static const program::Table<MapPoint> table(
       "map.csv", "a point of the plane around the gripper",
       {{"x_mm", "the point", &MapPoint::x, kFormat},
        {"y_mm", "the point", &MapPoint::y, kFormat},
        {"sum_deg", "the sum of the angles at which the edges are seen, without signs", &MapPoint::sum, kFormat},
-       {"inside", "whether it is inside", [](const MapPoint& point) { return run::yes_or_no(point.inside); }},
+       {"inside", "whether it is inside", [](const MapPoint& point) { return program::yes_or_no(point.inside); }},
        {"called", "whether the thesis's method calls it inside",
-        [](const MapPoint& point) { return run::yes_or_no(point.called); }}});
+        [](const MapPoint& point) { return program::yes_or_no(point.called); }}});
   return table;
 }
 
@@ -57,21 +57,21 @@ struct ViewRow {
   double angle;
 };
 
-const run::Table<ViewRow>& views_csv() {
-  static const run::Table<ViewRow> table("views.csv", "a point and an edge of the gripper",
-                                         {{"point", "in the palm or in the gap", &ViewRow::name},
-                                          {"x_mm", "the point", [](const ViewRow& row) { return row.at.x(); }},
-                                          {"y_mm", "the point", [](const ViewRow& row) { return row.at.y(); }},
-                                          {"edge", "the edge", &ViewRow::edge},
-                                          {"angle_deg", "the angle at which it is seen", &ViewRow::angle}});
+const program::Table<ViewRow>& views_csv() {
+  static const program::Table<ViewRow> table("views.csv", "a point and an edge of the gripper",
+                                             {{"point", "in the palm or in the gap", &ViewRow::name},
+                                              {"x_mm", "the point", [](const ViewRow& row) { return row.at.x(); }},
+                                              {"y_mm", "the point", [](const ViewRow& row) { return row.at.y(); }},
+                                              {"edge", "the edge", &ViewRow::edge},
+                                              {"angle_deg", "the angle at which it is seen", &ViewRow::angle}});
   return table;
 }
 
-const run::Table<FalseArea>& areas_csv() {
+const program::Table<FalseArea>& areas_csv() {
   const auto limit = [](double statistics::Limits::*side) {
     return [side](const FalseArea& area) { return area.limits().*side; };
   };
-  static const run::Table<FalseArea> table(
+  static const program::Table<FalseArea> table(
       "areas.csv", "an outline: the points that the thesis's sum of angles calls inside",
       {{"outline", "the outline", [](const FalseArea& area) { return area.outline->name; }},
        {"points", "random points", &FalseArea::points},
@@ -93,8 +93,8 @@ struct ReachRow {
   const FactorReach* reach;
 };
 
-const run::Table<ReachRow>& reach_csv() {
-  static const run::Table<ReachRow> table(
+const program::Table<ReachRow>& reach_csv() {
+  static const program::Table<ReachRow> table(
       "reach.csv", "an outline, edge and match factor",
       {{"outline", "the outline", &ReachRow::outline},
        {"edge", "the edge", path(&ReachRow::reach, &FactorReach::edge)},
@@ -111,8 +111,8 @@ struct TouchingRow {
   Touching counts;
 };
 
-const run::Table<TouchingRow>& touching_csv() {
-  static const run::Table<TouchingRow> table(
+const program::Table<TouchingRow>& touching_csv() {
+  static const program::Table<TouchingRow> table(
       "touching.csv", "a feature that balls touch exactly",
       {{"touched", "the feature", &TouchingRow::touched},
        {"balls", "balls", path(&TouchingRow::counts, &Touching::samples)},
@@ -122,14 +122,14 @@ const run::Table<TouchingRow>& touching_csv() {
   return table;
 }
 
-const run::Table<FarAway>& far_csv() {
+const program::Table<FarAway>& far_csv() {
   const auto wrong = [](std::size_t method) { return [method](const FarAway& away) { return away.wrong[method]; }; };
-  static const run::Table<FarAway> table("far.csv", "a distance from the origin",
-                                         {{"offset_mm", "the distance", &FarAway::offset},
-                                          {"balls", "balls", &FarAway::samples},
-                                          {"wrong_signed", "wrong answers with signed angles", wrong(0)},
-                                          {"wrong_signed_float", "the same in floats", wrong(1)},
-                                          {"wrong_fast", "wrong answers of fast", wrong(2)}});
+  static const program::Table<FarAway> table("far.csv", "a distance from the origin",
+                                             {{"offset_mm", "the distance", &FarAway::offset},
+                                              {"balls", "balls", &FarAway::samples},
+                                              {"wrong_signed", "wrong answers with signed angles", wrong(0)},
+                                              {"wrong_signed_float", "the same in floats", wrong(1)},
+                                              {"wrong_fast", "wrong answers of fast", wrong(2)}});
   return table;
 }
 
@@ -138,8 +138,8 @@ struct PlaceRow {
   const cell::Tried* place;
 };
 
-const run::Table<PlaceRow>& places_csv() {
-  static const run::Table<PlaceRow> table(
+const program::Table<PlaceRow>& places_csv() {
+  static const program::Table<PlaceRow> table(
       "places.csv", "a place of the storage",
       {{"scan", "what is varied", &PlaceRow::scan},
        {"angle_deg", "of the storage", path(&PlaceRow::place, &cell::Tried::angle)},
@@ -155,8 +155,8 @@ struct MoveRow {
   const cell::Move* its;
 };
 
-const run::Table<MoveRow>& moves_csv() {
-  static const run::Table<MoveRow> table(
+const program::Table<MoveRow>& moves_csv() {
+  static const program::Table<MoveRow> table(
       "moves.csv", "a move of one joint",
       {{"case", "the case study", &MoveRow::number},
        {"move", "its number", &MoveRow::move},
@@ -176,9 +176,9 @@ struct JointRow {
   Eigen::Vector3d at;
 };
 
-const run::Table<JointRow>& sides_csv() {
+const program::Table<JointRow>& sides_csv() {
   constexpr const char* kFormat = "{:.6f}";
-  static const run::Table<JointRow> table(
+  static const program::Table<JointRow> table(
       "sides.csv", "a moment, and a point of the arm in the plane of the arm",
       {{"moment", "the moment", &JointRow::moment},
        {"height_mm", "of the storage", &JointRow::height},
@@ -194,8 +194,8 @@ struct StopRow {
   Eigen::Vector3d at;
 };
 
-const run::Table<StopRow>& stops_csv() {
-  static const run::Table<StopRow> table(
+const program::Table<StopRow>& stops_csv() {
+  static const program::Table<StopRow> table(
       "stops.csv", "the sphere before, at first contact, or at a stop",
       {{"case", "the case study", &StopRow::number},
        {"stop", "the number of the stop", &StopRow::stop},
@@ -330,8 +330,8 @@ void write_picture_tables(const std::filesystem::path& folder, const Study& stud
   sides_csv().write(folder, side_rows(study));
 }
 
-std::vector<run::TableDescription> picture_tables() {
-  std::vector<run::TableDescription> all{
+std::vector<program::TableDescription> picture_tables() {
+  std::vector<program::TableDescription> all{
       branches_csv().description(), map_csv().description(),      views_csv().description(), areas_csv().description(),
       reach_csv().description(),    touching_csv().description(), far_csv().description(),   places_csv().description(),
       moves_csv().description(),    stops_csv().description(),    sides_csv().description()};

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "experiments/run/table.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/figures/study.h"
 
 namespace touchstone::figures {
@@ -13,6 +13,6 @@ namespace touchstone::figures {
 /// the file, if one cannot be written.
 void write_picture_tables(const std::filesystem::path& folder, const Study& study);
 
-[[nodiscard]] std::vector<run::TableDescription> picture_tables();
+[[nodiscard]] std::vector<program::TableDescription> picture_tables();
 
 }  // namespace touchstone::figures

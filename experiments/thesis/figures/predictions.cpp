@@ -98,9 +98,9 @@ Sensitivity sensitivity(const Layout& layout, const Parameter& parameter) {
   return result;
 }
 
-const run::Table<Prediction>& predictions_csv() {
-  static const run::Table<Prediction> table = [] {
-    std::vector<run::Column<Prediction>> columns{
+const program::Table<Prediction>& predictions_csv() {
+  static const program::Table<Prediction> table = [] {
+    std::vector<program::Column<Prediction>> columns{
         {"line", "at the radius of `case 1` or `case 2`, or `between` both", &Prediction::line},
         {"angle_deg", "of the storage", &Prediction::angle},
         {"radius_mm", "of the storage, from the robot's axis", &Prediction::radius, "{:.3f}"},
@@ -120,13 +120,13 @@ const run::Table<Prediction>& predictions_csv() {
       columns.emplace_back(fmt::format("{}_implied_deg", kImplied[i]), "what the captions imply",
                            [i](const Prediction& row) { return implied(row.angle)[i]; });
     }
-    return run::Table<Prediction>("predictions.csv", "a place of the storage", std::move(columns));
+    return program::Table<Prediction>("predictions.csv", "a place of the storage", std::move(columns));
   }();
   return table;
 }
 
-const run::Table<Sensitivity>& sensitivity_csv() {
-  static const run::Table<Sensitivity> table(
+const program::Table<Sensitivity>& sensitivity_csv() {
+  static const program::Table<Sensitivity> table(
       "sensitivity.csv", "a chosen value of the layout, moved alone",
       {{"parameter", "the value", &Sensitivity::parameter},
        {"unit", "its unit", &Sensitivity::unit},

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/run/table.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/kinematics/layout_study.h"
 
 /// Predictions: angles that the captions of both case studies imply for other places of the storage.
@@ -55,7 +55,7 @@ struct Sensitivity {
 /// Tries two places between the cases: one that the sphere reaches from the side, and one from above. Cost: 0.2 s.
 [[nodiscard]] Sensitivity sensitivity(const kinematics::Layout& layout, const kinematics::Parameter& parameter);
 
-[[nodiscard]] const run::Table<Prediction>& predictions_csv();
-[[nodiscard]] const run::Table<Sensitivity>& sensitivity_csv();
+[[nodiscard]] const program::Table<Prediction>& predictions_csv();
+[[nodiscard]] const program::Table<Sensitivity>& sensitivity_csv();
 
 }  // namespace touchstone::figures

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <iterator>
 
-#include "experiments/run/input.h"
-#include "experiments/run/output.h"
+#include "experiments/program/input.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 #include "experiments/thesis/figures/drawn_cell.h"
 
@@ -35,11 +35,11 @@ std::vector<LinkFile> link_files(const std::vector<cell::ModelPart>& parts) {
   });
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("touchstone-thesis-" + std::to_string(::getpid()));
-  run::make_folder(folder);
+  program::make_folder(folder);
   std::vector<LinkFile> files;
   for (const auto& [name, model] : cell::link_models(shown)) {
     files.push_back({model, cell::link_model_text(model)});
-    run::write_file(folder / "model.txt", files.back().text);
+    program::write_file(folder / "model.txt", files.back().text);
     files.back().same = cell::read_link_model(folder / "model.txt") == model;
   }
   std::filesystem::remove_all(folder);
@@ -160,7 +160,7 @@ std::uint64_t missed_moves(const Settings& settings) { return std::max<std::uint
 Study begin_study(const Settings& settings, const std::vector<std::string>& changes) {
   Study study{};
   study.settings = settings;
-  const auto file = run::data("experiments/thesis/cell/cells/aristo.json");
+  const auto file = program::data("experiments/thesis/cell/cells/aristo.json");
   const auto cell_of = [&](const char* name) {
     std::vector<std::string> all = cell::preset(file, name);
     all.insert(all.end(), changes.begin(), changes.end());
@@ -183,7 +183,7 @@ std::optional<Study> run_study(const Settings& settings, unsigned threads, const
   Study study = begin_study(settings);
   const std::vector<Task> tasks = tasks_of(study);
   const std::uint64_t moves = missed_moves(settings), total = tasks.size() + blocks_of(moves);
-  const std::uint64_t done = run::run_blocks(
+  const std::uint64_t done = program::run_blocks(
       tasks.size(), threads, stop, [&](std::uint64_t so_far) { progress(so_far, total); },
       [&](unsigned, std::uint64_t task) { tasks[task](); });
   if (done < tasks.size()) return std::nullopt;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/sweep.h"
+#include "experiments/program/sweep.h"
 #include "experiments/thesis/cell/first_contact/missed_study.h"
 #include "experiments/thesis/cell/kinematics/layout_study.h"
 #include "experiments/thesis/cell/model/link_model.h"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/run/command_run.h"
-#include "experiments/run/study.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/study.h"
 #include "experiments/thesis/figures/entry.h"
 #include "experiments/thesis/figures/output.h"
 
@@ -15,10 +15,10 @@ namespace {
 
 using namespace figures;
 
-struct Options : run::FolderOptions {
+struct Options : program::FolderOptions {
   std::uint64_t samples = 0;  ///< 0: as many as the settings say
   std::uint64_t seed = 1;
-  unsigned threads = run::all_threads();
+  unsigned threads = program::all_threads();
   bool quick = false;
 
   [[nodiscard]] Settings settings() const {
@@ -37,10 +37,10 @@ struct Options : run::FolderOptions {
 };
 
 int run_thesis(const Options& options) {
-  run::CommandRun run(options);
+  program::CommandRun run(options);
   const Settings settings = options.settings();
   const auto study = [&] {
-    std::optional<run::ProgressLine> line;
+    std::optional<program::ProgressLine> line;
     return run_study(settings, options.threads, run.stop(), [&](std::uint64_t done, std::uint64_t total) {
       if (!line) line.emplace("thesis: parts", total, !options.quiet);
       (*line)(done);
@@ -62,21 +62,22 @@ int run_thesis(const Options& options) {
 
 }  // namespace
 
-run::Command thesis_command() {
+program::Command thesis_command() {
   auto options = std::make_shared<Options>();
   options->output = "results/thesis";
-  run::Command command("thesis", "Reproduce every figure and table of the 2008 thesis: compare its numbers with ours");
+  program::Command command("thesis",
+                           "Reproduce every figure and table of the 2008 thesis: compare its numbers with ours");
   command.help().footer =
       "Makes one entry for each figure and table that the thesis lists, and for each known error of its method: the "
       "numbers that can be computed, the stated numbers, whether they agree, and a picture. Writes CSV files, "
       "run.json, pictures (SVG and PNG) and index.html, which shows all of them.";
   command.whole("--samples", options->samples, "Random balls for each outline and radius (20000; with --quick 2000)",
-                100, run::kMostSamples);
+                100, program::kMostSamples);
   command.flag("--quick", options->quick, "A tenth of the samples, and coarser steps between places of the storage");
-  run::declare_seed(command, options->seed);
-  run::declare_threads(command, options->threads);
-  run::declare_output(command, *options, "Folder for all files", true);
-  run::declare_quiet(command, options->quiet);
+  program::declare_seed(command, options->seed);
+  program::declare_threads(command, options->threads);
+  program::declare_output(command, *options, "Folder for all files", true);
+  program::declare_quiet(command, options->quiet);
   command.writes(tables());
   command.help().examples.emplace_back("thesis --quick");
   command.runs([options] { return run_thesis(*options); });

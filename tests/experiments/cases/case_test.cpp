@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/run/json.h"
+#include "experiments/program/json.h"
 
 namespace touchstone::cases {
 namespace {
@@ -92,14 +92,14 @@ TEST(ReadCase, ReadsNumbersAsTheNearestDoubles) {
 
 TEST(ReadCase, SaysWhereALineIsNotJson) {
   for (const char* line : {"nonsense", "{\"id\":\"a\"", R"({"id":NaN})", R"({"id":Infinity})", "{'id':1}", "{} {}"})
-    EXPECT_THROW((void)read_case(line), run::NotJson) << line;
+    EXPECT_THROW((void)read_case(line), program::NotJson) << line;
 }
 
 // The text around numbers beyond the doubles must still be JSON.
 TEST(ReadCase, HoldsNumbersBeyondTheFiniteDoublesToTheGrammar) {
   for (const char* line : {R"({"a":1e400,1e400:1})", "[1e400-5]", "[01e999]", "[-01e999]", "[--1e400]", "[+1e400]",
                            "[.1e400]", "[1.e400]", "[1e400e1]", "[1e400.5]", "[1e4001e400]", "[1e400 1e400]", "1e400x"})
-    EXPECT_THROW((void)read_case(line), run::NotJson) << line;
+    EXPECT_THROW((void)read_case(line), program::NotJson) << line;
   for (const char* line : {"[1e400]", "[-1.5E+400,1]", R"(["\\",1e400,"\"1e400-5"])"})
     EXPECT_EQ(code(line), "malformed-case") << line;
   EXPECT_EQ(code(with_more(R"("more":[1,-1e400],)")), "accepted");
@@ -107,15 +107,15 @@ TEST(ReadCase, HoldsNumbersBeyondTheFiniteDoublesToTheGrammar) {
 
 TEST(ReadCase, TakesANulByteForNoEndOfTheLine) {
   const std::string good = with_more("");
-  EXPECT_THROW((void)read_case(good + std::string("\0garbage", 8)), run::NotJson);
-  EXPECT_THROW((void)read_case(good + std::string("\0", 1)), run::NotJson);
+  EXPECT_THROW((void)read_case(good + std::string("\0garbage", 8)), program::NotJson);
+  EXPECT_THROW((void)read_case(good + std::string("\0", 1)), program::NotJson);
 }
 
 TEST(ReadCase, TakesNoByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF", good = with_more("");
   for (const std::string& line :
        {mark + good, mark, " " + mark + good, good + mark, good.substr(0, 1) + mark + good.substr(1)})
-    EXPECT_THROW((void)read_case(line), run::NotJson) << line;
+    EXPECT_THROW((void)read_case(line), program::NotJson) << line;
   EXPECT_EQ(read_case(object("\"id\":\"" + mark + "\"")).id, mark) << "within a text it is a letter";
 }
 
@@ -132,8 +132,8 @@ TEST(ReadCase, RejectsWhatIsNestedTooDeep) {
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
   const std::string shape = std::string(kBall) + "," + kTriangle;
   const auto more = [&](const std::string& value) { return with_more(R"("more":)" + value + ","); };
-  EXPECT_EQ(code(more(nested(run::kMostLevels - 1))), "accepted");
-  EXPECT_EQ(code(more(nested(run::kMostLevels))), "malformed-case");
+  EXPECT_EQ(code(more(nested(program::kMostLevels - 1))), "accepted");
+  EXPECT_EQ(code(more(nested(program::kMostLevels))), "malformed-case");
   EXPECT_EQ(code(more(nested(1'000'000))), "malformed-case");
   EXPECT_EQ(read_case(more(nested(1'000'000))).id, "a");
   EXPECT_EQ(code(with_more(R"("expected":{"point":)" + nested(10'000) + "},")), "malformed-case");
@@ -141,7 +141,7 @@ TEST(ReadCase, RejectsWhatIsNestedTooDeep) {
   std::string objects;
   for (int i = 0; i < 100'000; ++i) objects += R"({"x":)";
   EXPECT_EQ(code(more(objects + "1e400" + std::string(100'000, '}'))), "malformed-case");
-  EXPECT_THROW((void)read_case(std::string(1'000'000, '[')), run::NotJson);
+  EXPECT_THROW((void)read_case(std::string(1'000'000, '[')), program::NotJson);
   EXPECT_EQ(code(object(R"("id":"[[[[)" + std::string(100, '[') + "\"," + shape)), "accepted");
 }
 

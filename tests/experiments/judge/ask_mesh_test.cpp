@@ -16,7 +16,7 @@
 #include "experiments/cases/workloads/random.h"
 #include "experiments/commands.h"
 #include "experiments/judge/ask.h"
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
@@ -43,7 +43,7 @@ constexpr const char* kCubeAndRoof =
 class AskMesh : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) const {
-    run::write_file(scratch.path / name, text);
+    program::write_file(scratch.path / name, text);
     return path(name);
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }

@@ -11,16 +11,16 @@ namespace touchstone::judge {
 namespace {
 
 TEST(JudgeCommand, RefusesAnEngineWhoseNameIsNotUtf8) {
-  EXPECT_THROW(commands::judge_command()({"--engine", "cat # \xff", "/dev/null"}), run::UsageError);
+  EXPECT_THROW(commands::judge_command()({"--engine", "cat # \xff", "/dev/null"}), program::UsageError);
   EXPECT_NO_THROW(commands::judge_command()({"--engine", "cat # \xc3\xa9", "/dev/null"}));
 }
 
 TEST(CasesCommand, RefusesNumbersThatMeanNothing) {
-  EXPECT_THROW(commands::cases_command()({"--vertices", "2"}), run::UsageError);
-  EXPECT_THROW(commands::cases_command()({"--vertices", "131073"}), run::UsageError);
+  EXPECT_THROW(commands::cases_command()({"--vertices", "2"}), program::UsageError);
+  EXPECT_THROW(commands::cases_command()({"--vertices", "131073"}), program::UsageError);
   for (const char* option : {"--vertices", "--holes", "--seed", "--first", "--samples"})
     for (const char* number : {"-1", "1.5", "many", "18446744073709551616"})
-      EXPECT_THROW(commands::cases_command()({option, number}), run::UsageError) << option << ' ' << number;
+      EXPECT_THROW(commands::cases_command()({option, number}), program::UsageError) << option << ' ' << number;
   EXPECT_NO_THROW(commands::cases_command()({"--samples", "0", "--vertices", "3"}));
 }
 

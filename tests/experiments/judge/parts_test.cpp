@@ -9,7 +9,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/judge/judge.h"
-#include "experiments/run/state.h"
+#include "experiments/program/state.h"
 #include "tests/experiments/judge/run_judge.h"
 
 namespace touchstone::judge {
@@ -161,9 +161,9 @@ TEST(Judgement, IsReadAsItWasWritten) {
   Judgement judgement, read;
   judgement.lines = 2;
   judgement.entries = {{.complaint = "12 \n", .status = InputRejected}, {.judged = judged}};
-  const std::string text = touchstone::run::archived(judgement);
-  touchstone::run::restore(text, read);
-  EXPECT_EQ(touchstone::run::archived(read), text);
+  const std::string text = touchstone::program::archived(judgement);
+  touchstone::program::restore(text, read);
+  EXPECT_EQ(touchstone::program::archived(read), text);
   ASSERT_EQ(read.entries.size(), 2U);
   EXPECT_EQ(read.entries[0].complaint, "12 \n");
   EXPECT_EQ(read.entries[1].judged->doubles, -7);

@@ -58,8 +58,8 @@ TEST(Selection, RefusesNamesThatAreTaken) {
 /// Parses these arguments. Returns the names of the selected methods, and the line that repeats the run.
 std::pair<std::string, std::string> selected(const std::vector<std::string>& arguments) {
   Selection selection{{"fast", "thesis"}};
-  run::Call call;
-  run::Command command("measure", "Measures");
+  program::Call call;
+  program::Command command("measure", "Measures");
   declare_compared_methods(command, selection);
   command.keep_call(call);
   command.runs([] { return 0; });
@@ -74,7 +74,7 @@ TEST(Selection, EnginesAloneReplaceTheDefaultMethods) {
   EXPECT_EQ(selected({"--engine", "cat=u-mine"}), Pair("u-mine", "touchstone measure --engine cat=u-mine"));
   EXPECT_EQ(selected({"--engine", "cat=u-mine", "--methods", "fast", "--engine", "cat -u =u-b"}),
             Pair("fast,u-mine,u-b", "touchstone measure --methods fast --engine cat=u-mine --engine 'cat -u =u-b'"));
-  EXPECT_THROW((void)selected({"--engine", " "}), run::UsageError);
+  EXPECT_THROW((void)selected({"--engine", " "}), program::UsageError);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/model/cell.h"
 #include "tests/experiments/support/scratch.h"
 
@@ -36,7 +36,7 @@ struct MelfaMeshes {
       for (const int i : {a, b, c}) text += "vertex " + corners[static_cast<std::size_t>(i)] + "\n";
       text += "endloop\nendfacet\n";
     }
-    run::write_file(scratch.path / file, text + "endsolid t\n");
+    program::write_file(scratch.path / file, text + "endsolid t\n");
   }
   const Scratch scratch;
 };

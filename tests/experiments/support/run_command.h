@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/run/command.h"
-#include "experiments/run/table.h"
+#include "experiments/program/command.h"
+#include "experiments/program/table.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::run_tests {
 
-using MakeCommand = run::Command (*)();
+using MakeCommand = program::Command (*)();
 
 /// Runs the command with these arguments. Returns the exit status; throws the exceptions of the command.
 inline int run_command(MakeCommand make, const std::vector<std::string>& arguments) { return make()(arguments); }

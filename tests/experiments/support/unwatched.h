@@ -4,12 +4,12 @@
 #include <atomic>
 #include <cstdint>
 
-#include "experiments/run/sweep.h"
+#include "experiments/program/sweep.h"
 
 /// The control of a run in one process that is never stopped and shows no progress.
 namespace touchstone::run_tests {
 
 inline const std::atomic<bool> kNeverStop = false;
-inline const run::Progress kSilent = [](std::uint64_t) {};
+inline const program::Progress kSilent = [](std::uint64_t) {};
 
 }  // namespace touchstone::run_tests

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/statistics/shares.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/polygon/prepared.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/statistics/shares.h"
 #include "robust/scene/posing.h"
 #include "tests/robust/scene/brute_force.h"
 #include "tests/robust/support/environment.h"

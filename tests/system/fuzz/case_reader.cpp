@@ -6,7 +6,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/output_lines.h"
-#include "experiments/run/json.h"
+#include "experiments/program/json.h"
 
 using namespace touchstone;
 
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           (shapes->motion() && same.motion()->to != shapes->motion()->to))
         throw std::logic_error("not read again as it was written: " + line);
     }
-  } catch (const run::NotJson&) {
+  } catch (const program::NotJson&) {
   }
   return 0;
 }

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "experiments/methods/registry.h"
-#include "experiments/run/json.h"
+#include "experiments/program/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/model/change_cell.h"
 #include "experiments/thesis/cell/model/reach.h"
@@ -75,12 +75,12 @@ std::set<std::string> keys_named(const CellEntry& change) {
 template <class Read>
 auto read_request(std::string_view text, const Read& read_whole) {
   try {
-    const run::StrictJson json = run::read_strict_json(text);
+    const program::StrictJson json = program::read_strict_json(text);
     const CellEntry whole("request", "", json.value);
     if (json.duplicate_key) whole.bad(fmt::format("the key \"{}\" is given twice", *json.duplicate_key));
     if (json.too_deep) whole.bad("is nested too deep");
     return read_whole(whole);
-  } catch (const run::NotJson& error) {
+  } catch (const program::NotJson& error) {
     throw BadSetting(fmt::format("request: is not JSON: {}", error.what()));
   } catch (const BadCell& error) {
     throw BadSetting(error.what());

@@ -10,10 +10,10 @@
 
 #include "experiments/cases/workloads/degrees.h"
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/numbers.h"
-#include "experiments/run/statistics/shares.h"
-#include "experiments/run/study.h"
-#include "experiments/run/table.h"
+#include "experiments/program/numbers.h"
+#include "experiments/program/statistics/shares.h"
+#include "experiments/program/study.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/first_contact/first_contact.h"
 #include "experiments/thesis/cell/kinematics/layout.h"
@@ -52,22 +52,23 @@ void ask(const ThroughSheet& sample, std::size_t radius, MissedStudy& study) {
 struct MissedRow {
   double radius, step;
   Missed counts;
-  run::Rate missed;
+  program::Rate missed;
 };
 
-const run::Table<MissedRow>& missed_csv() {
-  using run::path;
+const program::Table<MissedRow>& missed_csv() {
+  using program::path;
   constexpr const char* kFormat = "{:.6g}";
-  static const run::Table<MissedRow> table(
+  static const program::Table<MissedRow> table(
       "missed.csv", "a radius of the sphere and a step of the joint",
       {{"radius_mm", "of the sphere", &MissedRow::radius},
        {"step_deg", "of the joint", &MissedRow::step},
        {"contacts", "certified contacts, not at the start", path(&MissedRow::counts, &Missed::contacts)},
        {"missed", "contacts that stepping misses", path(&MissedRow::counts, &Missed::missed)},
        {"early", "stops that touch before the certified contact: 0", path(&MissedRow::counts, &Missed::early)},
-       {"share", "the share of contacts that stepping misses", path(&MissedRow::missed, &run::Rate::share), kFormat},
-       {"lower", "its lower limit", path(&MissedRow::missed, &run::Rate::lower), kFormat},
-       {"upper", "its upper limit", path(&MissedRow::missed, &run::Rate::upper), kFormat}});
+       {"share", "the share of contacts that stepping misses", path(&MissedRow::missed, &program::Rate::share),
+        kFormat},
+       {"lower", "its lower limit", path(&MissedRow::missed, &program::Rate::lower), kFormat},
+       {"upper", "its upper limit", path(&MissedRow::missed, &program::Rate::upper), kFormat}});
   return table;
 }
 
@@ -105,10 +106,10 @@ ThroughSheet draw_through_sheet(std::uint64_t seed, std::uint64_t n) {
 std::uint64_t blocks_of(std::uint64_t samples) { return (samples + kBlock - 1) / kBlock; }
 
 MissedStudy study_missed(std::uint64_t seed, std::uint64_t samples, unsigned threads, const std::atomic<bool>& stop,
-                         const run::Progress& progress) {
+                         const program::Progress& progress) {
   std::vector<MissedStudy> parts(threads);
   const std::uint64_t done =
-      run::run_blocks(blocks_of(samples), threads, stop, progress, [&](unsigned thread, std::uint64_t block) {
+      program::run_blocks(blocks_of(samples), threads, stop, progress, [&](unsigned thread, std::uint64_t block) {
         for (std::uint64_t n = block * kBlock; n < std::min(samples, (block + 1) * kBlock); ++n) {
           const ThroughSheet sample = draw_through_sheet(seed, n);
           for (std::size_t radius = 0; radius < kRadii.size(); ++radius) ask(sample, radius, parts[thread]);
@@ -129,12 +130,12 @@ void write_missed(const std::filesystem::path& folder, const MissedStudy& study)
   for (std::size_t r = 0; r < kRadii.size(); ++r)
     for (std::size_t s = 0; s < kSteps.size(); ++s) {
       const Missed& counts = study.counts[r][s];
-      rows.push_back({kRadii[r], kSteps[s], counts, run::rate(counts.missed, counts.contacts)});
+      rows.push_back({kRadii[r], kSteps[s], counts, program::rate(counts.missed, counts.contacts)});
     }
   missed_csv().write(folder, rows);
 }
 
-std::vector<run::TableDescription> missed_tables() { return {missed_csv().description()}; }
+std::vector<program::TableDescription> missed_tables() { return {missed_csv().description()}; }
 
 std::string missed_table(const MissedStudy& study) {
   std::string text =
@@ -155,7 +156,7 @@ std::string missed_table(const MissedStudy& study) {
   text += fmt::format(
       "{} of one joint; certified first contacts are enclosed to {:.2g} degrees; stops that touch before them: "
       "{}\n",
-      run::counted(study.samples, "move"), study.widest, early);
+      program::counted(study.samples, "move"), study.widest, early);
   return text;
 }
 
@@ -164,15 +165,15 @@ std::string missed_table(const MissedStudy& study) {
 namespace touchstone::cell {
 namespace {
 
-struct MissedOptions : run::FolderOptions {
+struct MissedOptions : program::FolderOptions {
   std::uint64_t samples = 2000, seed = 1;
-  unsigned threads = run::all_threads();
+  unsigned threads = program::all_threads();
 };
 
 int run_missed(const MissedOptions& options) {
-  run::CommandRun run(options);
+  program::CommandRun run(options);
   const auto study = [&] {
-    run::ProgressLine line = run.progress("moves", kinematics::blocks_of(options.samples));
+    program::ProgressLine line = run.progress("moves", kinematics::blocks_of(options.samples));
     return kinematics::study_missed(options.seed, options.samples, options.threads, run.stop(), std::ref(line));
   }();
   kinematics::write_missed(run.folder(), study);
@@ -184,25 +185,25 @@ int run_missed(const MissedOptions& options) {
   if (study.samples < options.samples) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} moves\n", options.output, study.samples,
                options.samples);
-    return run::kInterrupted;
+    return program::kInterrupted;
   }
   return drawn;
 }
 
 }  // namespace
 
-run::Command missed_command() {
+program::Command missed_command() {
   auto options = std::make_shared<MissedOptions>();
   options->output = "results/cell-missed";
-  run::Command command("missed", "Contacts that stepping misses and the certified search finds");
+  program::Command command("missed", "Contacts that stepping misses and the certified search finds");
   command.help().footer =
       "Moves one joint of the arm through thin sheets at random. Counts how often stepping, which tests for contact "
       "only after each step, misses the first contact, for spheres and steps of several sizes.";
-  command.whole("--samples", options->samples, "Moves", 1, run::kMostSamples);
-  run::declare_seed(command, options->seed);
-  run::declare_threads(command, options->threads);
-  run::declare_output(command, *options, "Folder for missed.csv, run.json and the picture", true);
-  run::declare_quiet(command, options->quiet);
+  command.whole("--samples", options->samples, "Moves", 1, program::kMostSamples);
+  program::declare_seed(command, options->seed);
+  program::declare_threads(command, options->threads);
+  program::declare_output(command, *options, "Folder for missed.csv, run.json and the picture", true);
+  program::declare_quiet(command, options->quiet);
   command.writes(kinematics::missed_tables());
   command.help().examples.emplace_back("cell missed --samples 100");
   command.runs([options] { return run_missed(*options); });

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/sweep.h"
-#include "experiments/run/table.h"
+#include "experiments/program/sweep.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/first_contact/arc.h"
 #include "geometry/shapes/polygon.h"
 
@@ -45,12 +45,12 @@ struct MissedStudy {
 /// Runs the study. The result does not depend on the number of threads. Reports to `progress` how many of the
 /// `blocks_of(samples)` blocks are done.
 [[nodiscard]] MissedStudy study_missed(std::uint64_t seed, std::uint64_t samples, unsigned threads,
-                                       const std::atomic<bool>& stop, const run::Progress& progress);
+                                       const std::atomic<bool>& stop, const program::Progress& progress);
 [[nodiscard]] std::uint64_t blocks_of(std::uint64_t samples);
 
 /// Writes missed.csv: one line for each radius and step. Throws std::runtime_error if it cannot be written.
 void write_missed(const std::filesystem::path& folder, const MissedStudy& study);
-[[nodiscard]] std::vector<run::TableDescription> missed_tables();
+[[nodiscard]] std::vector<program::TableDescription> missed_tables();
 [[nodiscard]] std::string missed_table(const MissedStudy& study);
 
 }  // namespace touchstone::kinematics

@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/run/command_run.h"
-#include "experiments/run/table.h"
+#include "experiments/program/command_run.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/cell_commands.h"
 
 namespace touchstone::kinematics {
@@ -23,8 +23,8 @@ std::vector<std::string> captions_of(std::size_t number) {
           "elbow up 23", "base 100 CCW", "shoulder down 14"};
 }
 
-using run::path;
-using run::Table;
+using program::path;
+using program::Table;
 
 /// `member`: of Layout.
 template <class Value>
@@ -60,7 +60,7 @@ Table<Member> homes_csv(const char* file, const char* about) {
            {"clearance_mm", "by which the sphere is lifted after gripping from above", of_layout(&Layout::clearance),
             kLength},
            {"captions_come_out", "whether the layout reproduces the captions: `yes` or `no`",
-            [](const Member& row) { return run::yes_or_no(row.failure.empty()); }},
+            [](const Member& row) { return program::yes_or_no(row.failure.empty()); }},
            {"otherwise", "why it does not", &Member::failure}}};
 }
 
@@ -190,7 +190,7 @@ void write_layout(const std::filesystem::path& folder, const LayoutStudy& study)
   poses_csv().write(folder, pose_rows(study));
 }
 
-std::vector<run::TableDescription> layout_tables() {
+std::vector<program::TableDescription> layout_tables() {
   return {family_csv().description(), one_height_csv().description(), choice_csv().description(),
           moves_csv().description(), poses_csv().description()};
 }
@@ -227,17 +227,17 @@ std::string layout_table(const LayoutStudy& study) {
 namespace touchstone::cell {
 namespace {
 
-struct LayoutOptions : run::FolderOptions {
+struct LayoutOptions : program::FolderOptions {
   bool quick = false;
 };
 
 int run_layout(const LayoutOptions& options) {
-  run::CommandRun run(options);
+  program::CommandRun run(options);
   const kinematics::HomeSteps homes = options.quick ? kinematics::HomeSteps{30, 15} : kinematics::HomeSteps{};
   const std::uint64_t work = kinematics::layout_work(homes);
   std::optional<kinematics::LayoutStudy> study;
   {
-    run::ProgressLine line = run.progress("layouts", work);
+    program::ProgressLine line = run.progress("layouts", work);
     study = kinematics::study_layout(homes, run.stop(), std::ref(line));
   }
   if (!study) return run.finish_unwritten();
@@ -247,17 +247,17 @@ int run_layout(const LayoutOptions& options) {
 
 }  // namespace
 
-run::Command layout_command() {
+program::Command layout_command() {
   auto options = std::make_shared<LayoutOptions>();
   options->output = "results/cell-layout";
-  run::Command command("layout", "Find the home pose and places that reproduce the thesis's captioned angles");
+  program::Command command("layout", "Find the home pose and places that reproduce the thesis's captioned angles");
   command.help().footer =
       "Solves for the home pose, storage and machine that reproduce both case studies' angles to the degree. Shows "
       "the family of solutions, the chosen one, and how far each of its values may be moved alone.";
   command.flag("--quick", options->quick,
                "Coarser steps between the home poses of the family; the chosen layout is the same");
-  run::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
-  run::declare_quiet(command, options->quiet);
+  program::declare_output(command, *options, "Folder for the CSV files, run.json and pictures", true);
+  program::declare_quiet(command, options->quiet);
   command.writes(kinematics::layout_tables());
   command.help().examples.emplace_back("cell layout --quick");
   command.runs([options] { return run_layout(*options); });

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/table.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/kinematics/layout_study.h"
 
 namespace touchstone::kinematics {
@@ -14,7 +14,7 @@ namespace touchstone::kinematics {
 /// file, if one cannot be written.
 void write_layout(const std::filesystem::path& folder, const LayoutStudy& study);
 
-[[nodiscard]] std::vector<run::TableDescription> layout_tables();
+[[nodiscard]] std::vector<program::TableDescription> layout_tables();
 
 /// Returns the moves of both cases and a line on the predictions, for the terminal.
 [[nodiscard]] std::string layout_table(const LayoutStudy& study);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/run/input.h"
+#include "experiments/program/input.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"
@@ -29,7 +29,7 @@ std::vector<cell::Coupling> couplings_of(const Layout& layout) {
 }
 
 const cell::Cell& aristo_cell() {
-  static const cell::Cell cell = cell::read_cell(run::data("experiments/thesis/cell/cells/aristo.json"));
+  static const cell::Cell cell = cell::read_cell(program::data("experiments/thesis/cell/cells/aristo.json"));
   return cell;
 }
 

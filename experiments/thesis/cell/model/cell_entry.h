@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/input.h"
+#include "experiments/program/input.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
@@ -83,7 +83,7 @@ template <class Error>
 [[nodiscard]] std::string read_at_most(const std::filesystem::path& file, std::size_t most_mib) {
   std::ifstream stream;
   try {
-    stream = run::open_file(file);
+    stream = program::open_file(file);
   } catch (const std::runtime_error& error) {
     throw Error(error.what());
   }

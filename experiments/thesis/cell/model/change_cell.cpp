@@ -9,7 +9,7 @@
 #include <regex>
 #include <utility>
 
-#include "experiments/run/json.h"
+#include "experiments/program/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 
 namespace touchstone::cell {
@@ -34,11 +34,11 @@ Pointer pointer_to(const std::string& path) {
 
 json value_of(const std::string& path, const std::string& text) {
   try {
-    run::StrictJson read = run::read_strict_json(text);
+    program::StrictJson read = program::read_strict_json(text);
     if (read.duplicate_key) throw BadCell(fmt::format("{}: duplicate key \"{}\"", path, *read.duplicate_key));
     if (read.too_deep) throw BadCell(path + ": is nested too deep");
     return std::move(read.value);
-  } catch (const run::NotJson&) {
+  } catch (const program::NotJson&) {
     return text;
   }
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/json.h"
+#include "experiments/program/json.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/cell/model/change_cell.h"
 #include "experiments/thesis/cell/model/reach.h"
@@ -21,15 +21,15 @@ namespace {
 
 constexpr double kMostStops = 100'000;  // of a joint, from limit to limit: about ten seconds of a process
 
-run::StrictJson load(const std::filesystem::path& file) {
+program::StrictJson load(const std::filesystem::path& file) {
   const std::string text = read_at_most<BadCell>(file, kMostCellMib);
   try {
-    run::StrictJson json = run::read_strict_json(text);
+    program::StrictJson json = program::read_strict_json(text);
     if (json.duplicate_key) throw BadCell(fmt::format("{}: duplicate key \"{}\"", file.string(), *json.duplicate_key));
     if (json.too_deep)
-      throw BadCell(fmt::format("{}: is nested deeper than {} levels", file.string(), run::kMostLevels));
+      throw BadCell(fmt::format("{}: is nested deeper than {} levels", file.string(), program::kMostLevels));
     return json;
-  } catch (const run::NotJson& error) {
+  } catch (const program::NotJson& error) {
     throw BadCell(fmt::format("{}: is not JSON: {}", file.string(), error.what()));
   }
 }
@@ -80,7 +80,7 @@ void read_labels(std::map<std::string, Label>& labels, const CellEntry& whole) {
 }  // namespace
 
 std::map<std::string, std::vector<std::string>> read_presets(const std::filesystem::path& file) {
-  const run::StrictJson json = load(file);
+  const program::StrictJson json = load(file);
   return presets_of(CellEntry(file.string(), "", json.value));
 }
 
@@ -95,7 +95,7 @@ std::vector<std::string> preset(const std::filesystem::path& file, const std::st
 
 Plant read_plant(const std::filesystem::path& file, const std::optional<std::filesystem::path>& meshes,
                  const std::vector<std::string>& changes) {
-  run::StrictJson json = load(file);
+  program::StrictJson json = load(file);
   for (const std::string& change : changes) change_cell(json.value, change);
   const CellEntry whole(file.string(), "", json.value);
   whole.has_only({"name", "unit", "step", "clearance", "meshes", "robot", "robots", "gripper", "storage", "storages",

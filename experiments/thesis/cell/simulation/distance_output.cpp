@@ -18,8 +18,8 @@ struct LeastRow {
   std::optional<double> seconds;
 };
 
-run::Table<LeastRow> separation_csv() {
-  using run::path;
+program::Table<LeastRow> separation_csv() {
+  using program::path;
   return {"separation.csv",
           "a thing that moves, and one that stands",
           {{"mover", "arm, held material or sphere", path(&LeastRow::least, &LeastDistance::mover)},
@@ -49,8 +49,8 @@ struct TriggerRow {
   std::optional<double> seconds;
 };
 
-run::Table<TriggerRow> triggers_csv() {
-  using run::path;
+program::Table<TriggerRow> triggers_csv() {
+  using program::path;
   const auto place = [](int i) { return [i](const TriggerRow& row) { return row.trigger->at[i]; }; };
   return {
       "triggers.csv",
@@ -96,7 +96,7 @@ void write_separation(const std::filesystem::path& folder, const Workcell& workc
   separation_csv().write(folder, least_rows(workcell, process, separation));
 }
 
-run::TableDescription separation_table() { return separation_csv().description(); }
+program::TableDescription separation_table() { return separation_csv().description(); }
 
 std::string triggers_text(const Workcell& workcell, const Process& process) {
   if (workcell.cell().zones.empty()) return "";
@@ -110,6 +110,6 @@ void write_triggers(const std::filesystem::path& folder, const Workcell& workcel
   triggers_csv().write(folder, trigger_rows(workcell, process));
 }
 
-run::TableDescription triggers_table() { return triggers_csv().description(); }
+program::TableDescription triggers_table() { return triggers_csv().description(); }
 
 }  // namespace touchstone::cell

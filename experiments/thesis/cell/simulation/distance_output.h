@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "experiments/run/table.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/separation.h"
 
@@ -18,7 +18,7 @@ namespace touchstone::cell {
 void write_separation(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
                       const Separation& separation);
 
-[[nodiscard]] run::TableDescription separation_table();
+[[nodiscard]] program::TableDescription separation_table();
 
 /// Returns what came into virtual objects, one line each; nothing if the cell has none.
 [[nodiscard]] std::string triggers_text(const Workcell& workcell, const Process& process);
@@ -26,6 +26,6 @@ void write_separation(const std::filesystem::path& folder, const Workcell& workc
 /// Writes triggers.csv: when what came into which virtual object.
 void write_triggers(const std::filesystem::path& folder, const Workcell& workcell, const Process& process);
 
-[[nodiscard]] run::TableDescription triggers_table();
+[[nodiscard]] program::TableDescription triggers_table();
 
 }  // namespace touchstone::cell

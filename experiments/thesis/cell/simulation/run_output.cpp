@@ -10,8 +10,8 @@
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/verdict.h"
-#include "experiments/run/output.h"
-#include "experiments/run/table.h"
+#include "experiments/program/output.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/simulation/distance_output.h"
 #include "experiments/thesis/cell/simulation/process.h"
 #include "experiments/thesis/cell/simulation/timing.h"
@@ -45,8 +45,8 @@ struct MoveRow {
   std::optional<double> seconds;
 };
 
-run::Table<MoveRow> moves_csv() {
-  using run::path;
+program::Table<MoveRow> moves_csv() {
+  using program::path;
   const auto contact = [](auto FirstContact::*member) {
     return [member](const MoveRow& row) {
       return row.move->contact ? std::optional((*row.move->contact).*member) : std::nullopt;
@@ -84,9 +84,9 @@ struct StopRow {
   [[nodiscard]] const Eigen::Vector3d& sphere() const { return stop->sphere.center; }
 };
 
-run::Table<StopRow> trajectory_csv(const std::vector<std::string>& joints) {
-  using run::path;
-  std::vector<run::Column<StopRow>> columns{
+program::Table<StopRow> trajectory_csv(const std::vector<std::string>& joints) {
+  using program::path;
+  std::vector<program::Column<StopRow>> columns{
       {"stop", "its number", &StopRow::number},
       {"phase", "the part of the process",
        [](const StopRow& row) { return row.move ? to_string(row.move->phase) : std::string_view("home"); }},
@@ -108,11 +108,11 @@ run::Table<StopRow> trajectory_csv(const std::vector<std::string>& joints) {
 
 struct ScoreRow {
   const Score* score;
-  run::Rate wrong;
+  program::Rate wrong;
 };
 
-run::Table<ScoreRow> methods_csv() {
-  using run::path;
+program::Table<ScoreRow> methods_csv() {
+  using program::path;
   return {"methods.csv",
           "a method beside the exact answers",
           {{"method", "the method", [](const ScoreRow& row) { return row.score->method->name(); }},
@@ -121,9 +121,9 @@ run::Table<ScoreRow> methods_csv() {
            {"wrong_misses", "wrong answers no", path(&ScoreRow::score, &Score::wrong_misses)},
            {"unsure", "questions that it did not decide", path(&ScoreRow::score, &Score::unsure)},
            {"stops", "stops with a wrong answer", path(&ScoreRow::score, &Score::stops)},
-           {"share_low", "the lower limit of the share of wrong answers", path(&ScoreRow::wrong, &run::Rate::lower),
+           {"share_low", "the lower limit of the share of wrong answers", path(&ScoreRow::wrong, &program::Rate::lower),
             "{:.3g}"},
-           {"share_high", "its upper limit", path(&ScoreRow::wrong, &run::Rate::upper), "{:.3g}"}}};
+           {"share_high", "its upper limit", path(&ScoreRow::wrong, &program::Rate::upper), "{:.3g}"}}};
 }
 
 struct NearRow {
@@ -131,7 +131,7 @@ struct NearRow {
   std::uint64_t near, questions;
 };
 
-run::Table<NearRow> near_csv() {
+program::Table<NearRow> near_csv() {
   return {"near.csv",
           "an exponent",
           {{"exponent", "k", &NearRow::exponent},
@@ -170,7 +170,7 @@ std::vector<StopRow> stop_rows(const Workcell& workcell, const Process& process)
 std::vector<ScoreRow> score_rows(const MethodComparison& comparison) {
   std::vector<ScoreRow> rows;
   for (const Score& score : comparison.scores)
-    rows.push_back({&score, run::rate(score.wrong_hits + score.wrong_misses, score.asked)});
+    rows.push_back({&score, program::rate(score.wrong_hits + score.wrong_misses, score.asked)});
   return rows;
 }
 
@@ -259,10 +259,10 @@ void write_run(const std::filesystem::path& folder, const Workcell& workcell, co
   write_triggers(folder, workcell, process);
   methods_csv().write(folder, score_rows(comparison));
   near_csv().write(folder, near_rows(comparison));
-  run::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
+  program::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
 }
 
-std::vector<run::TableDescription> run_tables() {
+std::vector<program::TableDescription> run_tables() {
   return {moves_csv().description(),   trajectory_csv({"<joint>"}).description(),
           separation_table(),          triggers_table(),
           methods_csv().description(), near_csv().description()};

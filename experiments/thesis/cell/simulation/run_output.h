@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/table.h"
+#include "experiments/program/table.h"
 #include "experiments/thesis/cell/simulation/method_comparison.h"
 #include "experiments/thesis/cell/simulation/separation.h"
 
@@ -30,6 +30,6 @@ namespace touchstone::cell {
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
                const Separation& separation, const MethodComparison& comparison, std::size_t most = 1000);
 
-[[nodiscard]] std::vector<run::TableDescription> run_tables();
+[[nodiscard]] std::vector<program::TableDescription> run_tables();
 
 }  // namespace touchstone::cell

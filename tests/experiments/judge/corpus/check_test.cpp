@@ -8,7 +8,7 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/experiments/support/scratch.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kGood =
     R"({"id":"good","ball":{"center":[1,1,2],"radius":2},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},"expected":{"plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[1,1,0],"distance":2,"contact_normal":[0,0,1],"depth":0,"off_plane":0}})";
 
-Findings check_files(const std::vector<std::string>& files, run::Part part = {}) {
+Findings check_files(const std::vector<std::string>& files, program::Part part = {}) {
   const std::atomic<bool> stop = false;
   return corpus::check_files(files, part, stop, [](std::uint64_t) {});
 }
@@ -27,7 +27,7 @@ Findings check_files(const std::vector<std::string>& files, run::Part part = {})
 std::string file_of(const std::filesystem::path& file, const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
-  run::write_file(file, text);
+  program::write_file(file, text);
   return file.string();
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Failures compared with a baseline: a changed answer is noticed and named.
+#include "experiments/judge/regress/regress.h"
+
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -13,9 +15,8 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/commands.h"
-#include "experiments/judge/regress/regress.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/run_command.h"
@@ -94,7 +95,7 @@ TEST(OutcomeTable, AMethodIsNotWrongWhereItIsUnsure) {
 TEST(Baseline, ReadsWhatItWrites) {
   const run_tests::Scratch scratch;
   const Baseline baseline{kSmall, outcomes_of({"fast", "thesis-float", "interval"})};
-  run::write_file(scratch.path / "baseline.json", baseline_text(baseline));
+  program::write_file(scratch.path / "baseline.json", baseline_text(baseline));
   const Baseline read = read_baseline(scratch.path / "baseline.json");
   EXPECT_EQ(read.settings, baseline.settings);
   EXPECT_EQ(read.table, baseline.table);
@@ -106,7 +107,7 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
   const run_tests::Scratch scratch;
   const auto fault = [&](const std::string& text) {
     const auto file = scratch.path / "baseline.json";
-    run::write_file(file, text);
+    program::write_file(file, text);
     return message_of([&] { return read_baseline(file); }).substr(file.string().size());
   };
   EXPECT_EQ(fault("{\n\"version\" 1}"),
@@ -196,7 +197,7 @@ TEST(Regress, TakesSeedAndSamplesFromTheBaselineOrFromTheOptions) {
 TEST(Regress, RefusesABaselineWithoutAnyMethodOfTheRun) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  run::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
+  program::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
   const auto ran = run_tests::run_captured(commands::regress_command, {"--baseline", file, "--methods", "fast"});
   EXPECT_EQ(ran.status, 2) << ran.out;
   EXPECT_EQ(ran.err, file + ": has none of the methods of this run");
@@ -205,7 +206,7 @@ TEST(Regress, RefusesABaselineWithoutAnyMethodOfTheRun) {
 TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  run::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
+  program::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
   const std::vector<std::string> named = {"--baseline", file, "--methods", "thesis,fast"};
   const auto refused = run_tests::run_captured(commands::regress_command, named);
   EXPECT_EQ(refused.status, 2) << refused.out;
@@ -225,7 +226,7 @@ TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
   const std::vector<std::string> arguments = {"--methods", "fast", "--samples", "1", "--write", file};
   EXPECT_EQ(run_tests::run_captured(commands::regress_command, arguments).status, 0);
   const std::string written = run_tests::text_of(file);
-  run::write_file(file, "mine");
+  program::write_file(file, "mine");
   const auto refused = run_tests::run_captured(commands::regress_command, arguments);
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");  // no time was spent
@@ -243,7 +244,7 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   Outcomes& outcomes = baseline.table["thesis"]["star"];
   const auto wrong = static_cast<std::size_t>(std::ranges::find(outcomes, Outcome::Wrong) - outcomes.begin());
   outcomes[wrong] = Outcome::Right;  // as if it had been right about it
-  run::write_file(scratch.path / "baseline.json", baseline_text(baseline));
+  program::write_file(scratch.path / "baseline.json", baseline_text(baseline));
   const auto ran = run_tests::run_captured(commands::regress_command,
                                            {"--baseline", (scratch.path / "baseline.json").string(), "--methods",
                                             "thesis,boost-geometry", "--output", (scratch.path / "out").string()});

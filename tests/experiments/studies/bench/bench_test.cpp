@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands.h"
-#include "experiments/run/timing.h"
+#include "experiments/program/timing.h"
 #include "experiments/studies/bench/families.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/run_command.h"
@@ -290,13 +290,13 @@ TEST(BenchCommand, CountsTheQueriesOfOnePool) {
 TEST(BenchCommand, WrongOptionsAreErrors) {
   const Scratch scratch;
   std::ofstream(scratch.path / "not ours") << "kept";
-  EXPECT_THROW(run_bench({"--samples", "0"}), run::UsageError);
-  EXPECT_THROW(run_bench({"--samples", "10000001"}), run::UsageError);
-  EXPECT_THROW(run_bench({"--repetitions", "0"}), run::UsageError);
-  EXPECT_THROW(run_bench({"--count", "fast"}), run::UsageError);
-  EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), run::UsageError);
+  EXPECT_THROW(run_bench({"--samples", "0"}), program::UsageError);
+  EXPECT_THROW(run_bench({"--samples", "10000001"}), program::UsageError);
+  EXPECT_THROW(run_bench({"--repetitions", "0"}), program::UsageError);
+  EXPECT_THROW(run_bench({"--count", "fast"}), program::UsageError);
+  EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), program::UsageError);
   EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--output", scratch.path.string()}), std::runtime_error);
-  const std::string said = run_tests::message_of<run::UsageError>([] { run_bench({"--family", "circles"}); });
+  const std::string said = run_tests::message_of<program::UsageError>([] { run_bench({"--family", "circles"}); });
   EXPECT_NE(said.find("there are random-triangles, half-near, "), std::string::npos) << said;
 }
 

@@ -398,10 +398,10 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
 }
 
 TEST(SceneBenchCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_bench_scenes({"--max-faces", "999"}), run::UsageError);
-  EXPECT_THROW(run_bench_scenes({"--max-faces", "10000001"}), run::UsageError);
-  EXPECT_THROW(run_bench_scenes({"--axes", "far"}), run::UsageError);
-  EXPECT_THROW(run_bench_scenes({"--count", "fast"}), run::UsageError);
+  EXPECT_THROW(run_bench_scenes({"--max-faces", "999"}), program::UsageError);
+  EXPECT_THROW(run_bench_scenes({"--max-faces", "10000001"}), program::UsageError);
+  EXPECT_THROW(run_bench_scenes({"--axes", "far"}), program::UsageError);
+  EXPECT_THROW(run_bench_scenes({"--count", "fast"}), program::UsageError);
   EXPECT_THROW(run_bench_scenes({"--meshes", "/nowhere"}), std::runtime_error);
 }
 

@@ -9,7 +9,7 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/study.h"
+#include "experiments/program/study.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/measure.h"
 #include "tests/experiments/support/message_of.h"
@@ -187,7 +187,7 @@ TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
 
 // Sums of the largest sweep that the options allow stay below 2^64.
 TEST(NearEdgeCounts, DoNotOverflow) {
-  using run::kMostSamples;
+  using program::kMostSamples;
   const std::uint64_t most = kMostSamples * cases::all_strata().size() * cases::all_offsets().size() * kTests.size();
   EXPECT_EQ(most / cases::all_strata().size() / cases::all_offsets().size() / kTests.size(), kMostSamples);
   EXPECT_LT(kMostSamples * cases::all_strata().size(), std::uint64_t{1} << 48) << "indices and redrawn ones stay apart";
@@ -233,14 +233,14 @@ std::string error_of(const std::vector<std::string>& arguments) {
 TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);
-  EXPECT_THROW(run_command({"--samples", "0"}), run::UsageError);
-  EXPECT_THROW(run_command({"--samples", "1099511627777"}), run::UsageError);
-  EXPECT_THROW(run_command({"--holes", "-1"}), run::UsageError);
-  EXPECT_THROW(run_command({"--vertices", "2"}), run::UsageError);
+  EXPECT_THROW(run_command({"--samples", "0"}), program::UsageError);
+  EXPECT_THROW(run_command({"--samples", "1099511627777"}), program::UsageError);
+  EXPECT_THROW(run_command({"--holes", "-1"}), program::UsageError);
+  EXPECT_THROW(run_command({"--vertices", "2"}), program::UsageError);
   const Scratch scratch;
   EXPECT_EQ(error_of({"--vertices", "1025", "--output", scratch.path.string()}),
             "--vertices 1025: outlines of the family random-simple have at most 1024");
-  EXPECT_THROW(run_command({"--origin-distance", "-1"}), run::UsageError);
+  EXPECT_THROW(run_command({"--origin-distance", "-1"}), program::UsageError);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
 #include "experiments/methods/registry.h"
-#include "experiments/run/statistics/shares.h"
+#include "experiments/program/statistics/shares.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/support/planted_method.h"
@@ -157,7 +157,7 @@ TEST(Search, TheNumberOfThreadsChangesNothing) {
   const auto one = search_settings({"fast", "thesis"}, {Family::U}, 1),
              three = search_settings({"fast", "thesis"}, {Family::U}, 3);
   const Onsets onsets = onsets_of(one, 7), same = onsets_of(three, 7);
-  EXPECT_EQ(run::archived(onsets), run::archived(same));
+  EXPECT_EQ(program::archived(onsets), program::archived(same));
   EXPECT_EQ(climbed(one, onsets).all, climbed(three, same).all);
 }
 

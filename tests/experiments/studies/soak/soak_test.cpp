@@ -15,8 +15,8 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/commands.h"
-#include "experiments/run/output.h"
-#include "experiments/run/sweep.h"
+#include "experiments/program/output.h"
+#include "experiments/program/sweep.h"
 #include "experiments/studies/soak/measure.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
@@ -460,13 +460,13 @@ TEST(SoakCommand, OptionsThatMeanNothingToPrintedCasesAreErrorsThatNameThem) {
        {{"--threads", "1"}, {"--output", "folder"}, std::vector<std::string>{"--force"}}) {
     std::vector<std::string> words{"--samples", "1", "--print"};
     words.insert(words.end(), option.begin(), option.end());
-    const std::string said = run_tests::message_of<run::UsageError>([&] { run_command(words); });
+    const std::string said = run_tests::message_of<program::UsageError>([&] { run_command(words); });
     EXPECT_NE(said.find(option.front() + " excludes --print"), std::string::npos) << said;
   }
 }
 
 TEST(SoakCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--from", "1.5"}), run::UsageError);
+  EXPECT_THROW(run_command({"--from", "1.5"}), program::UsageError);
   EXPECT_THROW(run_command({"--from", "18446744073709551615", "--samples", "2"}), std::invalid_argument);
 }
 

@@ -72,7 +72,7 @@ run_tests::PlantedMethod planted(std::function<PartialAnswer(PartialAnswer, Quer
 SampledFailures sum_of(const Summary& summary, Tested test, std::size_t method) {
   SampledFailures sum;
   for (const auto& [cell, failures] : summary.failures)
-    if (std::get<2>(cell) == test && std::get<3>(cell) == method) run::add(sum, failures);
+    if (std::get<2>(cell) == test && std::get<3>(cell) == method) program::add(sum, failures);
   return sum;
 }
 
@@ -342,7 +342,7 @@ TEST(StabilityCommand, WritesResultsAndASidecar) {
 
 TEST(StabilityCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
-  EXPECT_THROW(run_command({"--axes", "width"}), run::UsageError);
+  EXPECT_THROW(run_command({"--axes", "width"}), program::UsageError);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/run/input.h"
-#include "experiments/run/output.h"
+#include "experiments/program/input.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/model/cell_entry.h"
 #include "experiments/thesis/figures/entry.h"
 #include "tests/experiments/support/message_of.h"
@@ -27,7 +27,7 @@ const Entry& entry_of(const std::vector<Entry>& entries, std::string_view id) {
   return *std::ranges::find_if(entries, [&](const Entry& entry) { return entry.id == id; });
 }
 
-std::string text_of_figures() { return run_tests::text_of(run::data("experiments/thesis/figures/figures.json")); }
+std::string text_of_figures() { return run_tests::text_of(program::data("experiments/thesis/figures/figures.json")); }
 
 /// Whether a number from the thesis's text stands there, so called, and agrees.
 bool holds(const Entry& entry, const std::string& what, double stated) {
@@ -85,7 +85,7 @@ TEST(Figures, NameWhatIsComputedAndNothingElse) {
 std::string complaint_of(const std::string& text) {
   const run_tests::Scratch scratch;
   const auto file = scratch.path / "figures.json";
-  run::write_file(file, text);
+  program::write_file(file, text);
   return run_tests::after_file(
       file, run_tests::message_of<cell::BadCell>([&] { return read_entries(file, computed(begun())); }));
 }

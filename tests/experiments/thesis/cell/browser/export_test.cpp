@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/browser/cell_json.h"
 #include "experiments/thesis/cell/browser/page.h"
 #include "tests/experiments/support/run_command.h"
@@ -74,7 +74,7 @@ TEST_F(ExportCommand, WritesAPage) {
 }
 
 TEST_F(ExportCommand, WritesOverNothingUnlessForced) {
-  run::write_file(path("run.html"), "mine");
+  program::write_file(path("run.html"), "mine");
   const run_tests::Ran refused = run({file, path("run.html")});
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.err, path("run.html") + ": exists already; --force overwrites it");

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/run/output.h"
-#include "experiments/run/stop_signal.h"
+#include "experiments/program/output.h"
+#include "experiments/program/stop_signal.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/cell/browser/aristo.h"
@@ -32,7 +32,7 @@ run_tests::Ran serve(std::vector<std::string> arguments) {
 TEST(ServeCommand, NamesTheKeyOfABadCellFile) {
   const run_tests::Scratch scratch;
   const std::string file = scratch.path / "bad.json";
-  run::write_file(file, R"({"nam": "x"})");
+  program::write_file(file, R"({"nam": "x"})");
   const run_tests::Ran ran = serve({file});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err.rfind(file + ": nam: is an unknown key", 0), 0U) << ran.err;
@@ -56,7 +56,7 @@ class ServingProcess {
     if (::pipe(pipe) != 0) throw std::runtime_error("no pipe");
     process_ = ::fork();
     if (process_ == 0) {
-      for (const int signal : run::kEndSignals) std::signal(signal, SIG_DFL);
+      for (const int signal : program::kEndSignals) std::signal(signal, SIG_DFL);
       ::dup2(pipe[1], STDOUT_FILENO);
       ::_exit(commands::cell_command()({"serve", aristo().file.string(), "--port", "0"}));
     }

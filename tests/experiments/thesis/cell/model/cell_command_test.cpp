@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/model/link_model.h"
 #include "tests/experiments/support/cells.h"
 #include "tests/experiments/support/run_command.h"
@@ -67,7 +67,7 @@ TEST_F(CellCommand, ShowNamesWhatRunWouldRefuse) {
     std::string text = run_tests::text_of(path("mine/cell.json"));
     const auto at = text.find(from);
     ASSERT_NE(at, std::string::npos) << from;
-    run::write_file(path("mine/cell.json"), text.replace(at, from.size(), to));
+    program::write_file(path("mine/cell.json"), text.replace(at, from.size(), to));
   };
   change("\"factor\": -1", "\"factor\": 0.5");
   const Ran warned = touchstone_cell({"show", path("mine/cell.json")});
@@ -97,7 +97,7 @@ TEST_F(CellCommand, ShowIsTheSameEveryTime) {
 }
 
 TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
-  run::write_file(path("bad.json"), R"({"nam":"x"})");
+  program::write_file(path("bad.json"), R"({"nam":"x"})");
   const Ran ran = touchstone_cell({"show", path("bad.json")});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err,

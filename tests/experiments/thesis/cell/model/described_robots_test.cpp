@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/kinematics/chain.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/reach.h"
@@ -81,7 +81,7 @@ Cell cell_of(const std::string& urdf, json robot, double radius, double height) 
     cell[station]["radius"] = radius;
     cell[station]["height"] = height;
   }
-  run::write_file(scratch.path / "cell.json", cell.dump());
+  program::write_file(scratch.path / "cell.json", cell.dump());
   return read_cell(scratch.path / "cell.json");
 }
 
@@ -219,7 +219,7 @@ class Urdf : public testing::Test {
     std::string text = run_tests::text_of(kRobots / "three.urdf");
     const std::size_t at = text.find(from);
     if (at == std::string::npos) throw std::logic_error("nothing to replace");
-    run::write_file(file, text.replace(at, from.size(), to));
+    program::write_file(file, text.replace(at, from.size(), to));
     return read_urdf(file, 8, {workloads::find_unit("mm"), scratch.path / "elsewhere", {scratch.path}}, ends);
   }
   [[nodiscard]] std::string fault(const std::string& from, const std::string& to, const UrdfEnds& ends = {}) const {
@@ -310,9 +310,9 @@ TEST_F(Urdf, NamesBecomePlain) {
 }
 
 TEST_F(Urdf, MeshesAreFoundBesideTheFileAndInPackagesAndModels) {
-  run::make_folder(scratch.path / "arm" / "meshes");
+  program::make_folder(scratch.path / "arm" / "meshes");
   const char* const tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-  run::write_file(scratch.path / "arm/meshes/a.obj", tetrahedron);
+  program::write_file(scratch.path / "arm/meshes/a.obj", tetrahedron);
   for (const char* name : {"arm/meshes/a.obj", "model://arm/meshes/a.obj", "package://arm/meshes/a.obj"})
     EXPECT_EQ(bounds_of(upper("<mesh filename=\"" + std::string(name) + "\"/>")).max(),
               Eigen::Vector3d(1000, 1000, 1000))

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 LinkModel read(const std::string& text) {
   const run_tests::Scratch scratch;
-  run::write_file(scratch.path / "Axis1.txt", text);
+  program::write_file(scratch.path / "Axis1.txt", text);
   return read_link_model(scratch.path / "Axis1.txt");
 }
 
@@ -27,7 +27,7 @@ LinkModel read(const std::string& text) {
 std::string fault_of_model(const std::string& text) {
   const run_tests::Scratch scratch;
   const std::string path = (scratch.path / "Axis1.txt").string();
-  run::write_file(path, text);
+  program::write_file(path, text);
   return run_tests::after_file(path, run_tests::message_of<BrokenMesh>([&] { return read_link_model(path); }));
 }
 

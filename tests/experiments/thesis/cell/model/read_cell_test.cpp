@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/model/solid.h"
 #include "experiments/thesis/cell/simulation/arm.h"
 #include "tests/experiments/support/cells.h"
@@ -36,7 +36,7 @@ class BadCells : public testing::Test {
   /// What a cell file with this text is refused for, after the name of the file.
   [[nodiscard]] std::string fault(const std::string& text) const {
     const std::string file = (scratch.path / "cell.json").string();
-    run::write_file(file, text);
+    program::write_file(file, text);
     return after_file(file, message_of<BadCell>([&] { return read_cell(file); }));
   }
   /// The same of the Aristo's file with one value in place of another; null takes the key out.
@@ -56,7 +56,7 @@ class BadCells : public testing::Test {
     if (at == std::string::npos) return "nothing to replace";
     text.replace(at, old_text.size(), new_text);
     const std::string file = (scratch.path / "aristo.urdf").string();
-    run::write_file(file, text);
+    program::write_file(file, text);
     return after_file(file, fault(whole.dump()));
   }
 
@@ -182,13 +182,13 @@ TEST_F(BadCells, AnAxisMayHaveAnyLength) {
     for (std::size_t at = 0; (at = text.find("<axis xyz=", at)) != std::string::npos; ++at)
       text.replace(text.find('1', at), 1, length);
     ASSERT_NE(text, urdf);
-    run::write_file(scratch.path / "aristo.urdf", text);
+    program::write_file(scratch.path / "aristo.urdf", text);
     EXPECT_EQ(fault(whole.dump()), "") << length;
     const Cell cell = read_cell(scratch.path / "cell.json");
     for (const Joint& joint : cell.robot.joints) EXPECT_EQ(joint.axis.norm(), 1) << length << ' ' << joint.name;
     EXPECT_NO_THROW((void)arm_of(cell)) << length;
   }
-  run::write_file(scratch.path / "aristo.urdf", urdf);
+  program::write_file(scratch.path / "aristo.urdf", urdf);
   for (const double length : {1e200, 1e-200})
     EXPECT_EQ(fault("/gripper/fingers/along", json::array({0, length, 0})), "") << length;
   EXPECT_EQ(fault("/gripper/fingers/along", json::array({0, 0, 0})), "gripper.fingers.along: has no direction");
@@ -244,9 +244,9 @@ TEST_F(BadCells, UrdfsFromElsewhereAreRead) {
                       "<link name=\"Base\"><visual><geometry>" + inside + "</geometry></visual></link>");
   };
   EXPECT_EQ(link("<sphere radius=\"0.1\"/>"), "");
-  run::make_folder(scratch.path / "arm" / "meshes");
-  run::write_file(scratch.path / "arm/meshes/a.obj",
-                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  program::make_folder(scratch.path / "arm" / "meshes");
+  program::write_file(scratch.path / "arm/meshes/a.obj",
+                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   EXPECT_EQ(link("<mesh filename=\"package://arm/meshes/a.obj\"/>"), "");
   EXPECT_EQ(link("<mesh filename=\"file://" + (scratch.path / "arm/meshes/a.obj").string() + "\"/>"), "");
 }
@@ -292,7 +292,7 @@ TEST_F(BadCells, JointsThatSlideStandStill) {
   const std::string revolute = "name=\"wrist_pitch\" type=\"revolute\"";
   std::string urdf = run_tests::text_of(kCells / "aristo.urdf");
   urdf.replace(urdf.find(revolute), revolute.size(), "name=\"wrist_pitch\" type=\"prismatic\"");
-  run::write_file(scratch.path / "aristo.urdf", urdf);
+  program::write_file(scratch.path / "aristo.urdf", urdf);
   whole["robot"].erase("coupling");
   whole["robot"].erase("speeds");
   whole["robot"]["home"]["wrist_pitch"] = 1e9;
@@ -305,7 +305,7 @@ TEST_F(BadCells, JointsThatSlideStandStill) {
 // urdfdom's own words have no line; XML is checked before it reads it.
 TEST_F(BadCells, XmlFaultsAreNamedWithTheirLine) {
   const auto text = [&](const std::string& urdf) {
-    run::write_file(scratch.path / "aristo.urdf", urdf);
+    program::write_file(scratch.path / "aristo.urdf", urdf);
     return after_file(scratch.path / "aristo.urdf", fault(whole.dump()));
   };
   EXPECT_EQ(text(""), "line 1: is not XML in UTF-8: no element found");
@@ -331,7 +331,7 @@ TEST_F(BadCells, NamesInUrdfAreUtf8WithoutControlCharacters) {
   std::string latin = run_tests::text_of(kCells / "aristo.urdf");
   latin.replace(0, latin.find("?>"), "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"");
   latin.replace(latin.find(robot), robot.size(), "<robot name=\"&#xe9;\">");
-  run::write_file(scratch.path / "aristo.urdf", latin);
+  program::write_file(scratch.path / "aristo.urdf", latin);
   EXPECT_EQ(fault(whole.dump()), (scratch.path / "aristo.urdf").string() +
                                      R"(: robot \xe9: the name has a control character, or is not UTF-8)");
 }
@@ -378,7 +378,7 @@ TEST_F(BadCells, UrdfBoxesAndCylindersArePartsOfTheirLink) {
                  "<collision><geometry><cylinder radius=\"0.025\" length=\"0.4\"/></geometry></collision></link>"),
       "");
   whole["robot"]["links"].erase("Base");
-  run::write_file(scratch.path / "cell.json", whole.dump());
+  program::write_file(scratch.path / "cell.json", whole.dump());
   const Cell cell = read_cell(scratch.path / "cell.json");
   const std::vector<Part>& parts = cell.robot.links[0].parts;
   ASSERT_EQ(parts.size(), 2U);

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "experiments/run/output.h"
+#include "experiments/program/output.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/poses.h"
 #include "robust/exact/exact.h"
@@ -56,7 +56,7 @@ TEST(SolidFaces, WhatHasNoInsideIsRefused) {
 class MeshSolid : public testing::Test {
  protected:
   [[nodiscard]] Solid mesh(const std::string& text, const char* unit) const {
-    run::write_file(scratch.path / "part.obj", text);
+    program::write_file(scratch.path / "part.obj", text);
     return {MeshFile{scratch.path / "part.obj", workloads::find_unit(unit), workloads::find_unit("mm")}};
   }
   const run_tests::Scratch scratch;

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace touchstone::program {
+
+/// A faulty command line; the message names the option.
+class UsageError : public std::runtime_error {
+ public:
+  UsageError(const std::string& option, const std::string& reason) : std::runtime_error(option + ": " + reason) {}
+  explicit UsageError(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// A check of the text of an option: returns the fault if it is empty, else nothing.
+[[nodiscard]] inline std::string not_empty(const std::string& text) { return text.empty() ? "is empty" : ""; }
+
+struct CommandParts;
+struct Declared;
+
+/// A declared option. Other options are named as on the command line and must be declared before.
+class Option {
+ public:
+  Option& required();
+  Option& needs(const std::string& other);
+  Option& excludes(const std::string& other);
+  /// Excludes every option that was declared before, except these.
+  Option& excludes_all_but(const std::vector<std::string>& others);
+  /// Declares that results depend on this option, so that parts with other values are not merged. `canonical` returns
+  /// the value in its canonical form; without it, the value itself is compared, of a flag yes or no.
+  Option& changes_results(std::function<std::string()> canonical = {});
+  /// Sets what the help calls the value, such as `FILE`.
+  Option& takes(const std::string& word);
+  /// Given without the other option, empties the default of that one, which must be declared by `names`.
+  Option& replaces_default_of(const std::string& other);
+
+ private:
+  friend struct CommandParts;
+  Option(CommandParts& parts, std::shared_ptr<Declared> declared) : parts_(&parts), declared_(std::move(declared)) {}
+
+  CommandParts* parts_;
+  std::shared_ptr<Declared> declared_;
+};
+
+/// The options of a command, each declared once.
+///
+/// An option is bound to a variable, whose value at the declaration is the default. The variables must live as long as
+/// the command, for example in a struct that the function given to `runs` shares. Names begin with `--`; other names
+/// are positional arguments. The declarations yield the parser, its errors, the help, and the command line that repeats
+/// a run.
+class OptionList {
+ public:
+  Option flag(const std::string& name, bool& value, const std::string& about);
+  /// Returns the fault of a text, or an empty string.
+  using Check = std::function<std::string(const std::string&)>;
+  Option text(const std::string& name, std::string& value, const std::string& about, const Check& check = {});
+  /// A choice of one of these words.
+  Option choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
+                const std::string& about);
+  /// A choice of one of these enumerators, by to_string(enumerator).
+  template <class Enumerator>
+  requires std::is_enum_v<Enumerator> Option choice(const std::string& name, Enumerator& value,
+                                                    const std::vector<Enumerator>& all, const std::string& about) {
+    std::vector<std::string> words;
+    for (const Enumerator one : all) words.emplace_back(to_string(one));
+    return word_option(
+        name, [&value] { return std::string(to_string(value)); },
+        [&value, all](std::size_t index) { value = all[index]; }, words, about);
+  }
+  /// Values separated by commas.
+  Option names(const std::string& name, std::vector<std::string>& values, const std::string& about);
+  /// For a positional name, takes all remaining arguments. With `--`, the option may be repeated, with one value each.
+  Option texts(const std::string& name, std::vector<std::string>& values, const std::string& about,
+               const Check& check = {});
+  /// An integer from `lowest` to `highest`. A default outside this range means that the option has no default.
+  template <std::unsigned_integral T>
+  Option whole(const std::string& name, T& value, const std::string& about, std::uint64_t lowest = 0,
+               std::uint64_t highest = std::numeric_limits<T>::max()) {
+    return whole_number_option(
+        name, [&value] { return std::uint64_t{value}; }, [&value](std::uint64_t n) { value = static_cast<T>(n); },
+        about, lowest, highest);
+  }
+  Option integer(const std::string& name, int& value, const std::string& about);
+  /// A decimal number whose nearest double is from `lowest` to `highest`. A default outside this range means that the
+  /// option has no default.
+  Option real(const std::string& name, double& value, const std::string& about,
+              double lowest = std::numeric_limits<double>::lowest(),
+              double highest = std::numeric_limits<double>::max());
+
+  [[nodiscard]] CommandParts& parts() const { return *parts_; }
+
+ protected:
+  explicit OptionList(std::shared_ptr<CommandParts> parts) : parts_(std::move(parts)) {}
+  [[nodiscard]] CLI::App& app() const;
+
+ private:
+  Option whole_number_option(const std::string& name, const std::function<std::uint64_t()>& get,
+                             const std::function<void(std::uint64_t)>& set, const std::string& about,
+                             std::uint64_t lowest, std::uint64_t highest);
+
+  Option word_option(const std::string& name, const std::function<std::string()>& get,
+                     const std::function<void(std::size_t)>& set, const std::vector<std::string>& words,
+                     const std::string& about);
+
+  std::shared_ptr<CommandParts> parts_;
+};
+
+/// Declares a finite number above 0.
+Option declare_positive(OptionList& options, const std::string& name, double& value, const std::string& about);
+/// Requires exactly one of these options, or allows at most one.
+void require_one_of(OptionList& options, const std::vector<std::string>& names);
+void allow_one_of(OptionList& options, const std::vector<std::string>& names);
+
+// Options that several commands share.
+Option declare_seed(OptionList& options, std::uint64_t& value,
+                    const std::string& about = "Seed; equal seeds give equal bytes");
+Option declare_threads(OptionList& options, unsigned& value,
+                       const std::string& about = "Number of threads; does not affect the results");
+Option declare_methods(OptionList& options, std::vector<std::string>& values,
+                       const std::string& about = "Methods, separated by commas: names, or all");
+Option declare_families(OptionList& options, std::vector<std::string>& values);
+Option declare_meshes(OptionList& options, std::vector<std::string>& files, const std::string& about = "Mesh files");
+Option declare_folder(OptionList& options, std::string& folder, const std::string& about);
+Option declare_no_pictures(OptionList& options, bool& value);
+Option declare_force(OptionList& options, bool& value);
+Option declare_json(OptionList& options, bool& value, const std::string& about);
+Option declare_quiet(OptionList& options, bool& value, const std::string& about = "Print neither tables nor progress");
+
+/// Returns the number of threads of this machine, the default of --threads.
+[[nodiscard]] unsigned all_threads();
+
+}  // namespace touchstone::program
