@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Moving balls: what methods and engines answer near their thresholds."""
+"""Moving balls: what methods and engines answer near their thresholds, and what steps miss."""
 from shares import upper_limit
+from studies import steps
 from studies.motions import Data
 from studies.regress import ENGINES
 from values.latex import count, decimal, percent, power, table
 
 CERTIFIED = ("exact", "filtered")
+SMALL, LARGE = 2.0**-8, 2.0**-4  # radii of balls that steps move, in sizes of the polygon
+FEW, MANY = 4, 64  # steps
 
 
 def furthest(row):
@@ -25,6 +28,14 @@ def values(study):
         yield f"wrong/{method}", percent(row["failed"] / row["samples"])
         yield f"furthest/{method}", furthest(row)
         yield f"worst-size/{method}", decimal(row["worst_size"])
+    walked = steps.Data(study)
+    yield "passes", count(walked.passes)
+    for name, radius in (("small", SMALL), ("large", LARGE)):
+        yield f"{name}/radius", power(radius)
+        for kind, number in (("few", FEW), ("many", MANY)):
+            yield f"{name}/{kind}", percent(walked.at[radius, number]["rate"])
+    yield "few", count(FEW)
+    yield "many", count(MANY)
 
 
 def tables(study):

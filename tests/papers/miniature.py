@@ -74,14 +74,13 @@ FILES = {
                           (["across", "all"], ["fast", "bullet", "fcl"], 8, 2, 80, 2, 1, 0, 0.0625, 40, 20, 0, 4, 0, 0.25),
                           (["across", "all"], "libccd", 8, 1, 80, 1, 0, 0, 0, 0, 0, "", "", "", "")),
         "thresholds.csv": table("event feature method offset trials missed invented rate",
-                                ("graze", "edge", ["filtered", "fast"], [-0.0625, 0.0625], 8, 0, 0, 0))},
+                                ("graze", "edge", ["filtered", "fast"], [-0.0625, 0.0625], 8, 0, 0, 0)),
+        "steps.csv": table("radius steps passes contacts missed rate lower upper", ([0, 0.00390625, 0.0625], [1, 4, 64], 9, 8, 2, 0.25, 0, 0.9))},
     "recorded": {
         "recorded.csv": table("simulation radius method questions touching wrong upper failed_piles piles furthest",
                               (["bullet", "bullet-float"], ["own", "with threshold"], "filtered", 8, 4, 0, 0.3, 0, 2, 0),
                               *((name, ["own", "with threshold"], [name, "fast"], 8, 4, 2, 0.7, 2, 2, 0.25) for name in ("bullet", "bullet-float"))),
         "near.csv": table("simulation radius exponent near questions", (["bullet", "bullet-float"], ["own", "with threshold"], [0, 20, 50], 4, 8))},
-    "tunnelling": {
-        "misses.csv": table("radius steps contacts missed rate lower upper", ([0, 0.00390625, 0.0625], [1, 4, 64], 8, 2, 0.25, 0, 0.9))},
     "meshes": {
         "meshes.csv": table("mesh faces rejected method place test trials wrong",
                             ("arm", 4, 1, ["filtered", "exact"], ["face", "edge", "vertex"], "contact", 8, 0),

@@ -70,7 +70,7 @@ def data_make_the_numbers(root, results, output, scratch):
                  r"\defineval{bench/half-near/filtered/ratio}{1.50}", r"\defineval{bench/variants/commit}{0b1fcde08ba9}", r"\defineval{real/face/fast}{12\,\%}",
                  r"\defineval{thesis/home-poses-share}{45\,\%}", r"\defineval{thesis/base-turns}{149\textdegree{} and 66\textdegree{}}", r"\defineval{tradeoff/distance-right/filtered}{all}",
                  r"\defineval{motions/wrong/bullet}{25\,\%}", r"\defineval{motions/furthest/fcl}{$2^{-4}$}",
-                 r"\defineval{tunnelling/small/many}{25\,\%}", r"\defineval{recorded/doubles/near}{50\,\%}", r"\defineval{recorded/floats/wrong}{25\,\%}", r"\defineval{soak-moving/cases}{4}",
+                 r"\defineval{motions/small/many}{25\,\%}", r"\defineval{recorded/doubles/near}{50\,\%}", r"\defineval{recorded/floats/wrong}{25\,\%}", r"\defineval{soak-moving/cases}{4}",
                  r"\defineval{cell/questions}{200}", r"\defineval{cell/nearest}{$2^{-2}$}"):
         expect(line in values, f"not there: {line}")
     expect("& 110 &" in (output / "tables/scenes.tex").read_text(), "112,345 ns are not 110 us")

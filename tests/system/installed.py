@@ -24,12 +24,12 @@ PATIENCE = 300  # seconds, for what takes a few
 CALLS = [
     (["corpus", "make", "corpus"], "corpus/corpus.json"),
     (["recorded", "--methods", "fast", "--samples", "1", "--balls", "2", "--steps", "5", "--output", "recorded"], "recorded/*.csv"),
+    (["motions", "--methods", "filtered", "--vertices", "4", "--samples", "1", "--passes", "5", "--repetitions", "1", "--output", "motions"], "motions/steps.svg"),
     (["cell", "new", "new"], "new/cell.json"),
     (["cell", "layout", "--quick", "--output", "layout"], "layout/*.svg"),
     (["cell", "export", "new/cell.json", "cell.html"], "cell.html"),
     (["cell", "show", "new/cell.json", "--output", "show"], "show/run.json"),
     (["thesis", "--quick", "--samples", "100", "--output", "thesis"], "thesis/index.html"),
-    (["tunnelling", "--vertices", "4", "--samples", "5", "--repetitions", "1", "--output", "tunnelling"], "tunnelling/*.svg"),
 ]
 CASE = '{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]}}\n'
 IMPORT_ALL = """

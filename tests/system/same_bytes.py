@@ -22,15 +22,13 @@ STUDIES = {
                   "--no-pictures", "--threads", "1", "--samples", "21"],
     "soak": ["soak", "--seed", "5", "--threads", "1", "--samples", "20000"],
     "motions": ["motions", "--methods", "fast,cgal-double-distance", "--vertices", "6", "--seed", "5", "--no-pictures",
-                "--threads", "1", "--samples", "20"],
-    "tunnelling": ["tunnelling", "--vertices", "6", "--seed", "5", "--repetitions", "1", "--no-pictures", "--threads", "1",
-                   "--samples", "4000"],
+                "--threads", "1", "--samples", "20", "--passes", "2000", "--repetitions", "1"],
     "tradeoff": ["tradeoff", "--methods", "fast,thesis,interval,exact", "--families", "u", "--seed", "5",
                  "--queries", "1", "--repetitions", "1", "--no-pictures", "--threads", "1", "--samples", "60"],
     "stability": ["stability", "--methods", "fast,thesis", "--axes", "aspect,origin,mixed", "--seed", "5",
                   "--no-pictures", "--threads", "1", "--samples", "60"],
 }
-TIMES = {"timings.csv", "front.csv", "cost.csv"}
+TIMES = {"timings.csv", "front.csv", "steps-cost.csv"}
 PATIENCE = 60  # seconds, for what takes one or two
 
 
@@ -99,7 +97,7 @@ def check_refusals(program, folder):
     part("three", "--part", "3/3")
     part("moving", "--part", "2/2", "--moving")
     part("fewer", "--part", "2/2", samples="800")
-    part("other", "--part", "2/2", study="tunnelling")
+    part("other", "--part", "2/2", "--methods", "fast", "--passes", "2", study="motions", samples="2")
     refused("part 2/2 of soak is missing", "one")
     refused("FOLDER/one: is part 1/2, as FOLDER/one is", "one", "two", "one")
     refused("FOLDER/three: is part 3/3, unlike FOLDER/one, which is part 1/2", "three", "one")
@@ -107,7 +105,7 @@ def check_refusals(program, folder):
     refused("FOLDER/none: has no run.json: its part has not ended, so run it again", "one", "none")
     refused("FOLDER/moving/part.json: is of --moving yes, not of --moving no", "one", "moving")
     refused("FOLDER/fewer/part.json: is of --part 2/2 of 800 items, not of --part 2/2 of 900 items", "one", "fewer")
-    refused("FOLDER/other: is of tunnelling, unlike FOLDER/one, which is of soak", "one", "other")
+    refused("FOLDER/other: is of motions, unlike FOLDER/one, which is of soak", "one", "other")
     refused("FOLDER/two: is a part, so it cannot be the output", "one", "two", output="two")
     state = pathlib.Path(f"{folder}/two/part.json")
     whole = state.read_text()

@@ -15,7 +15,7 @@ from running import Failure, expect, run
 from same_bytes import compare, data
 
 STUDIES = {"soak": ["--samples", "4000", "--seed", "5"],
-           "tunnelling": ["--vertices", "6", "--seed", "5", "--repetitions", "1", "--no-pictures", "--samples", "200"]}
+           "motions": ["--methods", "filtered,fast", "--vertices", "6", "--seed", "5", "--samples", "3", "--passes", "200", "--repetitions", "1", "--no-pictures"]}
 PATIENCE = 300  # seconds, for what takes a few
 # Kills the program that runs the second part, once.
 KILLED = """#!/bin/sh

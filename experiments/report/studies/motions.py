@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Moving balls: wrong answers to whether they touch, and the errors of their times."""
+"""Moving balls: wrong answers to whether they touch, the errors of their times, and what steps miss."""
 import math
 import textwrap
 
@@ -14,13 +14,14 @@ from page import bar, code, count, number, percent, share_of_size, smaller, uppe
 from results import distinct, finite, maybe, natural, share
 from results import number as any_number
 from shares import percents
-from studies import OUTPUT, Run
+from studies import OUTPUT, Run, steps
 from studies.regress import ENGINES
 from style import curve, plt, rows_of, save
 
 RUN = Run(10, "moving balls near their thresholds",
-          full=[["motions", "--output", OUTPUT]], quick=[["motions", "--samples", "8", "--output", OUTPUT]],
-          tiny=["motions", "--methods", "exact,filtered,fast,cgal-epeck-distance", "--vertices", "6", "--samples", "1", "--no-pictures"])
+          full=[["motions", "--output", OUTPUT]], quick=[["motions", "--samples", "8", "--passes", "2000", "--output", OUTPUT]],
+          tiny=["motions", "--methods", "exact,filtered,fast,cgal-epeck-distance", "--vertices", "6", "--samples", "1", "--passes", "100",
+                "--repetitions", "1", "--no-pictures"])
 TITLE = "Moving balls: contact on the way"
 
 # How the ball moves, and what one of the threshold radius does.
@@ -108,7 +109,7 @@ def told(study):
         "ways": ["method", *(WAYS[way] for way in data.ways)], "events": ["method", *(EVENTS[event] for event in events)],
         "by_way": [[code(m), *(share_failed(row) if row["failed"] else "0" for row in (data.at[way, m] for way in data.ways))] for m in data.methods],
         "by_threshold": [[code(m), *(offset(data.furthest(m, *event)) for event in events)] for m in data.methods],
-        "drawn": smaller(study.folder, "grazing-pass"), "absent": [code(name) for name in NO_SWEEP if name not in data.methods]}
+        "drawn": smaller(study.folder, "grazing-pass"), "steps": steps.told(study), "absent": [code(name) for name in NO_SWEEP if name not in data.methods]}
 
 
 COLOURS = {"touches, rightly": "#ffffff", "misses, rightly": "#dddddd", "misses a contact": "#0072B2", "invents a contact": "#E69F00",
@@ -185,7 +186,7 @@ def draw_times(axes, rows, methods):
     axes.legend(fontsize=7, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2), frameon=False)
 
 
-def main(folder):
+def draw_pass(folder):
     rows = rows_of(folder / "pass.csv")
     spots = [(row["what"], float(row["x"]), float(row["y"])) for row in rows_of(folder / "pass-scene.csv")]
     methods = distinct(rows, "method")
@@ -196,3 +197,9 @@ def main(folder):
     draw_times(figure.add_subplot(grid[0, 1]), rows, methods)
     draw_verdicts(figure.add_subplot(grid[1, :]), rows, methods, offsets)
     save(figure, folder, "grazing-pass")
+
+
+def main(folder):
+    if (folder / "pass.csv").exists():  # a seed may have no such pass
+        draw_pass(folder)
+    steps.draw(folder)

@@ -52,14 +52,6 @@ std::string fault_of(const cases::Method& method) {
       answer->contact ? "is wrong about" : "does not say");
 }
 
-std::size_t kind_of(const AtThreshold& at, workloads::Way way) {
-  const auto place = [](const auto& list, auto value) {
-    return static_cast<std::size_t>(std::ranges::find(list, value) - list.begin());
-  };
-  return (place(kWays, way) * kEvents.size() + place(kEvents, at.event)) * kFeatures.size() +
-         place(kFeatures, at.feature);
-}
-
 /// All questions about one sample.
 class Sample {
  public:
@@ -130,7 +122,8 @@ void ask_all(const Settings& settings, std::uint64_t n, Errors& part) {
     }
     const Sample sample(*at, stratum, n);
     part.disagreements += sample.disagreements();
-    auto& by_method = part.at[kind_of(*at, all_strata()[stratum].way)];
+    auto& by_method = part.at[{all_strata()[stratum].way, at->event, at->feature}];
+    by_method.resize(settings.methods.size());
     for (std::size_t m = 0; m < settings.methods.size(); ++m)
       if (!settings.methods[m]->slow() || n % kSlowStride == 0) sample.ask(*settings.methods[m], by_method[m]);
   }
@@ -231,23 +224,8 @@ Furthest& Furthest::operator+=(const Furthest& other) {
   return *this;
 }
 
-const std::vector<Kind>& all_kinds() {
-  static const std::vector<Kind> kinds = [] {
-    std::vector<Kind> list;
-    for (std::size_t way = 0; way < kWays.size(); ++way)
-      for (std::size_t event = 0; event < kEvents.size(); ++event)
-        for (std::size_t feature = 0; feature < kFeatures.size(); ++feature) list.push_back({way, event, feature});
-    return list;
-  }();
-  return kinds;
-}
-
-Errors no_errors(const Settings& settings) {
-  return {.at = {all_kinds().size(), std::vector<MethodErrors>(settings.methods.size())}};
-}
-
 void measure_errors(const Settings& settings, const program::RunControl& control, Errors& errors) {
-  program::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
+  program::run_sweep(settings.samples, settings.threads, control, Errors(), errors,
                      [&](std::uint64_t n, Errors& part) { ask_all(settings, n, part); });
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -72,6 +73,8 @@ struct Settings {
   std::uint64_t samples = 1;  ///< per stratum
   std::uint64_t seed = 1;
   unsigned threads = 1;
+  std::uint64_t passes = 1;  ///< that are walked by steps
+  unsigned repetitions = 1;  ///< of each way of asking, for its time
 };
 
 /// Returns the selected methods, in this order. The name `all` stands for those that answer about moving balls. Throws
@@ -118,39 +121,38 @@ struct MethodErrors {
 
 /// A kind of samples.
 struct Kind {
-  std::size_t way, event, feature;  ///< of kWays, kEvents and kFeatures
+  workloads::Way way{};
+  Event event{};
+  Feature::Kind feature{};
+
+  auto members() { return std::tie(way, event, feature); }
+  friend auto operator<=>(const Kind&, const Kind&) = default;
 };
-[[nodiscard]] const std::vector<Kind>& all_kinds();
 
 /// The results of all methods. Sums do not depend on their order.
 struct Errors {
-  std::vector<std::vector<MethodErrors>> at;  ///< by all_kinds, then method
-  std::uint64_t samples = 0;                  ///< complete samples per stratum: fewer than requested if stopped
-  std::uint64_t missing = 0;                  ///< samples, over all strata, without a threshold
-  std::uint64_t disagreements = 0;            ///< balls for which `exact` differed from the threshold: a defect
+  std::map<Kind, std::vector<MethodErrors>> at;  ///< then by method
+  std::uint64_t samples = 0;                     ///< complete samples per stratum: fewer than requested if stopped
+  std::uint64_t missing = 0;                     ///< samples, over all strata, without a threshold
+  std::uint64_t disagreements = 0;               ///< balls for which `exact` differed from the threshold: a defect
 
   /// Returns the sum of one method over the kinds that `wanted` selects.
   template <class Wanted>
-  [[nodiscard]] MethodErrors sum(std::size_t method, const Wanted& wanted) const;
+  [[nodiscard]] MethodErrors sum(std::size_t method, const Wanted& wanted) const {
+    MethodErrors sum;
+    for (const auto& [kind, methods] : at)
+      if (wanted(kind)) program::add(sum, methods[method]);
+    return sum;
+  }
   auto members() { return std::tie(at, samples, missing, disagreements); }
 };
 
 [[nodiscard]] inline std::uint64_t items_done(const Errors& errors) { return errors.samples; }
-[[nodiscard]] Errors no_errors(const Settings& settings);
-
 /// Asks every method about the balls of all samples that `errors` does not contain yet; `exact` says what is right.
 ///
 /// The result is a function of the settings and the number of samples done; threads, stops and the other methods do not
 /// change it.
 void measure_errors(const Settings& settings, const program::RunControl& control, Errors& errors);
-
-template <class Wanted>
-MethodErrors Errors::sum(std::size_t method, const Wanted& wanted) const {
-  MethodErrors sum;
-  for (std::size_t kind = 0; kind < at.size(); ++kind)
-    if (wanted(all_kinds()[kind])) program::add(sum, at[kind][method]);
-  return sum;
-}
 
 /// A ball that grazes an edge in the middle of its way, for a picture.
 struct GrazingPass {

@@ -125,23 +125,21 @@ std::vector<WayRow> way_rows(const Settings& settings, const Errors& errors, boo
     }
   };
   if (each_way)
-    for (std::size_t way = 0; way < kWays.size(); ++way)
-      add(to_string(kWays[way]), [way](const Kind& kind) { return kind.way == way; });
+    for (const auto way : kWays) add(to_string(way), [way](const Kind& kind) { return kind.way == way; });
   add("all", [](const Kind&) { return true; });
   return rows;
 }
 
 std::vector<ThresholdRow> threshold_rows(const Settings& settings, const Errors& errors) {
   std::vector<ThresholdRow> rows;
-  for (std::size_t event = 0; event < kEvents.size(); ++event)
-    for (std::size_t feature = 0; feature < kFeatures.size(); ++feature)
+  for (const Event event : kEvents)
+    for (const auto feature : kFeatures)
       for (std::size_t m = 0; m < settings.methods.size(); ++m) {
         const MethodErrors sum =
             errors.sum(m, [&](const Kind& kind) { return kind.event == event && kind.feature == feature; });
         for (std::size_t i = 0; i < all_offsets().size(); ++i)
           if (const Failures& answers = sum.offsets[i]; answers.trials > 0)
-            rows.push_back({kEvents[event], kFeatures[feature], settings.methods[m]->name(), all_offsets()[i], answers,
-                            answers.rate()});
+            rows.push_back({event, feature, settings.methods[m]->name(), all_offsets()[i], answers, answers.rate()});
       }
   return rows;
 }

@@ -19,8 +19,7 @@ PICTURES = {
     "stability": ["failures", "onset"],
     "tradeoff": ["front-not-right"],
     "bench-scenes": ["queries-torus"],
-    "motions": ["grazing-pass"],
-    "tunnelling": ["tunnelling"],
+    "motions": ["grazing-pass", "steps"],
     "cell-area": ["cell-area-plan", "cell-area-heights"],
 }
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBox="0 0 72 36"><path d="M0 0L72 36"/></svg>'

@@ -109,7 +109,7 @@ TEST(Threshold, IsMovedBySharesOfTheExtent) {
 MethodErrors measured(run_tests::PlantedMethod::MovingChange change, std::uint64_t samples = 2) {
   const run_tests::PlantedMethod method(std::move(change));
   const Settings settings{.methods = {&method}, .vertices = 6, .samples = samples, .seed = 2};
-  Errors errors = no_errors(settings);
+  Errors errors;
   measure_errors(settings, {kNeverStop, kSilent}, errors);
   EXPECT_EQ(errors.samples, samples);
   EXPECT_EQ(errors.disagreements, 0U);
@@ -216,13 +216,15 @@ TEST(GrazingPass, IsSeenAcrossTheEdge) {
   }
 }
 
-const std::vector<std::string> kSmallRun{"--methods", "filtered,fast-float", "--vertices", "6", "--no-pictures"};
+const std::vector<std::string> kSmallRun{
+    "--methods", "filtered,fast-float", "--vertices", "6", "--passes", "60", "--repetitions", "1", "--no-pictures"};
 
 TEST(Motions, TheNumberOfThreadsChangesNothing) {
   std::vector<std::string> three = kSmallRun;
   three.insert(three.end(), {"--samples", "3"});
   run_tests::expect_that_threads_change_nothing(
-      commands::motions_command, three, {"ways.csv", "thresholds.csv", "furthest.jsonl", "pass.csv", "pass-scene.csv"});
+      commands::motions_command, three,
+      {"ways.csv", "thresholds.csv", "furthest.jsonl", "pass.csv", "pass-scene.csv", "steps.csv"});
 }
 
 TEST(Motions, AreNotAskedOfAMethodThatKnowsNone) {

@@ -1,37 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What discrete steps of a moving ball miss, and what the exact sweep costs beside them."""
+"""What discrete steps of a moving ball miss, and what the exact sweep costs beside them: a part of the study motions."""
 import math
 
 from looks import look_of
 from noise import TOO_NOISY, is_steady
 from page import bar, count, multiple, percent, rounded, share_of_size, smaller, upper_limit
 from results import distinct, finite, maybe, natural, share
-from studies import OUTPUT, Run
 from style import STYLES, plt, rows_of, save, whiskers
-
-RUN = Run(11, "what steps miss",
-          full=[["tunnelling", "--output", OUTPUT]], quick=[["tunnelling", "--samples", "2000", "--output", OUTPUT]],
-          tiny=["tunnelling", "--samples", "100", "--repetitions", "1", "--no-pictures"])
-TITLE = "Steps that pass through: tunnelling"
 
 
 class Data:
     def __init__(self, study):
-        self.misses = study.rows("misses.csv", radius=finite, steps=natural, contacts=natural, missed=natural, rate=share, lower=share,
+        self.misses = study.rows("steps.csv", radius=finite, steps=natural, passes=natural, contacts=natural, missed=natural, rate=share, lower=share,
                                  upper=share)
         self.radii = distinct(self.misses, "radius")
         self.steps = distinct(self.misses, "steps")
+        self.passes = self.misses[0]["passes"]
         self.at = {(row["radius"], row["steps"]): row for row in self.misses}
-        self.cost = {} if not (study.folder / "cost.csv").exists() else {
-            row["asked"]: row for row in study.rows("cost.csv", asked=str, median_ns=finite, lower_quartile_ns=finite, upper_quartile_ns=finite, lower_quartile_ratio=maybe(finite),
+        self.cost = {} if not (study.folder / "steps-cost.csv").exists() else {
+            row["asked"]: row for row in study.rows("steps-cost.csv", asked=str, median_ns=finite, lower_quartile_ns=finite, upper_quartile_ns=finite, lower_quartile_ratio=maybe(finite),
                                                  median_ratio=maybe(finite), upper_quartile_ratio=maybe(finite))}
 
     def cost_of(self, steps):
         return self.cost[f"{steps} step{'' if steps == 1 else 's'}"]
-
-
-def has_steady_time(row):
-    return is_steady(row["lower_quartile_ns"], row["upper_quartile_ns"])
 
 
 def has_steady_ratio(row):
@@ -51,7 +42,7 @@ def misses_row(data, radius, shown):
 
 
 def cost_row(name, row):
-    return [name, f"{rounded(row['median_ns'])} ns" if has_steady_time(row) else TOO_NOISY,
+    return [name, f"{rounded(row['median_ns'])} ns" if is_steady(row["lower_quartile_ns"], row["upper_quartile_ns"]) else TOO_NOISY,
             "1" if not row["median_ratio"] else multiple(row["median_ratio"]) if has_steady_ratio(row) else TOO_NOISY]
 
 
@@ -60,7 +51,7 @@ def told(study):
     shown = data.steps[::2]
     beaten = [n for n in data.steps if data.cost and has_steady_ratio(data.cost_of(n)) and data.cost_of(n)["median_ratio"] > 1]
     return {"data": data, "small": next(radius for radius in data.radii if radius), "large": data.radii[-3], "many": data.steps[-4], "few": data.steps[2],
-            "beaten": beaten[0] if beaten else 0, "drawn": smaller(study.folder, "tunnelling"),
+            "beaten": beaten[0] if beaten else 0, "drawn": smaller(study.folder, "steps"),
             "heads": ["the ball", "contacts", *(f"{count(n)} step{'s' if n > 1 else ''}" for n in shown)],
             "misses": [misses_row(data, radius, shown) for radius in data.radii], "costs": [cost_row(name, row) for name, row in data.cost.items()]}
 
@@ -91,12 +82,12 @@ def draw_cost(axes, rows):
     axes.set_title("time per motion: medians (bars: quartiles)")
 
 
-def main(folder):
+def draw(folder):
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
-    draw_misses(left, rows_of(folder / "misses.csv"))
-    draw_cost(right, rows_of(folder / "cost.csv"))
+    draw_misses(left, rows_of(folder / "steps.csv"))
+    draw_cost(right, rows_of(folder / "steps-cost.csv"))
     for axes in (left, right):
         axes.set_xscale("log", base=2)
         axes.set_xlabel("steps")
         axes.grid(alpha=0.3)
-    save(figure, folder, "tunnelling")
+    save(figure, folder, "steps")

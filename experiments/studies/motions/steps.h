@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <atomic>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <tuple>
-#include <vector>
-
-#include "experiments/program/sweep.h"
-#include "experiments/program/table.h"
 #include "experiments/program/timing.h"
-#include "geometry/shapes/motion.h"
-#include "geometry/shapes/polygon.h"
+#include "experiments/studies/motions/measure.h"
 #include "robust/filtered/filtered.h"
 
-namespace touchstone::tunnelling {
+// The contacts that discrete steps of a moving ball miss, and what they cost beside the exact sweep.
+namespace touchstone::motions {
 
 /// Ways are as long as the polygon's extent and are walked in 2^k equal steps, k = 0, ..., kMostLevel: at 2^k + 1
 /// places.
@@ -51,13 +39,6 @@ struct Pass {
 [[nodiscard]] std::optional<std::size_t> first_level_that_touches(const Motion& motion,
                                                                   const filtered::PreparedPolygon& polygon);
 
-struct Settings {
-  std::size_t vertices = 12;
-  std::uint64_t samples = 1;  ///< passes, each by a ball of every radius
-  std::uint64_t seed = 1;
-  unsigned threads = 1;
-};
-
 /// The contacts of the balls of one radius.
 struct Contacts {
   std::uint64_t all = 0;                               ///< by the exact sweep
@@ -71,46 +52,37 @@ struct Contacts {
 /// Sums do not depend on their order.
 struct Misses {
   std::array<Contacts, kRadii.size()> of;
-  std::uint64_t samples = 0, missing = 0;
+  std::uint64_t samples = 0, missing = 0;  ///< passes, and those of them for which no polygon was found
 
+  /// Returns the number of passes, each by a ball of every radius.
+  [[nodiscard]] std::uint64_t passes() const { return samples - missing; }
   auto members() { return std::tie(of, samples, missing); }
   friend bool operator==(const Misses&, const Misses&) = default;
 };
 
 [[nodiscard]] inline std::uint64_t items_done(const Misses& misses) { return misses.samples; }
 
-/// Counts the passes that `misses` does not contain yet. The result is a function of the settings and the
-/// number of samples done.
+/// Counts the passes of the part: a function of the settings and the part.
 void count_misses(const Settings& settings, const program::RunControl& control, Misses& misses);
-
-struct CostSettings {
-  std::size_t vertices = 12;
-  std::uint64_t seed = 1;
-  std::size_t passes = 1000;  ///< distinct ones; their balls have kRadii in turn
-  unsigned repetitions = 7;
-};
 
 /// The names of the candidates: of 2^level steps, and of the two questions to the exact sweep.
 [[nodiscard]] std::string steps_name(std::size_t level);
 inline constexpr const char* kContact = "contact of the motion";
 inline constexpr const char* kFirstContact = "first contact of the motion";
 
-/// Times steps and sweeps by turns, on prepared polygons. Ratios are to the contact of the motion.
-[[nodiscard]] timing::Result measure_cost(const CostSettings& settings, const std::atomic<bool>& stop,
+/// Times steps and sweeps by turns, on `count` prepared polygons and balls of kRadii in turn. Ratios are to the contact
+/// of the motion.
+[[nodiscard]] timing::Result measure_cost(const Settings& settings, std::size_t count, const std::atomic<bool>& stop,
                                           const program::Progress& progress);
 
-// tables() says what the tables hold. Each function throws std::runtime_error, which names the file, if it cannot be
-// written.
-
-/// misses.csv: byte for byte the same for the same settings and number of samples.
-void write_misses(const std::filesystem::path& folder, const Misses& misses);
-/// cost.csv: times, which differ from run to run.
+/// steps.csv: byte for byte the same for the same settings. Throws as write_errors does.
+void write_steps(const std::filesystem::path& folder, const Misses& misses);
+/// steps-cost.csv: times, which differ from run to run. Throws likewise.
 void write_cost(const std::filesystem::path& folder, const timing::Result& cost);
 
-[[nodiscard]] std::vector<program::TableDescription> tables();
+[[nodiscard]] std::vector<program::TableDescription> step_tables();
 
-/// Returns the tables for the terminal.
-[[nodiscard]] std::string table(const Misses& misses);
-[[nodiscard]] std::string table(const timing::Result& cost);
+/// Returns the table for the terminal.
+[[nodiscard]] std::string steps_table(const Misses& misses);
 
-}  // namespace touchstone::tunnelling
+}  // namespace touchstone::motions

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of steps: places lie on the way, more steps never miss more, and the exact sweep misses nothing that they
-// find.
+// Steps: places lie on the way, more steps never miss more, and the exact sweep misses nothing that they find.
+#include "experiments/studies/motions/steps.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "experiments/commands.h"
-#include "experiments/studies/tunnelling/measure.h"
 #include "robust/exact/motion.h"
-#include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/unwatched.h"
 
-namespace touchstone::tunnelling {
+namespace touchstone::motions {
 namespace {
 
 using run_tests::kNeverStop;
@@ -63,15 +61,15 @@ TEST(Passes, AreAsLongAsTheirPolygons) {
   }
 }
 
-Misses counted(std::uint64_t samples, unsigned threads = 1) {
+Misses counted(std::uint64_t passes) {
   Misses misses;
-  count_misses({.vertices = 8, .samples = samples, .seed = 4, .threads = threads}, {kNeverStop, kSilent}, misses);
+  count_misses({.vertices = 8, .seed = 4, .passes = passes}, {kNeverStop, kSilent}, misses);
   return misses;
 }
 
 TEST(Misses, AreFewerWithMoreStepsAndLargerBalls) {
   const Misses misses = counted(400);
-  EXPECT_EQ(misses.samples, 400U);
+  EXPECT_EQ(misses.passes(), 400U);
   std::uint64_t before = 0;
   for (std::size_t i = 0; i < kRadii.size(); ++i) {
     const Contacts& contacts = misses.of[i];
@@ -105,7 +103,7 @@ TEST(Misses, AreWhatTheExactSweepFindsAndStepsDoNot) {
 }
 
 TEST(Cost, IsThatOfBothSweepsAndOfAllSteps) {
-  const auto cost = measure_cost({.vertices = 6, .seed = 1, .passes = 14, .repetitions = 1}, kNeverStop, kSilent);
+  const auto cost = measure_cost({.vertices = 6, .seed = 1, .repetitions = 1}, 14, kNeverStop, kSilent);
   ASSERT_EQ(cost.candidates.size(), kMostLevel + 3);
   EXPECT_EQ(cost.candidates[0].name, kContact);
   EXPECT_EQ(cost.candidates[1].name, kFirstContact);
@@ -114,11 +112,5 @@ TEST(Cost, IsThatOfBothSweepsAndOfAllSteps) {
   for (const auto& measured : cost.candidates) EXPECT_EQ(measured.nanoseconds.size(), 1U);
 }
 
-TEST(Tunnelling, TheNumberOfThreadsChangesNoCount) {
-  run_tests::expect_that_threads_change_nothing(
-      commands::tunnelling_command, {"--vertices", "8", "--repetitions", "1", "--no-pictures", "--samples", "60"},
-      {"misses.csv"});
-}
-
 }  // namespace
-}  // namespace touchstone::tunnelling
+}  // namespace touchstone::motions
