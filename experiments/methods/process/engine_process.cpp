@@ -214,9 +214,6 @@ DeferSignals::~DeferSignals() {
   if (is_interrupted) leave();
 }
 
-SupervisedEngine::SupervisedEngine(std::string command, std::chrono::milliseconds time_limit)
-    : command_(std::move(command)), time_limit_(time_limit) {}
-
 SupervisedEngine::Result SupervisedEngine::ask(const std::string& id, const std::string& line) {
   Result result;
   for (;;) {
@@ -239,11 +236,11 @@ SupervisedEngine::Result SupervisedEngine::ask(const std::string& id, const std:
       result.reason = EngineProcess::kTooLong;
     }
     if (!result.reason.empty()) {
-      stop();
+      engine_.reset();
       return result;
     }
     engine_->end_input();
-    const std::string ending = ending_of(*engine_);
+    const std::string ending = end_of_process();
     const bool unread = !sent || engine_->left_unread();
     engine_.reset();
     if (fresh || !unread) {
@@ -256,38 +253,26 @@ SupervisedEngine::Result SupervisedEngine::ask(const std::string& id, const std:
 
 bool SupervisedEngine::has_surplus() {
   const bool surplus = engine_ && engine_->has_unread();
-  if (surplus) stop();
+  if (surplus) engine_.reset();
   return surplus;
-}
-
-/// Ends it; the next case restarts it.
-void SupervisedEngine::stop() {
-  if (engine_) engine_->kill();
-  engine_.reset();
 }
 
 std::string SupervisedEngine::end() {
   if (!engine_) return {};
   engine_->end_input();
-  const bool surplus = engine_->receive(in_time()) || engine_->too_long();
-  if (engine_->late()) {
-    stop();
-    return "does not end with its input";
-  }
-  const std::string ending = ending_of(*engine_);
+  const bool surplus = engine_->receive(in_time()) || engine_->too_long(), late = engine_->late();
+  const std::string ending = late ? "" : end_of_process();
   engine_.reset();
+  if (late) return "does not end with its input";
   if (surplus) return "printed more lines than there were cases";
   return ending == kWell ? "" : ending;
 }
 
-/// Returns how an engine ended that has closed its output or will not be read any more; it has the time limit to end.
-std::string SupervisedEngine::ending_of(EngineProcess& engine) const {
-  engine.stop_reading();
-  const auto ending = engine.wait_within(time_limit_);
-  if (!ending) {
-    engine.kill();
-    return "closed its output and did not end";
-  }
+/// Returns how the process ended that has closed its output or will not be read any more; it has the time limit to end.
+std::string SupervisedEngine::end_of_process() {
+  engine_->stop_reading();
+  const auto ending = engine_->wait_within(time_limit_);
+  if (!ending) return "closed its output and did not end";
   if (!has_printed_) require_started(command_, *ending);
   return ending->empty() ? kWell : "ended with " + *ending;
 }

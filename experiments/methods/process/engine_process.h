@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "experiments/cases/key.h"
 
@@ -139,10 +140,8 @@ class DeferSignals {
 /// has started, and restarted for the next case. Only one thread may use it.
 class SupervisedEngine {
  public:
-  SupervisedEngine(std::string command, std::chrono::milliseconds time_limit);
-  SupervisedEngine(const SupervisedEngine&) = delete;
-  SupervisedEngine& operator=(const SupervisedEngine&) = delete;
-  ~SupervisedEngine() { stop(); }
+  SupervisedEngine(std::string command, std::chrono::milliseconds time_limit)
+      : command_(std::move(command)), time_limit_(time_limit) {}
 
   /// The reply of the engine to a case.
   struct Result {
@@ -163,13 +162,12 @@ class SupervisedEngine {
 
  private:
   [[nodiscard]] Deadline in_time() const { return std::chrono::steady_clock::now() + time_limit_; }
-  [[nodiscard]] std::string ending_of(EngineProcess& engine) const;
-  void stop();
+  [[nodiscard]] std::string end_of_process();
 
   std::string command_;
   std::chrono::milliseconds time_limit_;
-  std::optional<EngineProcess> engine_;
-  bool has_printed_ = false;  ///< a line, ever
+  std::optional<EngineProcess> engine_;  ///< if it runs; its destructor kills it
+  bool has_printed_ = false;             ///< a line, ever
 };
 
 }  // namespace touchstone::methods
