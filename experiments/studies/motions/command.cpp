@@ -43,11 +43,10 @@ int run_motions(program::StudyRun& run, const Options& options) {
   const auto pass = find_grazing_pass(settings.vertices, settings.seed);
   if (pass) write_pass(run.folder(), *pass, ask_about(*pass, settings.methods));
   write_steps(run.folder(), misses);
-  std::string text =
-      table(settings, errors) + fmt::format(
-                                    "\n{} samples of each of {} ways, places and placements; {} of "
-                                    "all have no threshold.\n\n{}",
-                                    errors.samples, all_strata().size(), errors.missing, steps_table(misses));
+  std::string text = table(settings, errors);
+  text += fmt::format("\n{} samples of each of {} ways, places and placements; {} of all have no threshold.\n\n",
+                      errors.samples, all_strata().size(), errors.missing);
+  text += steps_table(misses);
   if (!run.stopped()) {
     constexpr std::size_t kTimed = 1000;
     const auto cost = run.phase("times of steps", settings.repetitions, [&](const auto& control) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/tradeoff/timings.h"
-
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -8,7 +6,7 @@
 #include "experiments/cases/workloads/balls.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/random.h"
-#include "experiments/studies/tradeoff/errors.h"
+#include "experiments/studies/tradeoff/front.h"
 
 namespace touchstone::tradeoff {
 namespace {
