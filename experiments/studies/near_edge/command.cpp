@@ -136,7 +136,7 @@ program::Command near_edge_command() {
       .flag("--skip-bad", options->skip_bad,
             "Leave out faulty parts of a mesh file, and report them; rejected faces are then not an error")
       .needs("MESH")
-      .changes_results([options] { return std::string(program::yes_or_no(options->skip_bad)); });
+      .changes_results();
   methods::declare_compared_methods(command, options->methods);
   program::declare_families(command, options->families).changes_results([options] {
     return workloads::selected_names(options->families);

@@ -246,6 +246,21 @@ TEST(Judge, NamesAFileThatCannotBeReadAndGoesOn) {
   EXPECT_NE(result.verdicts.find("touching"), std::string::npos);
 }
 
+// What a part tells of an engine's end is told once, and not beside a complaint about a case that tells it.
+TEST(Teller, TellsTheEndOfAnEngineOnceUnlessAComplaintDoes) {
+  const auto told = [](std::vector<Entry> entries) {
+    Output output;
+    output.complaints = std::tmpfile();
+    Teller teller(output);
+    for (Entry& entry : entries) teller.tell(std::move(entry));
+    EXPECT_EQ(teller.finish(), AllMet);
+    return take(output.complaints);
+  };
+  const Entry end{.ending = "it ended"}, complaint{.complaint = "it ended before b", .ending = "it ended"};
+  EXPECT_EQ(told({end, end}), "it ended\n");
+  EXPECT_EQ(told({end, complaint}), "it ended before b\n");
+}
+
 TEST(Judge, WritesValuesBeyondTheFiniteDoublesAsNull) {
   const std::string verdict =
       run(R"({"id":"h","ball":{"center":[1.5e308,1.5e308,0],"radius":1},"polygon":{"outer":[[-1.5e308,-1.5e308,0],)"
