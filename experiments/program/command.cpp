@@ -35,6 +35,11 @@ std::string name_of(const CLI::App* app) {
 /// Returns the words that call a command of this name.
 std::string call_of(const std::string& name) { return kProgram + (name.empty() ? "" : " ") + name; }
 
+/// Returns whether an option was given that excludes this one.
+bool is_excluded(const CLI::Option& option) {
+  return std::ranges::any_of(option.get_excludes(), [](const CLI::Option* other) { return other->count() > 0; });
+}
+
 /// Returns the fault of a command line, with the unknown words in their order.
 UsageError fault_of(const CLI::App* app, const CLI::ParseError& error) {
   const auto unknown = app->remaining(true);
@@ -86,7 +91,8 @@ std::string CommandParts::line() const {
   std::string options_text, line = call_of(name_of(app.get()));
   for (const auto& declared : options) {
     const std::string& name = declared->name;
-    if (name == "--force" || (!declared->has_default && declared->option->count() == 0)) continue;
+    const CLI::Option& option = *declared->option;
+    if (name == "--force" || (option.count() == 0 && (!declared->has_default || is_excluded(option)))) continue;
     for (const std::string& word : declared->words()) {
       std::string& text = is_positional(name) ? line : options_text;
       if (!is_positional(name)) text += " " + name;

@@ -24,7 +24,7 @@ struct CommandHelp {
 
 /// How a command is called.
 struct Call {
-  /// The command line that repeats the run: every option that has a default or was given, except --force.
+  /// The command line that repeats the run: every option but --force that was given, or has a default and is not excluded.
   std::string line;
   /// Returns the options that change results, by their names without dashes, with their values.
   std::function<std::vector<std::pair<std::string, std::string>>()> result_options;

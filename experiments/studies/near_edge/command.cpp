@@ -138,30 +138,36 @@ program::Command near_edge_command() {
       .needs("MESH")
       .changes_results();
   methods::declare_compared_methods(command, options->methods);
-  program::declare_families(command, options->families).changes_results([options] {
+  program::declare_families(command, options->families).excludes("MESH").changes_results([options] {
     return workloads::selected_names(options->families);
   });
   command
       .whole("--vertices", options->shape.vertices, "Vertices of the outer loops, approximate; families round it", 3,
              workloads::kMostVertices)
+      .excludes("MESH")
       .changes_results();
   command.whole("--holes", options->shape.holes, "Holes per polygon, as many as fit", 0, workloads::kMostHoles)
+      .excludes("MESH")
       .changes_results();
   command
       .real("--origin-distance", options->shape.origin_distance,
             "The distance of each polygon from the origin, in multiples of its size", 0.0, 0x1p30)
+      .excludes("MESH")
       .changes_results();
-  command.whole("--search", options->search,
-                "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
-                "and distance from the origin",
-                0, program::kMostSamples);
-  command.flag("--no-maps", options->no_maps, "Draw no maps: they ask each method some hundred thousand times");
-  program::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold");
+  command
+      .whole("--search", options->search,
+             "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
+             "and distance from the origin",
+             0, program::kMostSamples)
+      .excludes("MESH");
+  command.flag("--no-maps", options->no_maps, "Draw no maps: they ask each method some hundred thousand times")
+      .excludes("MESH");
+  program::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold")
+      .excludes("MESH");
   command.writes(tables());
   command.writes(search_tables());
   command.writes(faces::tables());
   command.help().examples.emplace_back("near-edge --methods fast,filtered --samples 20 --search 0");
-  command.help().footer = "With mesh files, all options of random polygons are without effect.";
   command.runs(program::study_runner(command, kVersion, options, [](program::StudyRun& run, const Options& given) {
     return given.meshes.empty() ? run_random(run, given) : run_faces(run, given);
   }));

@@ -112,7 +112,7 @@ void change_cell(json& cell, const std::string& assignment) {
   Change change = parsed(assignment);
   if (change.source) {
     const Pointer from = pointer_to(*change.source);
-    require_place(cell, from, *change.source, false);
+    if (!cell.contains(from)) throw BadCell(fmt::format("{}: there is no value at {}", change.path, *change.source));
     change.value = json(cell.at(from));
   }
   const bool removes = change.value.is_null();
