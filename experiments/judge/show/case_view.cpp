@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
-#include <ranges>
+#include <numeric>
 #include <set>
 
 #include "experiments/cases/workloads/ulp.h"
@@ -57,8 +57,14 @@ Radii radii_around(const cases::AnyShapes& shapes) {
         cases::with_radius(question, radius));
   };
   const std::int64_t own = workloads::ordinal(own_ball.radius);
-  const std::int64_t first = *std::ranges::partition_point(  // kLast + 1: no radius has contact
-      std::views::iota(std::int64_t{0}, kLast + 1), [&](auto rank) { return !touches(workloads::from_ordinal(rank)); });
+  std::int64_t first = 0;  // kLast + 1: no radius has contact
+  for (std::int64_t end = kLast + 1; first < end;) {
+    const std::int64_t middle = std::midpoint(first, end);
+    if (touches(workloads::from_ordinal(middle)))
+      end = middle;
+    else
+      first = middle + 1;
+  }
   Radii radii;
   std::optional<std::int64_t> change;
   if (first <= kLast) {
