@@ -112,9 +112,11 @@ const program::Table<CostRow>& cost_table() {
       {{"asked", "the exact sweep, or a number of steps", program::path(&CostRow::measured, &timing::Measured::name)},
        {"motions", "motions", program::path(&CostRow::measured, &timing::Measured::queries)},
        {"repetitions", "turns", [](const CostRow& row) { return row.measured->nanoseconds.size(); }},
-       {"lower_quartile_ns", "a motion, over the turns", program::path(&CostRow::nanoseconds, &Quartiles::lower), kTime},
+       {"lower_quartile_ns", "a motion, over the turns", program::path(&CostRow::nanoseconds, &Quartiles::lower),
+        kTime},
        {"median_ns", "the same, median", program::path(&CostRow::nanoseconds, &Quartiles::median), kTime},
-       {"upper_quartile_ns", "the same, upper quartile", program::path(&CostRow::nanoseconds, &Quartiles::upper), kTime},
+       {"upper_quartile_ns", "the same, upper quartile", program::path(&CostRow::nanoseconds, &Quartiles::upper),
+        kTime},
        {"lower_quartile_ratio", "to the contact by the exact sweep, turn by turn", ratio(&Quartiles::lower), kRatio},
        {"median_ratio", "the same, median", ratio(&Quartiles::median), kRatio},
        {"upper_quartile_ratio", "the same, upper quartile", ratio(&Quartiles::upper), kRatio}});
