@@ -80,10 +80,16 @@ int StudyRun::finish(const End& end) {
        .part = options_.part,
        .parts = std::max<std::uint64_t>(options_.call.parts.size(), 1),
        .interrupted = interrupted},
-      fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), io::all_legible(options_.output)), script);
-  if (interrupted)
-    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {}{}\n", io::all_legible(options_.output), end.done,
-               counted(asked, end.items ? "item" : "sample"), options_.has_pictures ? "; no pictures" : "");
+      interrupted && is_part()
+          ? ""
+          : fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), io::all_legible(options_.output)),
+      script);
+  if (interrupted && is_part())
+    fmt::print(stderr, "touchstone: interrupted: a part then keeps nothing; run it again\n");
+  else if (interrupted)
+    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {}{}{}{}\n", io::all_legible(options_.output),
+               end.done, counted(asked, end.items ? "item" : "sample"), end.also.empty() ? "" : " and ", end.also,
+               options_.has_pictures ? "; no pictures" : "");
   if (end.status != 0) return end.status;
   return interrupted ? kInterrupted : drawn;
 }

@@ -80,6 +80,7 @@ class StudyRun : public CommandRun {
     std::uint64_t done = 0, missing = 0;   ///< samples
     std::optional<std::uint64_t> items{};  ///< of the whole study, if --samples does not say how many
     std::string text{};                    ///< tables and sentences for standard output
+    std::string also{};                    ///< what else an interrupted run covers, such as "3 of 5 passes"
     int status = 0;                        ///< the exit status of a complete run
     bool pictures = true;                  ///< whether a complete run has pictures
   };

@@ -61,6 +61,7 @@ int run_motions(program::StudyRun& run, const Options& options) {
   return run.finish({.done = errors.samples,
                      .missing = errors.missing,
                      .text = text + "\n",
+                     .also = fmt::format("{} of {} passes", misses.samples, settings.passes),
                      .status = errors.disagreements > 0 ? 1 : 0});
 }
 

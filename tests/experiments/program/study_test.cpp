@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include "experiments/program/quoting.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
@@ -28,6 +30,30 @@ TEST(StudyRun, SaysByItsStatusThatPicturesAreMissingAndKeepsTheData) {
   EXPECT_TRUE(std::filesystem::exists(scratch.path / "undrawn" / "run.json"));
   EXPECT_EQ(finish_without_pictures(scratch.path / "unasked", true, 0), 0);
   EXPECT_EQ(finish_without_pictures(scratch.path / "failed", false, 3), 3) << "the study's own status goes first";
+}
+
+/// What a run says of itself that is interrupted before its end.
+std::string said_of_interruption(const std::filesystem::path& folder, const std::string& part) {
+  StudyOptions options;
+  options.output = folder.string();
+  options.part = part;
+  options.samples = 10;
+  StudyRun run("no-such-study", 1, options);
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  std::raise(SIGINT);
+  EXPECT_EQ(run.finish({.done = 3, .text = "", .also = "4 of 5 passes"}), kInterrupted);
+  EXPECT_EQ(testing::internal::GetCapturedStdout().empty(), !part.empty());
+  return testing::internal::GetCapturedStderr();
+}
+
+TEST(StudyRun, SaysWhatAnInterruptedRunCoversAndThatAPartKeepsNothing) {
+  const Scratch scratch;
+  EXPECT_EQ(said_of_interruption(scratch.path / "whole", ""),
+            "touchstone: interrupted: " + (scratch.path / "whole").string() +
+                " covers 3 of 10 samples and 4 of 5 passes; no pictures\n");
+  EXPECT_EQ(said_of_interruption(scratch.path / "part", "1/2"),
+            "touchstone: interrupted: a part then keeps nothing; run it again\n");
 }
 
 // Every item belongs to one part, and the parts are about as large as each other.
