@@ -73,15 +73,6 @@ void CommandParts::replace_defaults() const {
     if (option->count() > 0 && other->option->count() == 0) other->clear();
 }
 
-void CommandParts::note_others(const std::vector<std::string>& names, const std::string& begin) {
-  for (const auto& declared : options) {
-    if (std::ranges::find(names, declared->name) == names.end()) continue;
-    std::vector<std::string> others;
-    std::ranges::copy_if(names, std::back_inserter(others), [&](const auto& name) { return name != declared->name; });
-    declared->limits.push_back(begin + CLI::detail::join(others, ", "));
-  }
-}
-
 bool CommandParts::prints() const {
   const CLI::Option* quiet = app->get_option_no_throw("--quiet");
   return quiet == nullptr || quiet->count() == 0;

@@ -50,8 +50,6 @@ struct CommandParts {
     options.push_back(std::make_shared<Declared>(std::move(declared)));
     return Option(*this, options.back());
   }
-  /// Notes in the help of each of these options how it excludes the others: `begin` --other, --other.
-  void note_others(const std::vector<std::string>& names, const std::string& begin);
   void check_groups() const;
   void replace_defaults() const;
   /// Returns whether the command prints, for all it was told.

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -168,15 +169,12 @@ Option declare_positive(OptionList& options, const std::string& name, double& va
 
 void require_one_of(OptionList& options, const std::vector<std::string>& names) {
   options.parts().groups.push_back(names);
-  options.parts().note_others(names, "Give either this or ");
-}
-
-void allow_one_of(OptionList& options, const std::vector<std::string>& names) {
-  CLI::App& app = *options.parts().app;
-  for (const std::string& name : names)
-    for (const std::string& other : names)
-      if (name != other) app.get_option(name)->excludes(app.get_option(other));
-  options.parts().note_others(names, "Not with ");
+  for (const auto& declared : options.parts().options) {
+    if (std::ranges::find(names, declared->name) == names.end()) continue;
+    std::vector<std::string> others;
+    std::ranges::copy_if(names, std::back_inserter(others), [&](const auto& name) { return name != declared->name; });
+    declared->limits.push_back("Give either this or " + CLI::detail::join(others, ", "));
+  }
 }
 
 Option declare_seed(OptionList& options, std::uint64_t& value, const std::string& about) {

@@ -120,9 +120,8 @@ class OptionList {
 
 /// Declares a finite number above 0.
 Option declare_positive(OptionList& options, const std::string& name, double& value, const std::string& about);
-/// Requires exactly one of these options, or allows at most one.
+/// Requires exactly one of these options.
 void require_one_of(OptionList& options, const std::vector<std::string>& names);
-void allow_one_of(OptionList& options, const std::vector<std::string>& names);
 
 // Options that several commands share.
 Option declare_seed(OptionList& options, std::uint64_t& value,

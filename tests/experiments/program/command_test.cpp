@@ -144,21 +144,35 @@ TEST(Command, LeavesWhatStandsBehindAListOfNamesToOthers) {
 TEST(Command, ItsGroupsOfOptionsTakeOne) {
   const auto run = [](const std::vector<std::string>& arguments) {
     std::string file, random;
-    bool any = false, all = false;
     Command command("ask", "Asks");
     command.text("--file", file, "A file");
     command.text("--random", random, "Random ones");
     require_one_of(command, {"--file", "--random"});
-    command.flag("--any", any, "Any");
-    command.flag("--all", all, "All");
-    allow_one_of(command, {"--any", "--all"});
     return command(arguments);
   };
   EXPECT_EQ(run({"--file", "a"}), 0);
-  EXPECT_EQ(run({"--random", "a", "--any"}), 0);
+  EXPECT_EQ(run({"--random", "a"}), 0);
   EXPECT_THROW(run({}), UsageError);
   EXPECT_THROW(run({"--file", "a", "--random", "a"}), UsageError);
-  EXPECT_THROW(run({"--file", "a", "--any", "--all"}), UsageError);
+}
+
+// A line that held the default, too, would be refused.
+TEST(Command, ItsLineLeavesOutTheDefaultOfWhatAnotherOptionExcludes) {
+  const auto line_of = [](const std::vector<std::string>& arguments) {
+    std::vector<std::string> meshes;
+    unsigned vertices = 24;
+    Call call;
+    Command command("measure", "Measures");
+    command.keep_call(call);
+    command.texts("MESH", meshes, "Meshes");
+    command.whole("--vertices", vertices, "Vertices").excludes("MESH");
+    command.runs([] { return 0; });
+    command(arguments);
+    return call.line;
+  };
+  EXPECT_EQ(line_of({}), "touchstone measure --vertices 24");
+  EXPECT_EQ(line_of({"a.obj"}), "touchstone measure a.obj");
+  EXPECT_THROW(line_of({"a.obj", "--vertices", "24"}), UsageError);
 }
 
 TEST(Command, HelpListsTheOptionsOfAGroup) {
