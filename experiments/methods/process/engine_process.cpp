@@ -268,11 +268,11 @@ std::string SupervisedEngine::end() {
   return ending == kWell ? "" : ending;
 }
 
-/// Returns how the process ended that has closed its output or will not be read any more; it has the time limit to end.
+/// Returns how the process ended that has closed its input or output; it has the time limit to end.
 std::string SupervisedEngine::end_of_process() {
   engine_->stop_reading();
   const auto ending = engine_->wait_within(time_limit_);
-  if (!ending) return "closed its output and did not end";
+  if (!ending) return "closed its input or output and went on";
   if (!has_printed_) require_started(command_, *ending);
   return ending->empty() ? kWell : "ended with " + *ending;
 }
