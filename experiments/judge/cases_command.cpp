@@ -81,9 +81,7 @@ program::Command cases_command() {
   auto options = std::make_shared<CasesOptions>();
   auto& workload = options->workload;
   command.choice("--family", workload.family, workloads::all_families(), "Outline");
-  command.choice("--placement", workload.placement,
-                 std::vector{workloads::Placement::LatticeFrame, workloads::Placement::Rotated},
-                 "Placement of the outline in space");
+  command.choice("--placement", workload.placement, workloads::all_placements(), "Placement of the outline in space");
   command.choice("--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
   command.choice("--way", workload.way, workloads::all_ways(), "How the ball moves");
   command.whole("--vertices", workload.vertices, "Vertices of the outer loop", 3, workloads::kMostVertices);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cases/workloads/placement.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -71,10 +72,7 @@ std::optional<Polygon> rounded(const Outline& outline, const Frame& frame) {
   return std::nullopt;
 }
 
-}  // namespace
-
-Frame lattice_frame(Random& random, std::int64_t size, double origin_distance) {
-  const IntegerRotation rotation = integer_rotation(quaternion(random, 3, true));
+Frame integer_frame(Random& random, const IntegerRotation& rotation, std::int64_t size, double origin_distance) {
   const auto unit = static_cast<double>(rotation.unit);
   const double space_size = unit * static_cast<double>(size);
   if (!(origin_distance * space_size <= 0x1p51))
@@ -90,6 +88,23 @@ Frame lattice_frame(Random& random, std::int64_t size, double origin_distance) {
     frame.w[k] = static_cast<double>(rotation.columns[2][row]);
   }
   frame.unit = unit;
+  return frame;
+}
+
+}  // namespace
+
+Frame lattice_frame(Random& random, std::int64_t size, double origin_distance) {
+  return integer_frame(random, integer_rotation(quaternion(random, 3, true)), size, origin_distance);
+}
+
+Frame planar_frame(Random& random, std::int64_t size, double origin_distance) {
+  // |q|^2 is at most four squares, and times the size and the distance at most 2^51.
+  const double largest = std::sqrt(0x1p49 / (static_cast<double>(size) * std::max(1.0, origin_distance)));
+  if (!(largest >= 1)) throw std::invalid_argument("origin distance too large for integer coordinates");
+  const auto rotation = integer_rotation(quaternion(random, static_cast<std::int64_t>(largest), false));
+  Frame frame = integer_frame(random, rotation, size, origin_distance);
+  for (Eigen::Vector3d* vector : {&frame.origin, &frame.u, &frame.v, &frame.w}) *vector *= 0x1p-51;
+  frame.unit *= 0x1p-51;
   return frame;
 }
 
@@ -120,8 +135,9 @@ PlacedOutline draw_placed_outline(const Workload& workload, std::uint64_t seed, 
 
   for (std::uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
     Random random = part_of_sample(seed, index, Part::Placement, attempt);
-    if (workload.placement == Placement::LatticeFrame) {  // an exact image of what was validated already
-      const Frame frame = lattice_frame(random, size, workload.origin_distance);
+    if (workload.placement != Placement::Rotated) {  // an exact image of what was validated already
+      const auto draw_frame = workload.placement == Placement::Planar ? planar_frame : lattice_frame;
+      const Frame frame = draw_frame(random, size, workload.origin_distance);
       Polygon polygon = placed(outline, frame);
       return {std::move(outline), frame, std::move(polygon)};
     }

@@ -13,8 +13,9 @@ namespace touchstone::workloads {
 
 /// The position of the lattice in space: (x, y) at height h is origin + x u + y v + h w, in doubles.
 ///
-/// u, v and w are orthogonal, right-handed and of equal length `unit`: exactly in a lattice frame, where the
-/// coordinates of the polygon and of points near it are integers below 2^53; up to rounding in a rotated frame.
+/// u, v and w are orthogonal, right-handed and of equal length `unit`: exactly in an integer frame, where the
+/// coordinates of the polygon and of points near it are integers below 2^53, in a planar frame times 2^-51; up to rounding
+/// in a rotated frame.
 struct Frame {
   Eigen::Vector3d origin, u, v, w;
   double unit;
@@ -26,10 +27,13 @@ struct Frame {
   }
 };
 
-/// Draws an integer frame: for a quaternion q of small random integers, |q|^2 times its rotation, so that `unit` is the
-/// integer |q|^2. The origin is an integer point at about `origin_distance` x `size` lattice units x `unit` from zero.
-/// Throws std::invalid_argument beyond 2^51.
+/// Draws an integer frame: for a quaternion q of random integers, |q|^2 times its rotation, so that `unit` is the
+/// integer |q|^2. A lattice frame has small ones; a planar frame has the
+/// largest for which coordinates fit, and all its numbers times 2^-51, so that its polygons are about as large as 1. The origin is an
+/// integer point at about `origin_distance` x `size` lattice units x `unit` from zero. Throws std::invalid_argument
+/// beyond 2^51.
 [[nodiscard]] Frame lattice_frame(Random& random, std::int64_t size, double origin_distance);
+[[nodiscard]] Frame planar_frame(Random& random, std::int64_t size, double origin_distance);
 
 /// Draws a rational rotation, evaluated in doubles, with a random scale and a translation by about `origin_distance`
 /// times the scaled size.
@@ -42,7 +46,7 @@ struct PlacedOutline {
   Polygon polygon;
 };
 
-/// Places outline `index` of the workload. `exact::validate` accepts the polygon; off_plane is 0 in a lattice frame.
+/// Places outline `index` of the workload. `exact::validate` accepts the polygon; off_plane is 0 in an integer frame.
 /// Throws std::invalid_argument if rounding broke every attempt (origin_distance too large).
 [[nodiscard]] PlacedOutline draw_placed_outline(const Workload& workload, std::uint64_t seed, std::uint64_t index);
 

@@ -160,7 +160,17 @@ std::string_view to_string(Family family) {
 }
 
 std::string_view to_string(Placement placement) {
-  return placement == Placement::LatticeFrame ? "lattice-frame" : "rotated";
+  switch (placement) {
+    case Placement::LatticeFrame: return "lattice-frame";
+    case Placement::Planar: return "planar";
+    case Placement::Rotated: break;
+  }
+  return "rotated";
+}
+
+const std::vector<Placement>& all_placements() {
+  static const std::vector<Placement> placements{Placement::LatticeFrame, Placement::Planar, Placement::Rotated};
+  return placements;
 }
 
 std::string_view to_string(BallPlace place) {

@@ -19,7 +19,8 @@ enum class Family { Triangle, Convex, Star, Comb, Spiral, RandomSimple, Koch, U,
 
 /// The placement of an outline of the integer lattice in space.
 enum class Placement {
-  LatticeFrame,  ///< by an integer frame: every vertex exact, the loop exactly planar
+  LatticeFrame,  ///< by an integer frame of few bits: every vertex exact, the loop exactly planar
+  Planar,        ///< the same by a frame of as many bits as fit, so that products of coordinates are rounded
   Rotated,       ///< by a rational rotation, rounded to doubles: off its plane by rounding errors
 };
 
@@ -99,6 +100,7 @@ struct Sample {
 void require_vertices(const std::vector<Family>& families, std::size_t vertices);
 /// Returns the names of the families that find_families selects, joined by commas. Throws as it does.
 [[nodiscard]] std::string selected_names(const std::vector<std::string>& names);
+[[nodiscard]] const std::vector<Placement>& all_placements();
 [[nodiscard]] const std::vector<BallPlace>& all_ball_places();
 [[nodiscard]] const std::vector<Way>& all_ways();
 
