@@ -146,4 +146,16 @@ bool knows_boundary(const Method& method) {
   return method.prepare(square)->ask({{1, 0, 0}, 1}, QueryKind::Foot).foot == PointLocation::Boundary;
 }
 
+bool lifts_vertices(const Method& method) {
+  const Polygon square({{0, 0, 0}, {1, 0, 0}, {1, 1, 0x1p-50}, {0, 1, 0}});  // the corner at zero is lifted by -2^-52
+  const auto prepared = method.prepare(square);
+  constexpr double kOut = 0x1p-39;
+  const double radius = kOut * std::sqrt(3.0);
+  const auto contact_at = [&](double height, double share) {
+    return prepared->ask({{-kOut, -kOut, height}, radius * share}, QueryKind::Contact).contact;
+  };
+  // Below, only the lifted corner is within this radius; above, only the one as given.
+  return contact_at(-kOut, 1 - 0x1p-16).value_or(true) && !contact_at(kOut, 1 + 0x1p-16).value_or(false);
+}
+
 }  // namespace touchstone::cases

@@ -71,4 +71,9 @@ enum class Outcome {
 /// an edge.
 [[nodiscard]] bool knows_boundary(const Method& method);
 
+/// Returns whether the method lifts vertices onto the plane as the contract does, also by as little as rounding leaves
+/// those of rotated loops off it. Asks it about balls off a corner of a square with one vertex 2^-50 off its plane, above
+/// and below, for which a relative error of 2^-17 is harmless.
+[[nodiscard]] bool lifts_vertices(const Method& method);
+
 }  // namespace touchstone::cases

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/cases/truth_as_given.h"
 #include "experiments/cases/workloads/balls.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/ulp.h"
@@ -93,39 +94,59 @@ PartialAnswer truth_of(const Ball& ball, const PreparedMethod& oracle) {
   return truth;
 }
 
-/// Returns balls whose radii grow across the radius of `middle`.
-std::optional<std::vector<Ball>> move_radius(const Ball& middle) {
-  if (workloads::move_by_doubles(middle.radius, all_offsets().front()) < 0) return std::nullopt;
+/// Balls at offsets, by their places in all_offsets().
+struct Moved {
   std::vector<Ball> balls;
-  for (const std::int64_t offset : all_offsets())
-    balls.push_back({middle.center, workloads::move_by_doubles(middle.radius, offset)});
-  return balls;
+  std::vector<std::size_t> offsets;
+};
+
+/// Moves a number by each offset, and calls ball_at(number) for the ball with the result.
+template <class BallAt>
+Moved move_by_offsets(double middle, double unit, const BallAt& ball_at) {
+  Moved moved;
+  for (std::size_t i = 0; i < all_offsets().size(); ++i) {
+    const double offset = all_offsets()[i] * unit, there = middle + offset;
+    const double spacing = std::abs(workloads::move_by_doubles(std::max(std::abs(there), std::abs(middle)), 1) -
+                                    std::max(std::abs(there), std::abs(middle)));
+    if (offset != 0 && spacing > std::abs(offset) / 2) continue;
+    const Ball ball = ball_at(there);
+    if (ball.radius < 0) continue;
+    moved.balls.push_back(ball);
+    moved.offsets.push_back(i);
+  }
+  return moved;
+}
+
+/// Returns balls whose radii grow across the radius of `middle`.
+Moved move_radius(const Ball& middle, double unit) {
+  return move_by_offsets(middle.radius, unit, [&](double radius) { return Ball{middle.center, radius}; });
 }
 
 /// Returns balls whose centre moves along an axis so that the foot leaves the polygon after offset 0. Returns nothing
 /// if it does not leave within 1024 doubles.
-std::optional<std::vector<Ball>> move_foot(const Ball& drawn, int axis, const PreparedMethod& oracle) {
+std::optional<Moved> move_foot(const Ball& drawn, int axis, double unit, const PreparedMethod& oracle) {
   constexpr std::int64_t kReach = 1024;
   const auto crossing = find_foot_crossing(drawn, axis, kReach, [&](const Ball& ball) {
     return oracle.ask(ball, QueryKind::Foot).foot == PointLocation::Outside;
   });
   if (!crossing) return std::nullopt;
-  std::vector<Ball> balls;
-  for (const std::int64_t offset : all_offsets())
-    balls.push_back(moved(crossing->last, axis, crossing->outward * offset));
-  return balls;
+  const double middle = crossing->last.center[axis];
+  return move_by_offsets(middle, static_cast<double>(crossing->outward) * unit, [&](double coordinate) {
+    Ball ball = crossing->last;
+    ball.center[axis] = coordinate;
+    return ball;
+  });
 }
 
-std::optional<std::vector<Ball>> draw_foot_crossing(const workloads::PlacedOutline& placed,
-                                                    const workloads::Workload& workload, std::uint64_t seed,
-                                                    std::uint64_t index, const PreparedMethod& oracle) {
+std::optional<Moved> draw_foot_crossing(const workloads::PlacedOutline& placed, const workloads::Workload& workload,
+                                        std::uint64_t seed, std::uint64_t index, const PreparedMethod& oracle) {
   constexpr std::uint64_t kAttempts = 50;
   constexpr std::uint64_t kAxisStream = std::uint64_t{1} << 32;
   for (std::uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
     const Ball ball = workloads::draw_ball(placed, workload, seed, index + (attempt << 48));
     workloads::Random random(seed, index, kAxisStream + attempt);
     const auto axis = static_cast<int>(random.integer(0, 2));
-    if (auto balls = move_foot(ball, axis, oracle)) return balls;
+    if (auto balls = move_foot(ball, axis, rounding_unit(placed.polygon), oracle)) return balls;
   }
   return std::nullopt;
 }
@@ -160,7 +181,7 @@ const std::vector<Stratum>& all_strata() {
   static const std::vector<Stratum> strata = [] {
     std::vector<Stratum> list;
     for (const auto family : workloads::all_families())
-      for (const auto placement : {Placement::LatticeFrame, Placement::Rotated})
+      for (const auto placement : workloads::all_placements())
         for (const auto threshold : all_thresholds())
           if (threshold != Threshold::Tangent || placement == Placement::LatticeFrame)
             list.push_back({family, placement, threshold});
@@ -169,18 +190,21 @@ const std::vector<Stratum>& all_strata() {
   return strata;
 }
 
-const std::vector<std::int64_t>& all_offsets() {
-  static const std::vector<std::int64_t> offsets = [] {
-    std::vector<std::int64_t> list;
-    for (std::int64_t k = -8; k <= 8; ++k) list.push_back(k);
-    for (std::int64_t k = 16; k <= std::int64_t{1} << 32; k *= 4) {
-      list.push_back(k);
-      list.push_back(-k);
-    }
+const std::vector<double>& all_offsets() {
+  static const std::vector<double> offsets = [] {
+    std::vector<double> list{0};
+    for (const int k : {-8, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 8, 12, 16, 20, 24, 28, 32})
+      for (const double side : {-1.0, 1.0}) list.push_back(std::ldexp(side, k));
     std::sort(list.begin(), list.end());
     return list;
   }();
   return offsets;
+}
+
+double rounding_unit(const Polygon& polygon) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) box.extend(polygon.vertex(i));
+  return 0x1p-53 * box.sizes().maxCoeff();
 }
 
 std::optional<FootCrossing> find_foot_crossing(const Ball& ball, int axis, std::int64_t reach,
@@ -223,25 +247,42 @@ std::optional<Crossing> draw_crossing(const SamplePlace& place, const Method& tr
   try {
     auto placed = workloads::draw_placed_outline(workload, place.seed, index);
     const auto oracle = truth.prepare(placed.polygon);
-    const auto balls = moves_radius(threshold) ? move_radius(workloads::draw_ball(placed, workload, place.seed, index))
-                                               : draw_foot_crossing(placed, workload, place.seed, index, *oracle);
-    if (!balls) return std::nullopt;
-    std::vector<PartialAnswer> truths;
-    if (moves_radius(threshold))
-      truths = truths_by_radius(*balls, *oracle);
-    else
-      for (const Ball& ball : *balls) truths.push_back(truth_of(ball, *oracle));
-    return Crossing{std::move(placed.polygon), *balls, std::move(truths), place.stratum, place.n};
+    auto moved = moves_radius(threshold)
+                     ? std::optional(move_radius(workloads::draw_ball(placed, workload, place.seed, index),
+                                                 rounding_unit(placed.polygon)))
+                     : draw_foot_crossing(placed, workload, place.seed, index, *oracle);
+    if (!moved) return std::nullopt;
+    Crossing crossing{.polygon = std::move(placed.polygon),
+                      .balls = std::move(moved->balls),
+                      .truths = {},
+                      .as_given = {},
+                      .offsets = std::move(moved->offsets),
+                      .stratum = place.stratum,
+                      .n = place.n};
+    const auto truths = [&](const PreparedMethod& of) {
+      if (moves_radius(threshold)) return truths_by_radius(crossing.balls, of);
+      std::vector<PartialAnswer> each;
+      for (const Ball& ball : crossing.balls) each.push_back(truth_of(ball, of));
+      return each;
+    };
+    crossing.truths = truths(*oracle);
+    if (placement == Placement::Rotated) crossing.as_given = truths(TruthAsGiven(*oracle, crossing.polygon));
+    return crossing;
   } catch (const std::invalid_argument&) {  // the workload found no such polygon or ball
     return std::nullopt;
   }
+}
+
+bool CrossingSettings::has(const Stratum& stratum) const {
+  return std::ranges::find(families, stratum.family) != families.end() &&
+         std::ranges::find(placements, stratum.placement) != placements.end();
 }
 
 std::uint64_t draw_crossings(const CrossingSettings& settings, std::uint64_t n, const Method& truth,
                              const std::function<void(Crossing&)>& visit) {
   std::uint64_t missing = 0;
   for (std::size_t stratum = 0; stratum < all_strata().size(); ++stratum) {
-    if (std::ranges::find(settings.families, all_strata()[stratum].family) == settings.families.end()) continue;
+    if (!settings.has(all_strata()[stratum])) continue;
     if (auto crossing = draw_crossing({stratum, settings.shape, settings.seed, n}, truth))
       visit(*crossing);
     else
@@ -250,8 +291,12 @@ std::uint64_t draw_crossings(const CrossingSettings& settings, std::uint64_t n, 
   return missing;
 }
 
-Asked::Asked(const Method& method, bool knows_boundary, const Crossing& crossing, bool whole)
-    : crossing_(crossing), knows_boundary_(knows_boundary), prepared_(method.prepare(crossing.polygon)) {
+std::size_t Crossing::middle() const {
+  return static_cast<std::size_t>(std::ranges::find(offsets, all_offsets().size() / 2) - offsets.begin());
+}
+
+Asked::Asked(const Method& method, Understanding understanding, const Crossing& crossing, bool whole)
+    : crossing_(crossing), understanding_(understanding), prepared_(method.prepare(crossing.polygon)) {
   if (!whole && !method.through_pipe()) return;
   for (const Ball& ball : crossing.balls) whole_.push_back(prepared_->ask(ball, QueryKind::Answer));
 }

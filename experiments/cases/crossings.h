@@ -18,7 +18,7 @@
 
 namespace touchstone::cases {
 
-/// The threshold across which a ball is moved, one double after the other.
+/// The threshold across which a ball is moved.
 enum class Threshold {
   Face,        ///< moves the radius across the distance to the polygon, whose nearest feature is the face
   Edge,        ///< the same, nearest feature an edge
@@ -41,13 +41,15 @@ struct Stratum {
   Threshold threshold;
 };
 
-/// Returns all strata. Exactly tangent balls exist only on the lattice.
+/// Returns all strata: of exactly planar loops first. Exactly tangent balls exist only on the lattice.
 [[nodiscard]] const std::vector<Stratum>& all_strata();
 [[nodiscard]] const std::vector<Threshold>& all_thresholds();
 
-/// Returns the offsets by which balls are moved, in doubles, ascending: every integer from -8 to 8, then powers of 4 up
-/// to 2^32.
-[[nodiscard]] const std::vector<std::int64_t>& all_offsets();
+/// Returns the offsets by which balls are moved, ascending: 0 and powers of two from 2^-8 to 2^32, to either side, in
+/// u x size. u is 2^-53, the share by which a rounding errs; the size of a polygon is its largest extent along an axis.
+[[nodiscard]] const std::vector<double>& all_offsets();
+/// Returns u x size.
+[[nodiscard]] double rounding_unit(const Polygon& polygon);
 
 /// The properties of polygons besides their stratum.
 struct Shape {
@@ -69,19 +71,28 @@ struct SamplePlace {
 /// Returns the name of a sample, which holds all that is needed to draw it again.
 [[nodiscard]] std::string id(const SamplePlace& place);
 
-/// A polygon, balls around a threshold, and what is right about each ball. Of a SamplePlace: one ball for each offset.
+/// A polygon, balls around a threshold, and what is right about each ball.
 ///
+/// Of a SamplePlace: one ball for each offset that doubles can express, whose own spacing there is at most half of it,
+/// and whose radius is not negative.
 /// Radius: offset 0 is the double nearest to the exact distance; positive offsets are larger radii.
-/// Foot: offset 0 is the last centre whose foot is not outside; for offset 1, the next double, the foot is outside.
+/// Foot: offset 0 is the last centre whose foot is not outside; at the next double, the foot is outside.
+///
+/// `truths` are the contract's, which lifts vertices; `as_given` those of TruthAsGiven.
 struct Crossing {
   Polygon polygon;
   std::vector<Ball> balls;
-  std::vector<PartialAnswer> truths;  ///< for each ball: plane, foot, edges_hit, contact
+  std::vector<PartialAnswer> truths;    ///< for each ball: plane, foot, edges_hit, contact
+  std::vector<PartialAnswer> as_given;  ///< the same; empty if no vertex is lifted
+  std::vector<std::size_t> offsets;     ///< for each ball: the place of its offset in all_offsets()
   std::size_t stratum = 0;
   std::uint64_t n = 0;
 
   /// Returns the place of offset 0 among the balls.
-  [[nodiscard]] std::size_t middle() const { return balls.size() / 2; }
+  [[nodiscard]] std::size_t middle() const;
+  [[nodiscard]] const PartialAnswer& given(std::size_t ball) const {
+    return as_given.empty() ? truths[ball] : as_given[ball];
+  }
 };
 
 /// Draws the sample at that place. `truth` must be a correct method (`exact` or `filtered`; both give the same bits).
@@ -97,34 +108,52 @@ struct CrossingSettings {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   Shape shape = {};
+  std::vector<workloads::Placement> placements = workloads::all_placements();
+
+  /// Returns whether crossings of this stratum are drawn.
+  [[nodiscard]] bool has(const Stratum& stratum) const;
 };
 
-/// Visits sample n of every stratum of the families. Returns the number of those that were not found.
+/// Visits sample n of every stratum of the settings. Returns the number of those that were not found.
 std::uint64_t draw_crossings(const CrossingSettings& settings, std::uint64_t n, const Method& truth,
                              const std::function<void(Crossing&)>& visit);
+
+/// How a method understands polygons, as it shows in the simplest cases; see the functions of these names.
+struct Understanding {
+  bool knows_boundary, lifts_vertices;
+};
+
+/// An answer compared with both truths; each is nothing if the method is undecided.
+struct Outcomes {
+  std::optional<Outcome> contract, as_given;
+};
 
 /// A method that is asked about a crossing.
 class Asked {
  public:
   /// `whole`: asks for whole answers only, as of a program behind a pipe, whose every answer has all of its keys.
-  Asked(const Method& method, bool knows_boundary, const Crossing& crossing, bool whole);
+  Asked(const Method& method, Understanding understanding, const Crossing& crossing, bool whole);
 
   [[nodiscard]] PartialAnswer answer(std::size_t ball, QueryKind kind) const {
     return whole_.empty() ? prepared_->ask(crossing_.balls[ball], kind) : whole_[ball];
   }
-  /// Calls count(ball, outcome) for each ball about which the method answers this test; nothing: it is undecided.
+  /// Calls count(ball, outcomes) for each ball about which the method answers this test.
   template <class Count>
   void compare(Test test, const Count& count) const {
     for (std::size_t ball = 0; ball < crossing_.balls.size(); ++ball) {
       const PartialAnswer said = answer(ball, query_kind(test));
-      const auto outcome = cases::compare(test, said, crossing_.truths[ball], knows_boundary_);
-      if (outcome || said.unsure) count(ball, outcome);
+      const Outcomes outcomes{cases::compare(test, said, crossing_.truths[ball], understanding_.knows_boundary),
+                              cases::compare(test, said, crossing_.given(ball), understanding_.knows_boundary)};
+      if (outcomes.contract || said.unsure) count(ball, outcomes);
     }
   }
+  /// Returns whether the contract's question is the method's own: it lifts vertices. Otherwise that is the polygon as
+  /// given.
+  [[nodiscard]] bool lifts() const { return understanding_.lifts_vertices; }
 
  private:
   const Crossing& crossing_;
-  bool knows_boundary_;
+  Understanding understanding_;
   std::unique_ptr<PreparedMethod> prepared_;
   std::vector<PartialAnswer> whole_;
 };
@@ -146,13 +175,13 @@ struct Walk {
 template <class Sum, class Source, class Count>
 void walk(const Walk& of, const program::RunControl& control, const Sum& zero, Sum& sum, const Source& source,
           const Count& count) {
-  std::vector<bool> know_boundary;
-  for (const Method* method : of.methods) know_boundary.push_back(knows_boundary(*method));
+  std::vector<Understanding> understandings;
+  for (const Method* method : of.methods) understandings.push_back({knows_boundary(*method), lifts_vertices(*method)});
   const auto ask_all = [&](std::uint64_t n, Sum& part) {
     source(n, part, [&](const auto& crossing) {
       for (std::size_t m = 0; m < of.methods.size(); ++m)
         if (!of.methods[m]->slow() || n % of.slow_stride == 0)
-          count(part, crossing, m, Asked(*of.methods[m], know_boundary[m], crossing, of.whole));
+          count(part, crossing, m, Asked(*of.methods[m], understandings[m], crossing, of.whole));
     });
   };
   program::run_sweep(of.samples, of.threads, control, zero, sum, ask_all, of.block);

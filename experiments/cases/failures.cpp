@@ -4,20 +4,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstdlib>
+#include <cmath>
 
 namespace touchstone::cases {
 namespace {
 
-std::string offset_text(std::int64_t offset) {
+std::string offset_text(double offset) {
   if (offset == 0) return "0";
-  const auto size = static_cast<std::uint64_t>(std::abs(offset));
-  const std::string sign = offset < 0 ? "-" : "+";
-  constexpr std::uint64_t kWritten = 1024;  // beyond it offsets are powers of two
-  if (size <= kWritten) return sign + std::to_string(size);
   const bool last = std::abs(offset) == all_offsets().back();
-  return fmt::format("{}2^{}{}", sign, std::countr_zero(size), last ? " or beyond" : "");
+  return fmt::format("{}2^{}{}", offset < 0 ? "-" : "", std::ilogb(offset), last ? " or beyond" : "");
 }
 
 }  // namespace
@@ -33,6 +28,13 @@ void Failures::add(std::optional<Outcome> outcome) {
   wrongly_out += *outcome == Outcome::WronglyOut ? 1 : 0;
 }
 
+void CrossingFailures::add(const Outcomes& outcomes, bool lifts) {
+  Failures::add(lifts ? outcomes.contract : outcomes.as_given);
+  if (outcomes.contract == Outcome::Right) return;
+  ++contract;
+  lift += outcomes.as_given == Outcome::Right ? 1 : 0;
+}
+
 void Failures::add_sample(bool failed) {
   ++trials;
   wrong += failed ? 1 : 0;
@@ -44,11 +46,11 @@ std::string to_string(const Band& band) {
   return offset_text(*band.lowest) + " to " + offset_text(*band.highest);
 }
 
-std::vector<StratumGroup> stratum_groups(const std::vector<workloads::Family>& families) {
+std::vector<StratumGroup> stratum_groups(const CrossingSettings& settings) {
   std::vector<StratumGroup> single, pooled;
   for (std::size_t s = 0; s < all_strata().size(); ++s) {
+    if (!settings.has(all_strata()[s])) continue;
     const auto& [family, placement, threshold] = all_strata()[s];
-    if (std::ranges::find(families, family) == families.end()) continue;
     single.push_back({std::string(to_string(family)), placement, threshold, {s}});
     auto group = std::ranges::find_if(pooled, [&, placement = placement, threshold = threshold](const auto& other) {
       return other.placement == placement && other.threshold == threshold;

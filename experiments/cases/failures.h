@@ -42,6 +42,18 @@ struct Failures {
   friend bool operator==(const Failures&, const Failures&) = default;
 };
 
+/// The answers of a method at thresholds. Failures are about the question that the method understands: the contract's if
+/// it lifts vertices, otherwise the polygon as given. So a failure is due to the method's own arithmetic, such as
+/// rounding.
+struct CrossingFailures : Failures {
+  std::uint64_t contract = 0;  ///< wrong or undecided by the contract
+  std::uint64_t lift = 0;      ///< of these, right about the polygon as given: the contract lifts, the method does not
+
+  void add(const Outcomes& outcomes, bool lifts);
+  auto members() { return std::tuple_cat(Failures::members(), std::tie(contract, lift)); }
+  friend bool operator==(const CrossingFailures&, const CrossingFailures&) = default;
+};
+
 /// The answers about some samples. Samples are independent; answers about one sample are not, so that limits of their
 /// share would be too narrow.
 struct SampledFailures {
@@ -60,7 +72,7 @@ template <class List>
 
 /// The lowest and the highest offset with a failure; nothing if there is none.
 struct Band {
-  std::optional<std::int64_t> lowest, highest;
+  std::optional<double> lowest, highest;
 };
 
 /// Returns the band of counts by all_offsets(). `failures`: a member of a count that is the number of its failures.
@@ -75,8 +87,8 @@ template <class Count, class Number>
   return band;
 }
 
-/// Returns the band in words: `-3 to +2`, `none seen`; at an end of the sweep, beyond which nothing was tested, `-2^32
-/// or beyond`.
+/// Returns the band in words: `-2^3 to 2^-1`, `none seen`; at an end of the sweep, beyond which nothing was tested,
+/// `-2^32 or beyond`.
 [[nodiscard]] std::string to_string(const Band& band);
 
 /// The strata behind a row of a table: one stratum, or those that differ in their family alone.
@@ -87,8 +99,8 @@ struct StratumGroup {
   std::vector<std::size_t> strata;
 };
 
-/// Returns each stratum of the families, then the groups of all of them.
-[[nodiscard]] std::vector<StratumGroup> stratum_groups(const std::vector<workloads::Family>& families);
+/// Returns each stratum of the settings, then the groups of all families.
+[[nodiscard]] std::vector<StratumGroup> stratum_groups(const CrossingSettings& settings);
 
 /// The subject of a row of a table about thresholds.
 struct Subject {
@@ -100,7 +112,7 @@ struct Subject {
 /// A row about the answers at one offset.
 template <class Count>
 struct OffsetRow : Subject {
-  std::int64_t offset;
+  double offset;
   Count count;
   program::Rate rate;
 };
@@ -109,7 +121,8 @@ struct OffsetRow : Subject {
 template <class Row>
 [[nodiscard]] std::vector<program::Column<Row>> subject_columns(const char* test) {
   return {{"family", "the family of polygons, or `all`", program::path(&Row::group, &StratumGroup::family)},
-          {"placement", "on the lattice, or rotated", program::path(&Row::group, &StratumGroup::placement)},
+          {"placement", "exactly planar with few or all bits, or rotated and rounded",
+           program::path(&Row::group, &StratumGroup::placement)},
           {"threshold", "the threshold that balls cross", program::path(&Row::group, &StratumGroup::threshold)},
           {"test", test, &Row::test},
           {"method", "the method", &Row::method}};
@@ -123,7 +136,7 @@ template <class Row>
                                                                const char* rated) {
   return program::all_columns<Row>(
       {subject_columns<Row>(test),
-       {{"offset", "the distance of the ball from the threshold, in doubles", &Row::offset}},
+       {{"offset", "the distance of the ball from the threshold, in u x size", &Row::offset}},
        std::move(counts),
        program::rate_columns<Row>(rated, &Row::rate)});
 }

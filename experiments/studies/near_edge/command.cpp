@@ -34,11 +34,12 @@ struct Options : program::StudyOptions {
 };
 
 // Raised when sample n of a seed changes, or the form of what is kept.
-constexpr int kVersion = 5;
+constexpr int kVersion = 6;
 
 /// Files of an earlier run would belong to other data.
 void remove_files(const program::StudyRun& run) {
-  run.remove_files({"bands", "failures", "left-out", "map-", "maps", "meshes", "onset", "rates", "rejected", "worst"});
+  run.remove_files({"bands", "clearance", "failures", "left-out", "map-", "maps", "meshes", "onset", "properties",
+                    "rates", "rejected", "worst"});
 }
 
 /// A run about the faces of meshes.
@@ -82,7 +83,7 @@ int run_random(program::StudyRun& run, const Options& options) {
                                   [&](const auto& control, Result& sum) { run_study(settings, control, sum); });
   if (!run.is_part()) {
     remove_files(run);
-    write_failures(run.folder(), settings, result.counts);
+    write_failures(run.folder(), settings, result);
     if (!options.no_maps)
       write_maps(run.folder(), settings, run.phase("maps", map_rows(), [&](const auto& control) {
         return draw_maps(settings.methods, settings.seed, settings.threads, control.stop, control.progress);

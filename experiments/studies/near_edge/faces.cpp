@@ -8,8 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/cases/truth_as_given.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
+#include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/mesh/scene_faces.h"
@@ -158,10 +160,12 @@ void count(Result& result, const FaceCrossing& crossing, std::size_t method, con
   std::vector<std::array<bool, kTests.size()>> wrong(crossing.balls.size());
   bool face_wrong = false;
   for (std::size_t test = 0; test < kTests.size(); ++test)
-    asked.compare(kTests[test], [&](std::size_t ball, std::optional<cases::Outcome> outcome) {
+    asked.compare(kTests[test], [&](std::size_t ball, const cases::Outcomes& outcomes) {
+      const auto outcome = asked.lifts() ? outcomes.contract : outcomes.as_given;
       if (!outcome) return;
       counts.at[crossing.place(ball)][test].add(outcome);
-      wrong[ball][test] = *outcome != cases::Outcome::Right;
+      // Cases that are kept expect the contract's answers.
+      wrong[ball][test] = *outcome != cases::Outcome::Right && *outcomes.contract != cases::Outcome::Right;
       face_wrong |= wrong[ball][test] && kTests[test] == Test::Contact;
     });
   counts.faces_wrong += face_wrong ? 1 : 0;
@@ -180,7 +184,7 @@ std::string_view place_name(Threshold place) { return place == Threshold::FootEd
 FaceCrossing draw_face_crossing(const Polygon& polygon, std::uint64_t seed, std::string_view mesh, std::uint64_t face) {
   const exact::PreparedPolygon exact(polygon);
   const Shape shape(polygon);
-  FaceCrossing crossing{{polygon, {}, {}}, {}, {}};
+  FaceCrossing crossing{{polygon, {}, {}, {}, {}}, {}, {}};
   for (std::size_t place = 0; place < kPlaces.size(); ++place) {
     const bool foot = kPlaces[place] == Threshold::FootEdge;
     Random random(seed, face, hash(mesh) + place);
@@ -194,6 +198,15 @@ FaceCrossing draw_face_crossing(const Polygon& polygon, std::uint64_t seed, std:
       coordinate = workloads::move_by_doubles(coordinate, steps);
       crossing.truths.push_back(cases::PartialAnswer::of(exact::answer(moved, exact), ""));
     }
+  }
+  if (polygon.vertex_count() == 3) return crossing;  // no vertex is lifted
+  const auto contract = methods::find_method("exact")->prepare(polygon);
+  const cases::TruthAsGiven as_given(*contract, polygon);
+  crossing.as_given = crossing.truths;
+  for (std::size_t ball = 0; ball < crossing.balls.size(); ++ball) {
+    const auto truth = as_given.ask(crossing.balls[ball], cases::QueryKind::Contact);
+    crossing.as_given[ball].edges_hit = truth.edges_hit;
+    crossing.as_given[ball].contact = truth.contact;
   }
   return crossing;
 }

@@ -9,8 +9,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "experiments/cases/truth_as_given.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/ulp.h"
+#include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::near_edge {
@@ -104,7 +106,7 @@ struct Scene {
         middle(std::move(ball)),
         first_axis((flat + 1) % 3),
         second_axis((flat + 2) % 3),
-        exact(polygon) {
+        contract(methods::find_method("exact")->prepare(polygon)) {
     for (const auto* method : methods) asked.push_back(method->prepare(polygon));
   }
 
@@ -119,7 +121,7 @@ struct Scene {
   Polygon polygon;
   Ball middle;
   int first_axis, second_axis;
-  exact::PreparedPolygon exact;
+  std::unique_ptr<cases::PreparedMethod> contract;
   std::vector<std::unique_ptr<cases::PreparedMethod>> asked;
 };
 
@@ -160,20 +162,21 @@ char letter(const std::optional<Outcome>& verdict) {
   return 'b';
 }
 
-/// Draws one row of a map.
-void draw_row(const Scene& scene, const std::vector<bool>& know_boundary, std::size_t row, Map& map) {
+/// Draws one row of a map. What is right is the contract's answer if a method lifts vertices, otherwise that about the
+/// polygon as given.
+void draw_row(const Scene& scene, const std::vector<cases::Understanding>& understandings, std::size_t row, Map& map) {
+  const cases::TruthAsGiven truth_as_given(*scene.contract, scene.polygon);
   for (std::size_t column = 0; column < kSide; ++column) {
     const Ball ball = scene.ball(row, column);
-    cases::PartialAnswer truth;
-    if (map.test == Test::Foot)
-      truth.foot = exact::foot(ball, scene.exact);
-    else
-      truth.contact = exact::contact(ball, scene.exact);
+    const cases::QueryKind kind = query_kind(map.test);
+    const cases::PartialAnswer contract = scene.contract->ask(ball, kind), as_given = truth_as_given.ask(ball, kind);
     const std::size_t pixel = row * kSide + column;
-    map.truth[pixel] = letter(map.test, truth);
-    for (std::size_t m = 0; m < scene.asked.size(); ++m)
-      map.verdicts[m][pixel] =
-          letter(compare(map.test, scene.asked[m]->ask(ball, query_kind(map.test)), truth, know_boundary[m]));
+    map.truth[pixel] = letter(map.test, as_given);
+    for (std::size_t m = 0; m < scene.asked.size(); ++m) {
+      const auto& [knows_boundary, lifts_vertices] = understandings[m];
+      map.verdicts[m][pixel] = letter(
+          compare(map.test, scene.asked[m]->ask(ball, kind), lifts_vertices ? contract : as_given, knows_boundary));
+    }
   }
 }
 
@@ -193,8 +196,9 @@ std::uint64_t map_rows() { return kMaps * kSide; }
 
 std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed, unsigned threads,
                            const std::atomic<bool>& stop, const program::Progress& progress) {
-  std::vector<bool> know_boundary;
-  for (const auto* method : methods) know_boundary.push_back(cases::knows_boundary(*method));
+  std::vector<cases::Understanding> understandings;
+  for (const auto* method : methods)
+    understandings.push_back({cases::knows_boundary(*method), cases::lifts_vertices(*method)});
   std::vector<Scene> scenes;
   std::vector<Map> maps;
   const std::string empty(kSide * kSide, ' ');
@@ -208,7 +212,7 @@ std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std
   const std::uint64_t done =
       program::run_blocks(map_rows(), threads, stop, progress, [&](unsigned, std::uint64_t number) {
         const std::size_t map = number / kSide;
-        draw_row(scenes[map], know_boundary, number % kSide, maps[map]);
+        draw_row(scenes[map], understandings, number % kSide, maps[map]);
       });
   maps.resize(static_cast<std::size_t>(done) / kSide);
   return maps;

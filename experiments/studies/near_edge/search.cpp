@@ -10,6 +10,7 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/cases/output_lines.h"
+#include "experiments/cases/truth_as_given.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"
@@ -254,12 +255,15 @@ WrongReach wrong_reach(const AtThreshold& at, const cases::PreparedMethod& metho
                        const cases::PreparedMethod& truth) {
   WrongReach reach;
   const Test test = at.test();
+  const cases::TruthAsGiven as_given(truth, at.polygon);
   const auto is_wrong = [&](double share) {
     const auto ball = at.moved(share);
     if (!ball || at.share_of(*ball) == 0) return false;
-    const auto verdict =
-        compare(test, method.ask(*ball, query_kind(test)), truth.ask(*ball, query_kind(test)), knows_boundary);
-    if (!verdict || verdict == cases::Outcome::Right) return false;
+    const auto answer = method.ask(*ball, query_kind(test));
+    for (const cases::PreparedMethod* each : {&truth, static_cast<const cases::PreparedMethod*>(&as_given)}) {
+      const auto verdict = compare(test, answer, each->ask(*ball, query_kind(test)), knows_boundary);
+      if (!verdict || verdict == cases::Outcome::Right) return false;
+    }
     if (at.share_of(*ball) > reach.share) {
       reach.share = at.share_of(*ball);
       reach.furthest = ball;

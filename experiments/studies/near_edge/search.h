@@ -35,7 +35,8 @@ struct AtThreshold {
 /// Balls are moved by 2^-k of the size, k = 0, ..., kMostExponent, to either side.
 inline constexpr std::size_t kMostExponent = 60;
 
-/// The distance from a threshold up to which a method was seen to be wrong.
+/// The distance from a threshold up to which a method was seen to be wrong: by the contract, and about the polygon as
+/// given, so that it is no matter of lifted vertices.
 struct WrongReach {
   std::array<bool, kMostExponent + 1>
       wrong{};                   ///< [k]: whether at 2^-k, on either side; false if that is less than a double.

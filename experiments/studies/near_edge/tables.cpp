@@ -8,23 +8,30 @@
 namespace touchstone::near_edge {
 namespace {
 
-using OffsetRow = cases::OffsetRow<Failures>;
+using cases::Threshold;
+using OffsetRow = cases::OffsetRow<CrossingFailures>;
 
 constexpr const char* kTestMeaning = "the decision that is compared";
+constexpr const char* kFailures =
+    "wrong or undecided answers about the polygon as given, or by the contract if the method lifts vertices";
 
 const program::Table<OffsetRow>& rates_table() {
   static const program::Table<OffsetRow> table(
       "rates.csv", "a family, placement, threshold, test, method and offset",
-      cases::offset_columns<OffsetRow>(
-          kTestMeaning,
-          {{"failures", "wrong or undecided answers", program::path(&OffsetRow::count, &Failures::not_right)},
-           {"trials", "answers", program::path(&OffsetRow::count, &Failures::trials)}},
-          "failures"));
+      cases::offset_columns<OffsetRow>(kTestMeaning,
+                                       {{"failures", kFailures, program::path(&OffsetRow::count, &Failures::not_right)},
+                                        {"trials", "answers", program::path(&OffsetRow::count, &Failures::trials)},
+                                        {"contract", "answers wrong or undecided by the contract, which lifts vertices",
+                                         program::path(&OffsetRow::count, &CrossingFailures::contract)},
+                                        {"lift", "of these, answers right about the polygon as given",
+                                         program::path(&OffsetRow::count, &CrossingFailures::lift)}},
+                                       "failures"));
   return table;
 }
 
 struct BandRow : cases::Subject {
-  Failures samples, answers;
+  Failures samples;
+  CrossingFailures answers;
   cases::Band band;
   program::Rate rate;
 };
@@ -38,10 +45,58 @@ const program::Table<BandRow>& bands_table() {
            {{"failed_samples", "samples that failed at any offset", path(&BandRow::samples, &Failures::wrong)},
             {"samples", "samples", path(&BandRow::samples, &Failures::trials)}},
            program::rate_columns<BandRow>("failed samples", &BandRow::rate),
-           {{"failures", "wrong or undecided answers at all offsets", path(&BandRow::answers, &Failures::not_right)},
-            {"trials", "answers at all offsets", path(&BandRow::answers, &Failures::trials)}},
+           {{"failures", "failures at all offsets", path(&BandRow::answers, &Failures::not_right)},
+            {"trials", "answers at all offsets", path(&BandRow::answers, &Failures::trials)},
+            {"contract", "answers wrong or undecided by the contract",
+             path(&BandRow::answers, &CrossingFailures::contract)},
+            {"lift", "of these, answers right about the polygon as given",
+             path(&BandRow::answers, &CrossingFailures::lift)}},
            cases::band_columns<BandRow>("the lowest offset at which a failure was seen")}));
   return table;
+}
+
+/// The answers at one offset, at one range of a property.
+struct PropertyRow {
+  Property property;
+  double from, to;
+  Threshold threshold;
+  std::string_view method;
+  double offset;
+  CrossingFailures count;
+  program::Rate rate;
+};
+
+const program::Table<PropertyRow>& properties_table() {
+  using program::path;
+  static const program::Table<PropertyRow> table(
+      "properties.csv", "a range of a property of exactly planar loops, a threshold, method and offset",
+      program::all_columns<PropertyRow>(
+          {{{"property", "the property", &PropertyRow::property},
+            {"from", "the end of the range before", &PropertyRow::from},
+            {"to", "the end of the range; beyond the last one too", &PropertyRow::to},
+            {"threshold", "the threshold that balls cross", &PropertyRow::threshold},
+            {"method", "the method", &PropertyRow::method},
+            {"offset", "the distance of the ball from the threshold, in u x size", &PropertyRow::offset},
+            {"failures", kFailures, path(&PropertyRow::count, &Failures::not_right)},
+            {"trials", "answers to `contact`", path(&PropertyRow::count, &Failures::trials)}},
+           program::rate_columns<PropertyRow>("failures", &PropertyRow::rate)}));
+  return table;
+}
+
+std::vector<PropertyRow> property_rows(const Settings& settings, const ByProperty& counts) {
+  std::vector<PropertyRow> rows;
+  for (std::size_t p = 0; p < kProperties.size(); ++p)
+    for (const Threshold threshold : cases::all_thresholds())
+      for (std::size_t range = 0; range < ends(kProperties[p]).size(); ++range)
+        for (std::size_t m = 0; m < settings.methods.size(); ++m)
+          for (std::size_t i = 0; i < cases::all_offsets().size(); ++i) {
+            const CrossingFailures& at = counts[static_cast<std::size_t>(threshold)][p][range].offsets[m][i];
+            if (at.trials == 0) continue;
+            rows.push_back({kProperties[p], range == 0 ? 0 : ends(kProperties[p])[range - 1],
+                            ends(kProperties[p])[range], threshold, settings.methods[m]->name(),
+                            cases::all_offsets()[i], at, program::rate(at.not_right(), at.trials)});
+          }
+  return rows;
 }
 
 /// A pixel of a map.
@@ -82,22 +137,23 @@ std::vector<BandRow> band_rows(const Settings& settings, const std::vector<cases
 
 }  // namespace
 
-void write_failures(const std::filesystem::path& folder, const Settings& settings, const Counts& counts) {
-  const auto groups = cases::stratum_groups(settings.families);
+void write_failures(const std::filesystem::path& folder, const Settings& settings, const Result& result) {
+  const auto groups = cases::stratum_groups(settings);
   std::vector<OffsetRow> rows;
   for (const auto& group : groups)
     for (const Test test : kTests)
       for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-        const TestFailures failures = sum(counts, group.strata, test, m);
+        const TestFailures failures = sum(result.counts, group.strata, test, m);
         for (std::size_t i = 0; i < failures.offsets.size(); ++i)
-          if (const Failures& at = failures.offsets[i]; at.trials > 0)
+          if (const CrossingFailures& at = failures.offsets[i]; at.trials > 0)
             rows.push_back({{&group, test, settings.methods[m]->name()},
                             cases::all_offsets()[i],
                             at,
                             program::rate(at.not_right(), at.trials)});
       }
   rates_table().write(folder, rows);
-  bands_table().write(folder, band_rows(settings, groups, counts));
+  bands_table().write(folder, band_rows(settings, groups, result.counts));
+  properties_table().write(folder, property_rows(settings, result.by_property));
 }
 
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
@@ -113,19 +169,21 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
 }
 
 std::string table(const Settings& settings, const Counts& counts) {
-  const auto groups = cases::stratum_groups(settings.families);
+  const auto groups = cases::stratum_groups(settings);
   auto rows = band_rows(settings, groups, counts);
   std::erase_if(rows, [](const BandRow& row) {
     return row.group->family != "all" || row.test != cases::test_at(row.group->threshold);
   });
   return bands_table().aligned(rows) +
-         "A sample is a polygon and a centre; it fails if the test is wrong, or left undecided, at any offset. Limits:\n"
-         "Clopper-Pearson, 95 %. Offset: of the radius (foot-*: of one coordinate of the centre, with an ample radius), in\n"
-         "doubles from the exact threshold; positive is larger (or: the foot is outside). bands.csv has the other tests.\n";
+         "A sample is a polygon and a centre; it fails if the test is wrong, or left undecided, at any offset, about the\n"
+         "polygon as given, or by the contract if the method lifts vertices. Limits: Clopper-Pearson, 95 %. Offset: of the\n"
+         "radius (foot-*: of one coordinate of the centre, with an ample radius) from the exact threshold, in u x size, where\n"
+         "u is 2^-53 and the size is the polygon's extent; positive is larger (or: the foot is outside). bands.csv has the\n"
+         "other tests.\n";
 }
 
 std::vector<program::TableDescription> tables() {
-  return {rates_table().description(), bands_table().description(),
+  return {rates_table().description(), bands_table().description(), properties_table().description(),
           map_table("map-<spot>-<test>-<distance>.csv", {"<method>"}).description()};
 }
 

@@ -34,18 +34,22 @@ int redraw(const Options& options) {
 std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& families) {
   std::vector<PolygonGroup> groups;
   for (const auto family : families)
-    for (const auto placement : {workloads::Placement::LatticeFrame, workloads::Placement::Rotated})
-      groups.push_back({family, placement});
+    for (const auto placement : kPlacements) groups.push_back({family, placement});
   return groups;
 }
 
 // Raised when sample n of a seed changes, or the form of what is kept.
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
 /// One run. Parts measure errors; times are measured where the parts are merged.
 int run_tradeoff(program::StudyRun& run, const Options& options) {
-  const Settings settings{options.methods.methods(), workloads::find_families(options.families), options.samples,
-                          options.seed, options.threads};
+  const Settings settings{options.methods.methods(),
+                          workloads::find_families(options.families),
+                          options.samples,
+                          options.seed,
+                          options.threads,
+                          {},
+                          {kPlacements.begin(), kPlacements.end()}};
   const TimingSettings timed{settings.methods, groups_of(settings.families), options.seed, options.queries,
                              options.repetitions};
   const Errors errors = run.phase("errors", "part.json", settings.samples, no_errors(settings),

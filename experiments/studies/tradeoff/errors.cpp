@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <tuple>
 #include <utility>
 
@@ -57,6 +56,15 @@ Answers MethodErrors::near_threshold() const {
   return sum;
 }
 
+double MethodErrors::reach() const {
+  const auto& all = cases::all_offsets();
+  const double least = all[all.size() / 2 + 1];
+  double reach = 0;
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    if (offsets[i].not_right() > 0) reach = std::max({reach, std::abs(all[i]), least / 2});
+  return reach;
+}
+
 MethodErrors Errors::sum(const std::vector<std::size_t>& strata, std::size_t method) const {
   MethodErrors sum;
   for (const std::size_t stratum : strata) program::add(sum, at[stratum][method]);
@@ -64,14 +72,8 @@ MethodErrors Errors::sum(const std::vector<std::size_t>& strata, std::size_t met
 }
 
 std::uint64_t Errors::polygons(const std::vector<std::size_t>& strata, std::size_t method) const {
-  std::map<std::pair<workloads::Family, workloads::Placement>, std::uint64_t> most;
-  for (const std::size_t stratum : strata) {
-    const auto& [family, placement, threshold] = cases::all_strata()[stratum];
-    std::uint64_t& polygons = most[{family, placement}];
-    polygons = std::max(polygons, at[stratum][method].samples);
-  }
   std::uint64_t sum = 0;
-  for (const auto& [place, polygons] : most) sum += polygons;
+  for (const std::size_t stratum : strata) sum += at[stratum][method].samples;
   return sum;
 }
 
@@ -110,10 +112,11 @@ void measure_errors(const Settings& settings, const program::RunControl& control
             crosses_radius(crossing) && add_numbers(found, asked.answer(middle, cases::QueryKind::Answer),
                                                     crossing.truths[middle], crossing.n, crossing.stratum);
         asked.compare(cases::test_at(cases::all_strata()[crossing.stratum].threshold),
-                      [&](std::size_t ball, std::optional<cases::Outcome> outcome) {
-                        found.offsets[ball].add(outcome);
-                        if (overflowed && outcome && *outcome != cases::Outcome::Right)
-                          ++found.offsets[ball].overflowed;
+                      [&](std::size_t ball, const cases::Outcomes& outcomes) {
+                        Answers& at = found.offsets[crossing.offsets[ball]];
+                        const std::uint64_t wrong = at.wrong;
+                        at.add(outcomes, asked.lifts());
+                        if (overflowed) at.overflowed += at.wrong - wrong;
                       });
       });
 }

@@ -20,14 +20,17 @@ using Settings = cases::CrossingSettings;
 /// Slow methods are asked about the first of every kSlowStride samples only; the others about all.
 inline constexpr std::uint64_t kSlowStride = 4;
 
-/// Offsets of up to this number of doubles from a threshold count as near.
-inline constexpr std::int64_t kNear = 8;
+/// The placements of polygons: exactly planar ones, and rotated ones, whose vertices are rounded.
+inline constexpr std::array kPlacements{workloads::Placement::Planar, workloads::Placement::Rotated};
+
+/// Offsets of up to this many u x size from a threshold count as near: there most doubles begin to fail.
+inline constexpr double kNear = 1;
 
 /// The answers to cases::test_at.
-struct Answers : cases::Failures {
+struct Answers : cases::CrossingFailures {
   std::uint64_t overflowed = 0;  ///< of the wrong ones: those of samples at which the whole answer is not finite
 
-  auto members() { return std::tuple_cat(Failures::members(), std::tie(overflowed)); }
+  auto members() { return std::tuple_cat(CrossingFailures::members(), std::tie(overflowed)); }
 };
 
 /// The numbers whose errors are measured in units in the last place.
@@ -64,6 +67,9 @@ struct MethodErrors {
 
   /// Returns the sum over the offsets near the threshold.
   [[nodiscard]] Answers near_threshold() const;
+  /// Returns the largest offset with a failure, in u x size, at either side: half of the least one if only the double
+  /// nearest to the distance has one, and 0 if there is none.
+  [[nodiscard]] double reach() const;
   auto members() { return std::tie(offsets, samples, ulps, worst); }
 };
 
@@ -75,8 +81,7 @@ struct Errors {
 
   /// Returns the sum of one method over several strata.
   [[nodiscard]] MethodErrors sum(const std::vector<std::size_t>& strata, std::size_t method) const;
-  /// Returns the number of polygons behind such a sum, on which limits are based: the thresholds of a family in a
-  /// placement share their polygons.
+  /// Returns the number of polygons behind such a sum, on which limits are based: each sample has its own.
   [[nodiscard]] std::uint64_t polygons(const std::vector<std::size_t>& strata, std::size_t method) const;
   auto members() { return std::tie(at, samples, missing); }
 };

@@ -55,6 +55,18 @@ std::optional<ParetoEntry> entry(Measure measure, const MethodErrors& errors, st
                        .not_finite = static_cast<double>(near.overflowed) / trials,
                        .samples = polygons};
   }
+  if (measure == Measure::Reach) {
+    if (errors.near_threshold().trials == 0) return std::nullopt;
+    const double reach = errors.reach();
+    return ParetoEntry{.method = 0,
+                       .nanoseconds = {},
+                       .error = reach,
+                       .lower = reach,
+                       .upper = reach,
+                       .finite_error = reach,
+                       .not_finite = 0,
+                       .samples = polygons};
+  }
   const UlpErrors& ulps =
       errors.ulps[static_cast<std::size_t>(measure == Measure::Distance ? Quantity::Distance : Quantity::Point)];
   const std::uint64_t known = ulps.known.count(), infinite = ulps.known.infinite();
@@ -74,6 +86,7 @@ std::optional<ParetoEntry> entry(Measure measure, const MethodErrors& errors, st
 std::string_view to_string(Measure measure) {
   switch (measure) {
     case Measure::NotRight: return "not-right";
+    case Measure::Reach: return "reach";
     case Measure::Distance: return "distance";
     case Measure::Point: break;
   }
@@ -108,7 +121,8 @@ std::vector<std::size_t> strata_of(std::optional<workloads::Family> family, work
 std::vector<ParetoEntry> pareto_entries(Measure measure, std::optional<workloads::Family> family,
                                         workloads::Placement placement, const Errors& errors,
                                         const std::vector<Timing>& timings) {
-  const QueryKind kind = measure == Measure::NotRight ? QueryKind::Contact : QueryKind::Answer;
+  const bool of_contact = measure == Measure::NotRight || measure == Measure::Reach;
+  const QueryKind kind = of_contact ? QueryKind::Contact : QueryKind::Answer;
   const auto strata = strata_of(family, placement, true);
   const std::size_t methods = errors.at.front().size();
   std::vector<ParetoEntry> list;

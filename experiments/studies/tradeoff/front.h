@@ -17,9 +17,10 @@ namespace touchstone::tradeoff {
 
 /// The balls of a timed list.
 enum class Balls {
-  Near,      ///< radius within kNear doubles of the distance to a face, an edge, a vertex, or of an exactly tangent one
+  Near,      ///< radius within kNearDoubles of the distance to a face, an edge or a vertex
   Anywhere,  ///< workloads::BallPlace::Anywhere
 };
+inline constexpr std::int64_t kNearDoubles = 8;
 inline constexpr std::array kBalls{Balls::Near, Balls::Anywhere};
 [[nodiscard]] std::string_view to_string(Balls balls);
 
@@ -83,12 +84,14 @@ void write_timings(const std::filesystem::path& folder, const std::vector<Timing
 
 /// The measures of error with which run time is compared.
 enum class Measure {
-  NotRight,  ///< the share of answers to `contact` near the radius's thresholds that are wrong, or "don't know"
+  NotRight,  ///< the share of answers to `contact` within kNear of the radius's thresholds that are wrong, or "don't
+             ///< know": about the polygon as given, or by the contract if the method lifts vertices
+  Reach,     ///< the largest offset from these thresholds with such an answer: MethodErrors::reach
   Distance,  ///< the 99 % quantile of the error of the distance, in units in the last place; infinite if more than 1 %
              ///< of the distances are not finite
   Point,     ///< the same, of the closest point
 };
-inline constexpr std::array kMeasures{Measure::NotRight, Measure::Distance, Measure::Point};
+inline constexpr std::array kMeasures{Measure::NotRight, Measure::Reach, Measure::Distance, Measure::Point};
 [[nodiscard]] std::string_view to_string(Measure measure);
 
 /// Nanoseconds per question about a ball near a threshold (contact, or the whole answer): quartiles of the repetitions.

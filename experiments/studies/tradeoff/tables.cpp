@@ -18,8 +18,6 @@ namespace {
 using cases::all_strata;
 using workloads::Placement;
 
-constexpr std::array kPlacements{Placement::LatticeFrame, Placement::Rotated};
-
 /// Calls line(family or nothing, its name, placement) for each of the selected families, then for all together.
 template <class Line>
 void for_each_place(const Settings& settings, const Line& line) {
@@ -35,7 +33,11 @@ constexpr const char* kTestMeaning = "contact, or foot where the centre moves";
 /// Returns the columns of a row's member `count`; `answers`: the name of the last one.
 template <class Row>
 std::vector<program::Column<Row>> count_columns(const char* answers) {
-  return {{"wrong", "wrong answers", program::path(&Row::count, &Answers::wrong)},
+  return {{"wrong", "wrong answers about the polygon as given, or by the contract if the method lifts vertices",
+           program::path(&Row::count, &Answers::wrong)},
+          {"contract", "answers wrong or undecided by the contract, which lifts vertices",
+           program::path(&Row::count, &Answers::contract)},
+          {"lift", "of these, answers right about the polygon as given", program::path(&Row::count, &Answers::lift)},
           {"overflowed", "wrong answers for which the method's distance or point is not finite",
            program::path(&Row::count, &Answers::overflowed)},
           {"unsure", "undecided answers", program::path(&Row::count, &Answers::unsure)},
@@ -60,7 +62,7 @@ struct BandRow : cases::Subject {
 
 const program::Table<BandRow>& bands_table() {
   static const program::Table<BandRow> table(
-      "bands.csv", "a family, placement, threshold and method, within 8 doubles of the threshold",
+      "bands.csv", "a family, placement, threshold and method, within 1 u x size of the threshold",
       program::all_columns<BandRow>({cases::subject_columns<BandRow>(kTestMeaning),
                                      {{"samples", "samples, which are independent", &BandRow::samples}},
                                      count_columns<BandRow>("answers"),
@@ -78,7 +80,7 @@ struct Where {
 template <class Row>
 std::vector<program::Column<Row>> where_columns() {
   return {{"family", "the family of polygons, or `all`", program::path(&Row::where, &Where::family)},
-          {"placement", "on the lattice, or rotated", program::path(&Row::where, &Where::placement)},
+          {"placement", "exactly planar, or rotated and rounded", program::path(&Row::where, &Where::placement)},
           {"method", "the method", &Row::method}};
 }
 
@@ -128,7 +130,8 @@ const program::Table<TimingRow>& timings_table() {
   static const program::Table<TimingRow> table(
       "timings.csv", "a list of questions and a method",
       {{"family", "the family of polygons", [](const TimingRow& row) { return row.timing->group.family; }},
-       {"placement", "on the lattice, or rotated", [](const TimingRow& row) { return row.timing->group.placement; }},
+       {"placement", "exactly planar, or rotated and rounded",
+        [](const TimingRow& row) { return row.timing->group.placement; }},
        {"balls", "where the balls are", program::path(&TimingRow::timing, &Timing::balls)},
        {"question", "contact, or the whole answer", [](const TimingRow& row) { return to_string(row.timing->kind); }},
        {"method", "the method", program::path(&TimingRow::measured, &timing::Measured::name)},
@@ -162,7 +165,8 @@ const program::Table<FrontRow>& front_table() {
              kTime},
             {"lower_quartile_ns", "a question", [](const FrontRow& row) { return row.entry.nanoseconds.lower; }, kTime},
             {"upper_quartile_ns", "a question", [](const FrontRow& row) { return row.entry.nanoseconds.upper; }, kTime},
-            {"error", "the share of answers, or the 99 % quantile of units in the last place",
+            {"error",
+             "the share of answers, the largest offset in u x size, or the 99 % quantile of units in the last place",
              program::path(&FrontRow::entry, &ParetoEntry::error), kError},
             {"lower", "the lower limit of a share; the median of units",
              program::path(&FrontRow::entry, &ParetoEntry::lower), kError},
@@ -249,7 +253,7 @@ std::string noise(const std::vector<Timing>& timings) {
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
   std::vector<OffsetRow> offsets;
   std::vector<BandRow> bands;
-  const auto groups = cases::stratum_groups(settings.families);
+  const auto groups = cases::stratum_groups(settings);
   for (const auto& group : groups)
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
       const cases::Subject subject{&group, cases::test_at(group.threshold), name(settings, m)};

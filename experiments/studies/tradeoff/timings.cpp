@@ -19,19 +19,17 @@ using workloads::Random;
 constexpr std::size_t kPolygons = 16;                      // of each group
 constexpr std::uint64_t kStream = std::uint64_t{1} << 41;  // beyond those that the workloads draw from
 
-BallPlace draw_near_place(Random& random, workloads::Placement placement) {
-  constexpr std::array kPlaces{BallPlace::NearFace, BallPlace::NearEdge, BallPlace::NearVertex,
-                               BallPlace::LatticeTangent};
-  const bool tangents = placement == workloads::Placement::LatticeFrame;
-  return kPlaces[static_cast<std::size_t>(random.integer(0, tangents ? 3 : 2))];
+BallPlace draw_near_place(Random& random) {
+  constexpr std::array kPlaces{BallPlace::NearFace, BallPlace::NearEdge, BallPlace::NearVertex};
+  return kPlaces[static_cast<std::size_t>(random.integer(0, kPlaces.size() - 1))];
 }
 
 std::optional<Query> draw_query(const std::vector<PlacedOutline>& outlines, workloads::Workload workload, Balls balls,
                                 std::uint64_t seed, std::uint64_t index) {
   Random random(seed, index, kStream + static_cast<std::uint64_t>(balls));
   const auto polygon = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(outlines.size()) - 1));
-  workload.ball = balls == Balls::Near ? draw_near_place(random, workload.placement) : BallPlace::Anywhere;
-  workload.doubles = static_cast<int>(random.integer(-kNear, kNear));
+  workload.ball = balls == Balls::Near ? draw_near_place(random) : BallPlace::Anywhere;
+  workload.doubles = static_cast<int>(random.integer(-kNearDoubles, kNearDoubles));
   try {
     return Query{polygon, workloads::draw_ball(outlines[polygon], workload, seed, index)};
   } catch (const std::invalid_argument&) {  // this polygon has no such ball

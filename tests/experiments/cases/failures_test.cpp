@@ -22,6 +22,20 @@ TEST(Failures, OfEachOutcomeAreCountedApart) {
   EXPECT_EQ(failures.share(), 5.0 / 8);
 }
 
+// Of a method that does not lift, those about the polygon as given are its own.
+TEST(CrossingFailures, AreAboutTheQuestionThatTheMethodUnderstands) {
+  CrossingFailures given, lifted;
+  for (const Outcomes outcomes :
+       {Outcomes{Outcome::Right, Outcome::Right}, Outcomes{Outcome::WronglyIn, Outcome::Right},
+        Outcomes{Outcome::WronglyOut, Outcome::WronglyOut}, Outcomes{Outcome::Right, Outcome::WronglyIn}, Outcomes{}}) {
+    given.add(outcomes, false);
+    lifted.add(outcomes, true);
+  }
+  EXPECT_EQ(given, (CrossingFailures{{.trials = 5, .wrong = 2, .wrongly_in = 1, .wrongly_out = 1, .unsure = 1}, 3, 1}));
+  EXPECT_EQ(lifted,
+            (CrossingFailures{{.trials = 5, .wrong = 2, .wrongly_in = 1, .wrongly_out = 1, .unsure = 1}, 3, 1}));
+}
+
 TEST(Failures, OfABandLieBetweenItsEnds) {
   std::vector<Failures> counts(all_offsets().size());
   const auto band = [&] { return to_string(band_of(counts, &Failures::not_right)); };
@@ -30,11 +44,11 @@ TEST(Failures, OfABandLieBetweenItsEnds) {
   EXPECT_EQ(band(), "0");
   EXPECT_EQ(to_string(band_of(counts, &Failures::wrong)), "none seen");
   counts[counts.size() / 2 + 2].wrong = 1;
-  EXPECT_EQ(band(), "0 to +2");
+  EXPECT_EQ(band(), "0 to 2^-6");
   counts[1].wrong = 1;
-  EXPECT_EQ(band(), "-2^30 to +2");
+  EXPECT_EQ(band(), "-2^28 to 2^-6");
   counts.back().wrong = counts.front().wrong = 1;
-  EXPECT_EQ(band(), "-2^32 or beyond to +2^32 or beyond");
+  EXPECT_EQ(band(), "-2^32 or beyond to 2^32 or beyond");
   EXPECT_EQ(total(counts).not_right(), 5U);
 }
 

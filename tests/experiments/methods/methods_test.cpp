@@ -150,8 +150,8 @@ TEST(Interval, KnowsAllThatDoublesHold) {
   EXPECT_EQ(ask("interval", sample), without_normal(ask("exact", sample)));
 }
 
-// 201 bits are right whenever double-doubles are right by a wide margin; 64 doubles from a threshold both are right.
-TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
+// Beside a threshold by no more than two doubles, double-doubles and 201 bits are right.
+TEST(Mpfr, IsRightBesideThresholds) {
   const auto *wide = find_method("fast-mpfr-201"), *narrow = find_method("fast-double-double");
   for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
     if (!cases::moves_radius(cases::all_strata()[s].threshold)) continue;
@@ -159,14 +159,11 @@ TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
     ASSERT_TRUE(crossing);
     const auto by_wide = wide->prepare(crossing->polygon), by_narrow = narrow->prepare(crossing->polygon);
     for (std::size_t i = 0; i < crossing->balls.size(); ++i) {
-      const auto offset = std::abs(cases::all_offsets()[i]);
+      const double offset = cases::all_offsets()[crossing->offsets[i]];
+      if (offset == 0) continue;
       const auto truth = crossing->truths[i].contact;
-      if (offset >= 64) {
-        EXPECT_EQ(by_narrow->ask(crossing->balls[i], cases::QueryKind::Contact).contact, truth) << s << " " << offset;
-      }
-      if (offset >= 1) {
-        EXPECT_EQ(by_wide->ask(crossing->balls[i], cases::QueryKind::Contact).contact, truth) << s << " " << offset;
-      }
+      EXPECT_EQ(by_narrow->ask(crossing->balls[i], cases::QueryKind::Contact).contact, truth) << s << " " << offset;
+      EXPECT_EQ(by_wide->ask(crossing->balls[i], cases::QueryKind::Contact).contact, truth) << s << " " << offset;
     }
   }
 }

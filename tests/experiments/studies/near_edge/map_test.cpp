@@ -67,7 +67,7 @@ class Watching : public cases::Method {
 TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
   Watching method;
   const auto maps = draw_maps({&method}, 3, 1, kNeverStop, kSilent);
-  method.seen.erase(method.seen.begin());  // the square that shows whether the method knows the word boundary
+  method.seen.erase(method.seen.begin(), method.seen.begin() + 2);  // the squares that show how it understands polygons
   ASSERT_EQ(maps.size(), method.seen.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (maps[i].test != cases::Test::Contact) continue;

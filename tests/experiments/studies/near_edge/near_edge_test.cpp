@@ -51,7 +51,7 @@ std::vector<std::size_t> strata(Placement placement, cases::Threshold threshold)
   return found;
 }
 
-std::size_t place_of(std::int64_t offset) {
+std::size_t place_of(double offset) {
   const auto& offsets = cases::all_offsets();
   return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
 }
@@ -107,22 +107,89 @@ TEST(NearEdgeComparison, EdgesAreComparedAsLists) {
   EXPECT_EQ(compare(Tested::Edges, PartialAnswer{}, truth, true), std::nullopt);
 }
 
-// Radii: none below the distance, contact above it. Feet: not outside at offset 0, outside at offset 1.
-TEST(NearEdgeThreshold, LiesBetweenOffsetsMinusOneAndOne) {
+// Radii: no contact below the distance, contact above it. Feet: not outside at offset 0, outside at the next one. Each
+// ball is as far away as its offset says, up to a quarter of it.
+TEST(NearEdgeThreshold, LiesAtOffsetZero) {
   for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
     const auto crossing = cases::draw_crossing({s, {}, 3, 0}, kExact);
     ASSERT_TRUE(crossing) << s;
-    const auto& truths = crossing->truths;
-    if (cases::moves_radius(cases::all_strata()[s].threshold)) {
-      EXPECT_FALSE(*truths[place_of(-1)].contact) << s;
-      EXPECT_TRUE(*truths[place_of(1)].contact) << s;
-    } else {
-      EXPECT_NE(truths[place_of(0)].foot, PointLocation::Outside) << s;
-      EXPECT_EQ(truths[place_of(1)].foot, PointLocation::Outside) << s;
+    const auto threshold = cases::all_strata()[s].threshold;
+    const Ball& middle = crossing->balls[crossing->middle()];
+    const double unit = cases::rounding_unit(crossing->polygon);
+    EXPECT_GT(crossing->balls.size(), 20U) << s;
+    for (std::size_t i = 0; i < crossing->balls.size(); ++i) {
+      const double offset = cases::all_offsets()[crossing->offsets[i]];
+      const Ball& ball = crossing->balls[i];
+      const double moved = cases::moves_radius(threshold) ? ball.radius - middle.radius
+                                                          : (ball.center - middle.center).cwiseAbs().maxCoeff();
+      EXPECT_NEAR(cases::moves_radius(threshold) ? moved : std::copysign(moved, offset), offset * unit,
+                  std::abs(offset) * unit / 4)
+          << s << " " << offset;
+      const auto& truth = crossing->truths[i];
+      if (!cases::moves_radius(threshold)) {
+        if (i == crossing->middle() || i == crossing->middle() + 1) {
+          EXPECT_EQ(truth.foot == PointLocation::Outside, offset > 0) << s << " " << offset;
+        }
+      } else if (offset != 0 || threshold == cases::Threshold::Tangent) {
+        EXPECT_EQ(truth.contact, offset >= 0) << s << " " << offset;
+      }
     }
-    if (cases::all_strata()[s].threshold == cases::Threshold::Tangent) {
-      EXPECT_TRUE(*truths[place_of(0)].contact) << s;
+  }
+}
+
+// Exactly planar loops have one truth. Of rotated ones the edges differ, and with them contact; triangles are not lifted.
+TEST(NearEdgeThreshold, HasTwoTruthsWhereVerticesAreLifted) {
+  std::uint64_t edges = 0, contacts = 0;
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
+    for (std::uint64_t n = 0; n < 5; ++n) {
+      const auto crossing = cases::draw_crossing({s, {}, 3, n}, kExact);
+      ASSERT_TRUE(crossing) << s;
+      const auto& [family, placement, threshold] = cases::all_strata()[s];
+      for (std::size_t i = 0; i < crossing->balls.size(); ++i) {
+        const auto &contract = crossing->truths[i], &given = crossing->given(i);
+        EXPECT_EQ(contract.foot, given.foot);
+        EXPECT_EQ(contract.plane, given.plane);
+        if (placement != Placement::Rotated || family == Family::Triangle) {
+          EXPECT_EQ(contract.edges_hit, given.edges_hit) << s;
+          EXPECT_EQ(contract.contact, given.contact) << s;
+        }
+        edges += contract.edges_hit != given.edges_hit ? 1 : 0;
+        contacts += contract.contact != given.contact ? 1 : 0;
+        // Lifting moves vertices by a few u x size.
+        if (std::abs(cases::all_offsets()[crossing->offsets[i]]) >= 64) {
+          EXPECT_EQ(contract.contact, given.contact) << s;
+        }
+      }
     }
+  EXPECT_GT(edges, 100U);
+  EXPECT_GT(contacts, 50U);
+}
+
+// Whoever computes with more than doubles does, and `fast` does not.
+TEST(NearEdgeComparison, TellsWhoLiftsVertices) {
+  for (const char* name :
+       {"exact", "filtered", "rational", "interval", "cgal-epeck", "fast-long-double", "fast-mpfr-101"})
+    EXPECT_TRUE(cases::lifts_vertices(*methods::find_method(name))) << name;
+  for (const char* name : {"fast", "fast-float", "cgal-double", "cgal-epick", "thesis", "thesis-newell"})
+    EXPECT_FALSE(cases::lifts_vertices(*methods::find_method(name))) << name;
+}
+
+// Of exactly planar loops. Nothing is wrong of those near vertices, whose distance needs no plane.
+TEST(NearEdgeStudy, SumsFailuresByProperty) {
+  const Result result = whole(settings({"fast"}, 40));
+  const auto sum_of = [&](cases::Threshold threshold, Property property) {
+    CrossingFailures sum;
+    for (const auto& range :
+         result.by_property[static_cast<std::size_t>(threshold)][static_cast<std::size_t>(property)])
+      program::add(sum, cases::total(range.offsets[0]));
+    return sum;
+  };
+  for (const auto threshold : {cases::Threshold::Face, cases::Threshold::Edge, cases::Threshold::Vertex}) {
+    const auto all = cases::total(sum(result.counts, strata(Placement::Planar, threshold), Tested::Contact, 0).offsets);
+    EXPECT_EQ(sum_of(threshold, Property::Radius), all) << to_string(threshold);
+    EXPECT_EQ(sum_of(threshold, Property::Tilt), all) << to_string(threshold);
+    EXPECT_EQ(sum_of(threshold, Property::Length).trials, threshold == cases::Threshold::Edge ? all.trials : 0);
+    EXPECT_EQ(sum_of(threshold, Property::Angle).trials, threshold == cases::Threshold::Vertex ? all.trials : 0);
   }
 }
 
@@ -137,17 +204,18 @@ TEST(NearEdgeStudy, ExactNeverFails) {
       EXPECT_EQ(failures(result, on_lattice, test), 0U) << to_string(test) << " " << to_string(threshold);
       EXPECT_EQ(sum(result.counts, on_lattice, test, 0).samples.trials, 6U);
       if (threshold == cases::Threshold::Tangent) continue;
-      EXPECT_EQ(failures(result, strata(Placement::Rotated, threshold), test), 0U);
+      for (const Placement placement : {Placement::Planar, Placement::Rotated})
+        EXPECT_EQ(failures(result, strata(placement, threshold), test), 0U);
     }
 }
 
 // In rotated planes rounding is felt at once; the sweep reaches to where it is no longer.
-TEST(NearEdgeStudy, FastFailsWithinFourDoublesOfAPlane) {
+TEST(NearEdgeStudy, FastFailsNearAPlane) {
   const auto setting = settings({"fast"}, 30);
   const Result result = whole(setting);
   std::uint64_t near = 0, far = 0;
   for (const std::size_t s : strata(Placement::Rotated, cases::Threshold::Face)) {
-    for (std::int64_t k = -4; k <= 4; ++k) near += at_offset(result, s, Tested::Plane, place_of(k)).not_right();
+    for (const double k : {-0.25, 0.0, 0.25}) near += at_offset(result, s, Tested::Plane, place_of(k)).not_right();
     far += at_offset(result, s, Tested::Plane, 0).not_right();
     far += at_offset(result, s, Tested::Plane, cases::all_offsets().size() - 1).not_right();
   }
@@ -174,7 +242,7 @@ TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
     const auto folder = scratch.path / std::to_string(threads);
     fs::create_directories(folder);
     const Result result = whole(setting);
-    write_failures(folder, setting, result.counts);
+    write_failures(folder, setting, result);
     write_maps(folder, setting, draw_maps(setting.methods, setting.seed, threads, kNeverStop, kSilent));
   }
   int files = 0;
@@ -182,7 +250,7 @@ TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
     EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "2" / file.path().filename())) << file.path();
     ++files;
   }
-  EXPECT_EQ(files, 23);
+  EXPECT_EQ(files, 24);
 }
 
 // Sums of the largest sweep that the options allow stay below 2^64.
@@ -223,6 +291,7 @@ TEST(NearEdgeCommand, WritesResultsAndASidecar) {
   EXPECT_EQ(record["samples_done"], 1);
   EXPECT_TRUE(fs::exists(folder / "rates.csv"));
   EXPECT_TRUE(fs::exists(folder / "bands.csv"));
+  EXPECT_TRUE(fs::exists(folder / "properties.csv"));
   EXPECT_TRUE(fs::exists(folder / "map-edge-contact-1000000.csv"));
 }
 

@@ -22,7 +22,7 @@ using workloads::Family;
 using workloads::Placement;
 
 TEST(TimedQueries, AreDistinctLegalShuffledAndWhereTheySay) {
-  for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
+  for (const Placement placement : kPlacements) {
     const Queries queries = draw_queries({Family::Comb, placement}, 3, 60);
     ASSERT_EQ(queries.near.size(), 60U);
     ASSERT_EQ(queries.anywhere.size(), 60U);
@@ -31,7 +31,7 @@ TEST(TimedQueries, AreDistinctLegalShuffledAndWhereTheySay) {
     std::set<std::size_t> polygons;
     for (const auto& [polygon, ball] : queries.near) {
       const double distance = exact::answer(ball, queries.polygons[polygon]).distance;
-      EXPECT_LE(std::abs(workloads::doubles_between(distance, ball.radius)), kNear);
+      EXPECT_LE(std::abs(workloads::doubles_between(distance, ball.radius)), kNearDoubles);
       centers.insert(ball.center.x());
       polygons.insert(polygon);
     }

@@ -48,10 +48,12 @@ const UlpErrors& ulps(const MethodErrors& errors, Quantity quantity) {
 }
 
 TEST(TradeoffErrors, OfExactAreNone) {
-  for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
+  for (const Placement placement : kPlacements) {
     const MethodErrors errors = errors_of(*methods::find_method("filtered"), placement);
-    EXPECT_EQ(errors.samples, placement == Placement::LatticeFrame ? 8U : 6U);
-    EXPECT_EQ(errors.near_threshold(), (cases::Failures{.trials = 17 * errors.samples}));
+    EXPECT_EQ(errors.samples, 6U);
+    EXPECT_EQ(errors.near_threshold(), Answers{{{.trials = errors.near_threshold().trials}}});
+    EXPECT_GT(errors.near_threshold().trials, 6 * errors.samples);
+    EXPECT_EQ(errors.reach(), 0);
     EXPECT_EQ(to_string(cases::band_of(errors.offsets, &Answers::wrong)), "none seen");
     for (const Quantity quantity : kQuantities) {
       EXPECT_EQ(ulps(errors, quantity).known.count(), errors.samples);
@@ -60,16 +62,15 @@ TEST(TradeoffErrors, OfExactAreNone) {
   }
 }
 
-// Each of them twice, asked about at each of its thresholds.
-TEST(TradeoffErrors, OfOnePolygonAtSeveralThresholdsAreOfOnePolygon) {
-  const Settings two{{methods::find_method("fast")}, {Family::Star, Family::L}, 2, 7, 1};
-  const Errors errors = whole(two);
-  for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
-    EXPECT_EQ(errors.polygons(strata_of(Family::Star, placement, true), 0), 2U);
-    EXPECT_EQ(errors.polygons(strata_of(std::nullopt, placement, true), 0), 4U);
-    for (const std::size_t stratum : strata_of(Family::Star, placement, true))
-      EXPECT_EQ(errors.polygons({stratum}, 0), errors.sum({stratum}, 0).samples);
-  }
+TEST(TradeoffErrors, OfEachThresholdAreOfPolygonsOfItsOwn) {
+  const cases::Method& exact = *methods::find_method("exact");
+  const auto strata = strata_of(Family::Star, Placement::Planar, true);
+  ASSERT_EQ(strata.size(), 3U);
+  const auto first = cases::draw_crossing({strata[0], {}, 7, 0}, exact),
+             other = cases::draw_crossing({strata[1], {}, 7, 0}, exact);
+  EXPECT_NE(first->polygon.vertex(0), other->polygon.vertex(0));
+  const Errors errors = whole({{methods::find_method("fast")}, {Family::Star, Family::L}, 2, 7, 1});
+  EXPECT_EQ(errors.polygons(strata, 0), 6U);
 }
 
 TEST(TradeoffErrors, OfOneUnitAreMeasuredAsOne) {
@@ -90,20 +91,18 @@ TEST(TradeoffErrors, OfOneUnitAreMeasuredAsOne) {
   }
 }
 
-// A ball that is taken for three doubles larger than it is: wrong from -3 doubles up to the threshold.
+// A ball that is taken for larger than it is, by 3 u, and polygons about as large as 1: wrong from there to the threshold.
 TEST(TradeoffErrors, AreSeenInTheBandWhereTheyWerePlanted) {
   const PlantedMethod method([](const auto& exact, const Ball& ball, QueryKind kind) {
-    return exact.ask({ball.center, workloads::move_by_doubles(ball.radius, 3)}, kind);
+    return exact.ask({ball.center, ball.radius + 0x3p-53}, kind);
   });
-  const MethodErrors errors = errors_of(method);
+  const MethodErrors errors = errors_of(method, Placement::Planar);
   const cases::Band band = cases::band_of(errors.offsets, &Answers::wrong);
-  EXPECT_EQ(band.lowest, -3);
+  EXPECT_LT(*band.lowest, -0.5);
+  EXPECT_GT(*band.lowest, -64);
   EXPECT_LE(*band.highest, 0);
-  const Answers near = errors.near_threshold();
-  EXPECT_EQ(near.trials, 17 * errors.samples);
-  EXPECT_GE(near.wrong, 2 * errors.samples);
-  EXPECT_LE(near.wrong, 4 * errors.samples);
-  EXPECT_EQ(near.unsure, 0U);
+  EXPECT_EQ(errors.reach(), -*band.lowest);
+  EXPECT_EQ(errors.near_threshold().unsure, 0U);
 }
 
 TEST(TradeoffErrors, CountWhatIsLeftOpenApart) {
@@ -113,7 +112,10 @@ TEST(TradeoffErrors, CountWhatIsLeftOpenApart) {
     return answer;
   });
   const MethodErrors errors = errors_of(method);
-  EXPECT_EQ(errors.near_threshold(), (cases::Failures{.trials = 17 * errors.samples, .unsure = 17 * errors.samples}));
+  const Answers near = errors.near_threshold();
+  EXPECT_EQ(near.unsure, near.trials);
+  EXPECT_EQ(near.wrong, 0U);
+  EXPECT_EQ(near.contract, near.trials);
   EXPECT_EQ(ulps(errors, Quantity::Point).known.count(), 0U);
   EXPECT_EQ(ulps(errors, Quantity::Point).asked, errors.samples);
 }
@@ -134,9 +136,9 @@ TEST(TradeoffErrors, OfWhatIsNotFiniteAreCountedApart) {
   const MethodErrors errors = errors_of(method);
   ASSERT_EQ(errors.samples, 6U);
   const Answers near = errors.near_threshold();
-  EXPECT_EQ(near.trials, 17U * 6);
-  EXPECT_EQ(near.wrong, 17U * 6);
-  EXPECT_EQ(near.overflowed, 17U * 2);
+  EXPECT_EQ(near.contract, near.trials);
+  EXPECT_GT(near.overflowed, near.wrong / 6);
+  EXPECT_LT(near.overflowed, near.wrong / 2);
   const UlpErrors& distances = ulps(errors, Quantity::Distance);
   EXPECT_EQ(distances.known.count(), 6U);
   EXPECT_EQ(distances.known.infinite(), 2U);
