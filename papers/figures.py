@@ -30,10 +30,8 @@ def draw_near_edge(study, output):
     thresholds = ["face", "edge", "vertex"]
     figure, grid = plt.subplots(1, len(thresholds), figsize=(WIDTH, 2.5), sharey=True, layout="constrained")
     for axes, threshold in zip(grid, thresholds):
-        rates.draw(axes, "all", "rotated", threshold, "contact")
-        axes.set(title=TITLES[threshold], xlabel="offset of the radius, in doubles")
-        axes.set_xticks([near_edge.place(k) for k in (-2**32, -2**16, 0, 2**16, 2**32)],
-                        ["$-2^{32}$", "$-2^{16}$", "0", "$2^{16}$", "$2^{32}$"])
+        rates.draw(axes, "all", "planar", threshold, "contact")
+        axes.set(title=TITLES[threshold], xlabel=r"offset of the radius, in $u \cdot$ size")
     grid[0].set_ylabel("wrong answers, %")
     above(figure, grid[0], 5)
     save(figure, output, "near-edge", ("pdf",))
@@ -73,7 +71,7 @@ NOT_IN_FRONT = {"bullet-float", "thesis-0.9999", "thesis-1", "thesis-atan2", "th
 
 def draw_front(study, output):
     rows = [row for row in rows_of(study / "front.csv") if row["method"] not in NOT_IN_FRONT and
-            (row["measure"], row["family"], row["placement"]) == ("not-right", "all", "rotated")]
+            (row["measure"], row["family"], row["placement"]) == ("not-right", "all", "planar")]
     figure, axes = plt.subplots(figsize=(WIDTH, 3.6))
     figure.subplots_adjust(left=0.12, right=0.98, top=0.98, bottom=0.12)
     tradeoff.set_limits(axes, rows)
@@ -82,7 +80,7 @@ def draw_front(study, output):
     figure.canvas.draw()
     if nameless := tradeoff.name_spots(axes, spots, spots, 6):
         raise ValueError(f"the picture of the front has no room for {', '.join(spot.method for spot in nameless)}")
-    axes.set(xlabel="nanoseconds a question", ylabel="answers not right within\n8 doubles of contact")
+    axes.set(xlabel="nanoseconds a question", ylabel=r"answers not right within $u \cdot$ size of contact")
     save(figure, output, "front", ("pdf",))
 
 

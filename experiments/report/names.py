@@ -7,7 +7,8 @@ OWN_TEST = {"face": "plane", "edge": "edges", "vertex": "edges", "tangent": "pla
             "foot-vertex": "foot"}
 TITLES = {"face": "radius at a face", "edge": "radius at an edge", "vertex": "radius at a vertex",
           "tangent": "radius exactly tangent", "foot-edge": "foot crosses an edge", "foot-vertex": "foot passes a vertex"}
-PLACEMENTS = {"lattice-frame": "exactly planar polygons on an integer lattice",
+PLACEMENTS = {"planar": "exactly planar polygons",
+              "lattice-frame": "exactly planar polygons on an integer lattice, whose coordinates have few bits",
               "rotated": "rotated polygons, vertices rounded to doubles"}
 DISTANCES = {0: "at the origin", 1000: "10³ sizes away", 1000000: "10⁶ sizes away"}
 

@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the report says over all studies: the verdict (an outcome that is wrong, what never was and what backs it, the price, and how to
 use it), the methods that never failed, and what each method is."""
-import chart
-from looks import EXACT, in_order, look_of, rounds
-from names import NAMED, of_method
-from page import code, count, escaped, percent, percent_number, rendered, rounded, upper_limit
+import reach
+from looks import EXACT, rounds
+from names import DISTANCES, NAMED, of_method
+from page import code, count, escaped, percent, rendered, rounded, upper_limit
 from results import DataError
-from studies import bench, cell, near_edge, stability
+from studies import bench, cell, meshes, near_edge
 
 CERTIFIED, TRUTH = "filtered", "exact"  # must never fail; is right by definition
-PLAIN, AMPLE = "fast", "ample"
-WIDTH, LEFT, RIGHT, ROW, BAR = 360, 4, 300, 34, 13  # of the drawing of stress
+PLAIN = "fast"
 
 
 def sums(asked, method):
@@ -20,15 +19,24 @@ def sums(asked, method):
 
 
 def at_contact(found, method):
-    """Wrong answers within one double of contact, and all."""
+    """Wrong answers within u x size of contact with exactly planar polygons, and all."""
     return near_edge.at_contact(near_edge.Data(found["near-edge"]), method) if "near-edge" in found else (0, 0)
 
 
 def outcome(found):
-    """What plain doubles get wrong: far from contact if the data say so, else at it."""
-    failed, polygons = stability.Data(found["stability"]).failed(PLAIN, AMPLE) if "stability" in found else (0, 0)
-    wrong, of = at_contact(found, PLAIN)
-    return {"stress": failed / polygons if failed else 0, "contact": wrong / of if wrong else 0}
+    """What plain doubles get wrong: about real meshes if they were asked, else about random polygons."""
+    real = meshes.Data(found["meshes"]) if "meshes" in found else None
+    wrong, of = real.counts(PLAIN) if real else at_contact(found, PLAIN)
+    return {"real": sum(real.faces.values()) if real else 0, "share": wrong / of if wrong else 0, "answers": of}
+
+
+def furthest(found):
+    """Of a wrong answer of plain doubles that random samples or a search found, on a polygon of 1 m: at the origin and far away."""
+    data = near_edge.Data(found["near-edge"]) if "near-edge" in found else None
+    if data is None or not data.distances or PLAIN not in data.methods:
+        return None
+    return [(DISTANCES[distance], reach.length(share) if share else "none") for distance in (data.distances[0], data.distances[-1])
+            for share in (data.furthest(PLAIN, distance),)]
 
 
 def price(study):
@@ -46,22 +54,6 @@ def who(asked):
             "sure": [code(m) for m in methods if m in EXACT - {TRUTH} and not sums(asked, m)[1]]}
 
 
-def stress_drawing(data):
-    """How many polygons under stress methods are wrong about, with the radius far from contact; empty where nothing was asked."""
-    drawn, said = "", []
-    methods = [method for method in in_order(data.methods) if data.failed(method, AMPLE)[1]]
-    for i, method in enumerate(methods):
-        failed, polygons = data.failed(method, AMPLE)
-        share, top = failed / polygons, ROW * i + 4
-        shown = f"{percent_number(share)} %" if failed else "none"
-        about = f", {NAMED[method]}" if method in NAMED else ""
-        drawn += (chart.text(LEFT, top + 10, method + about, "start") + f'<rect x="{LEFT}" y="{top + 15}" width="{RIGHT - LEFT}" height="{BAR}" opacity=".25"/>'
-                  f'<rect x="{LEFT}" y="{top + 15}" width="{share * (RIGHT - LEFT):.1f}" height="{BAR}" fill="{look_of(method).colour}" stroke="none"/>'
-                  + chart.text(RIGHT + 6, top + 26, shown, "start", 'font-weight="600"'))
-        said.append(f"{method} {shown}")
-    return chart.part(WIDTH, ROW * len(methods) + 4, f"Polygons under stress with a wrong answer: {', '.join(said)}.", drawn) if methods else ""
-
-
 def verdict(found, asked):
     """`found`: the studies; `asked`: of each, how often methods were asked."""
     answers, wrong, _ = sums(asked, CERTIFIED)
@@ -69,10 +61,9 @@ def verdict(found, asked):
         f"{of_method(m)} {percent(failed / of)}" for m in near_edge.Data(found["near-edge"]).methods if m in NAMED
         for failed, of in (at_contact(found, m),) if failed]
     return rendered(
-        "verdict.html", plain=NAMED[PLAIN], ample=stability.NEARNESSES[AMPLE], outcome=outcome(found), answers=answers, wrong=wrong, contact=contact, who=who(asked),
+        "verdict.html", plain=NAMED[PLAIN], outcome=outcome(found), furthest=furthest(found), answers=answers, wrong=wrong, contact=contact, who=who(asked),
         studies=sum(CERTIFIED in counts for counts in asked.values()), soak=asked["soak"][CERTIFIED].trials if "soak" in asked else 0,
         price=price(found["bench"]) if "bench" in found else None,
-        stress=stress_drawing(stability.Data(found["stability"])) if "stability" in found else "",
         consequence=cell.consequence(found["cell"]) if "cell" in found else None)
 
 

@@ -48,14 +48,32 @@ def cell(failures, trials):
     return f"0 of {trials} (< {100 * upper_limit(trials):.2f} %)"
 
 
-def near_edge_table(touchstone):
-    """All families and placements, within one double of the threshold."""
+@functools.cache
+def near_edge_data(touchstone):
     with results_of(touchstone, "near-edge", "--methods", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1", "--search", "0",
-                    "--no-pictures") as study:
-        data = near_edge.Data(study)
-        return markdown(["within one double of the threshold", *map("`{}`".format, NEAR_EDGE_METHODS)],
-                        [[description, *(cell(*data.within_one_double(method, threshold)) for method in NEAR_EDGE_METHODS)]
-                         for threshold, description in ROWS.items()])
+                    "--no-maps", "--no-pictures") as study:
+        return near_edge.Data(study)
+
+
+def near_edge_table(touchstone):
+    """All families, within u x size of the threshold."""
+    data = near_edge_data(touchstone)
+
+    def of_kind(method, threshold, kind):
+        failures, trials, lift = data.near(method, threshold, kind)
+        return cell(failures, trials) + (f", lift {percents(lift, trials, '.0f')}" if lift else "")
+    return markdown(["within u x size of the threshold", "polygons", *map("`{}`".format, NEAR_EDGE_METHODS)],
+                    [[description, name, *(of_kind(method, threshold, kind) for method in NEAR_EDGE_METHODS)]
+                     for threshold, description in ROWS.items() for kind, name in near_edge.KINDS.items()])
+
+
+def law_table(touchstone):
+    """Of `fast`, by clearance."""
+    data = near_edge_data(touchstone)
+    clearances = [2.0**k for k in near_edge.LAW]
+    return markdown(["wrong answers of `fast`, radius off by", *(f"{k:g}" if k >= 1 else f"1/{1 / k:g}" for k in clearances)],
+                    [[ROWS[threshold], *(cell(*data.near("fast", threshold, is_near=lambda offset, k=k: offset == k)[:2]) for k in clearances)]
+                     for threshold in ("face", "edge", "vertex")])
 
 
 @functools.cache
@@ -102,6 +120,7 @@ def moving_engines_table(touchstone):
 
 TABLES = [  # page, name in its markers, what makes it
     ("docs/methods.md", "near-edge", near_edge_table),
+    ("docs/methods.md", "clearance", law_table),
     ("docs/judging.md", "engines", engines_table),
     ("docs/judging.md", "moving engines", moving_engines_table),
     ("tests/experiments/judge/regress/README.md", "engines by family", engines_by_family_table),

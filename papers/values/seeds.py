@@ -47,4 +47,4 @@ def values(study):
 def tables(study):
     shares = [rates(data) for data in of_seeds(study)]
     rows = [[TITLES[threshold], *(span([s[threshold, method] for s in shares]) for method in METHODS)] for threshold in ROWS]
-    yield "seeds", table("l" + "r" * len(METHODS), ["within one double of the threshold", *(rf"\method{{{method}}}" for method in METHODS)], rows)
+    yield "seeds", table("l" + "r" * len(METHODS), [r"within $u\cdot$size of the threshold", *(rf"\method{{{method}}}" for method in METHODS)], rows)

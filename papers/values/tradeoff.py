@@ -20,7 +20,7 @@ def values(study):
         yield f"distance-right/{method}", "all" if right == asked else percent(right / asked)
         yield f"distance-worst/{method}", decimal(worst)
     data = Data(study)
-    near = {method: row for method in data.methods if (row := data.rate(method, "rotated"))}
+    near = {method: row for method in data.methods if (row := data.rate(method, "planar"))}
     if near["filtered"]["error"]:
         raise ValueError("filtered is wrong")
     for method, row in near.items():

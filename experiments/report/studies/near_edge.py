@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random polygons, double by double: wrong answers at thresholds, and the furthest from them."""
+"""Random polygons near their thresholds: wrong answers by clearance, and the furthest from contact."""
 import csv
 import math
 
@@ -11,18 +11,22 @@ import reach
 from asked import by_method
 from looks import in_order, look_of
 from names import DISTANCES, NAMED, OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES, of_method
-from page import bar, code, count, escaped, percent, percent_number, power, smaller, upper_limit
+from page import bar, code, count, escaped, percent, percent_number, power, smaller
 from results import distinct, finite, maybe, natural, share
 from studies import NEAR_EDGE, OUTPUT, Run
 from style import curve, draw, plt, rows_of, save
 
-RUN = Run(2, "random polygons, double by double", first=True,
+RUN = Run(2, "random polygons near their thresholds", first=True,
           full=[[*NEAR_EDGE, "--output", OUTPUT]], quick=[[*NEAR_EDGE, "--samples", "60", "--search", "8", "--output", OUTPUT]],
           tiny=["near-edge", "--methods", "filtered,fast,thesis", "--families", "u", "--samples", "4", "--search", "2", "--no-pictures"])
-TITLE = "Random polygons, double by double"
+TITLE = "Random polygons near their thresholds"
 
 
 CONTACT = ("face", "edge", "vertex", "tangent")  # thresholds of the radius, which the final answer crosses
+NEAR = 1  # u x size
+# What polygons there are: families and placement, first those about which the contract and every method ask the same question.
+KINDS = {"planar": "exactly planar", "triangles": "rotated triangles", "loops": "rotated loops"}
+LAW = (-8, -4, -2, -1, 0, 1, 2, 3)  # exponents of offsets
 
 
 def final_test(threshold):
@@ -32,9 +36,10 @@ def final_test(threshold):
 
 class Data:
     def __init__(self, study):
-        rates = study.rows("rates.csv", family=str, placement=str, threshold=str, test=str, method=str, offset=int, failures=natural,
-                           trials=natural)
-        self.rates = [row for row in rates if row["family"] == "all"]
+        self.rates = study.rows("rates.csv", family=str, placement=str, threshold=str, test=str, method=str, offset=finite, failures=natural,
+                                trials=natural, lift=natural)
+        self.properties = study.rows("properties.csv", **{"property": str, "from": finite, "to": finite}, threshold=str, method=str, offset=finite,
+                                     failures=natural, trials=natural)
         bands = study.rows("bands.csv", family=str, placement=str, threshold=str, test=str, method=str, samples=natural,
                            failures=natural, trials=natural, rate=share)
         self.families = len({row["family"] for row in bands} - {"all"})
@@ -46,11 +51,33 @@ class Data:
         self.thresholds = distinct(self.bands, "threshold", THRESHOLDS)
         self.placements = distinct(self.bands, "placement", PLACEMENTS)
 
-    def within_one_double(self, method, threshold):
-        """Failures and answers of the test that is decided there."""
-        rows = [row for row in self.rates if row["method"] == method and row["threshold"] == threshold and abs(row["offset"]) <= 1 and
-                row["test"] == final_test(threshold)]
-        return sum(row["failures"] for row in rows), sum(row["trials"] for row in rows)
+    def answers(self, method, threshold, kind):
+        """The rows of the test that is decided there, each with its sign: rotated loops are all rotated polygons but triangles."""
+        family = "triangle" if kind == "triangles" else "all"
+        placement = "rotated" if kind != "planar" else "lattice-frame" if threshold == "tangent" else "planar"
+        return [(row, -1 if row["family"] == "triangle" and kind == "loops" else 1) for row in self.rates
+                if (row["method"], row["threshold"], row["placement"], row["test"]) == (method, threshold, placement, final_test(threshold))
+                and (row["family"] == family or kind == "loops" and row["family"] == "triangle")]
+
+    def near(self, method, threshold, kind="planar", is_near=lambda offset: offset <= NEAR):
+        """Failures, answers, and answers that only the contract's lift makes wrong, at such offsets."""
+        rows = [(row, sign) for row, sign in self.answers(method, threshold, kind) if is_near(abs(row["offset"]))]
+        return tuple(sum(sign * row[name] for row, sign in rows) for name in ("failures", "trials", "lift"))
+
+    def last(self, method, threshold, kind="planar"):
+        """The largest offset with a failure, to either side; None if there is none."""
+        seen = [abs(row["offset"]) for row, sign in self.answers(method, threshold, kind) if row["failures"] and sign > 0]
+        return max(seen, default=None)
+
+    def by_range(self, name, method, threshold, is_near):
+        """By the ranges of a property: its ends, failures and answers."""
+        sums = {}
+        for row in self.properties:
+            if (row["property"], row["method"], row["threshold"]) == (name, method, threshold) and is_near(abs(row["offset"])):
+                sum_ = sums.setdefault((row["from"], row["to"]), [0, 0])
+                sum_[0] += row["failures"]
+                sum_[1] += row["trials"]
+        return sums
 
     def samples(self, threshold):
         return sum(row["samples"] for row in self.bands if row["threshold"] == threshold and row["test"] == final_test(threshold) and
@@ -67,44 +94,76 @@ class Data:
 
 
 def asked(study):
-    """Final answers, at all offsets. A sample has the same outline at all thresholds and in both placements."""
+    """Final answers, at all offsets."""
     data = Data(study)
-    outlines = max(row["samples"] for row in data.bands)
-    return by_method([dict(row, answers=row["trials"], wrong=row["failures"]) for row in data.bands if row["test"] == "contact"],
-                     dict.fromkeys(data.methods, outlines), "outlines")
+    own = [row for row in data.bands if row["test"] == "contact"]
+    return by_method([dict(row, answers=row["trials"], wrong=row["failures"]) for row in own],
+                     {method: sum(row["samples"] for row in own if row["method"] == method) for method in data.methods}, "polygons")
 
 
 def at_contact(data, method):
-    """Wrong final answers and all, with the radius within one double of its threshold."""
-    counts = [data.within_one_double(method, t) for t in data.thresholds if t in CONTACT]
-    return sum(wrong for wrong, _ in counts), sum(of for _, of in counts)
+    """Wrong final answers and all about exactly planar polygons, with the radius within u x size of its threshold."""
+    counts = [data.near(method, t) for t in data.thresholds if t in CONTACT]
+    return sum(wrong for wrong, _, _ in counts), sum(of for _, of, _ in counts)
 
 
 def ranges(data):
     """Of the methods that a sentence names and that were wrong: from the mildest threshold to the worst."""
     for method in data.methods:
-        rates = [wrong / of for wrong, of in (data.within_one_double(method, t) for t in data.thresholds) if of]
+        rates = [wrong / of for wrong, of, _ in (data.near(method, t) for t in data.thresholds) if of]
         if method in NAMED and max(rates) > 0:
             low, high = percent(min(rates)), percent(max(rates))
             yield f"{of_method(method)} " + (high if low == high else f"{escaped(percent_number(min(rates)))} to {high}")
 
 
-def rates_row(data, threshold):
+def rates_row(data, threshold, kind):
     cells = []
     for method in data.methods:
-        failures, trials = data.within_one_double(method, threshold)
-        cells.append("not asked" if not trials else bar(failures / trials, percent(failures / trials)) if failures else
-                     f"0 of {count(trials)} (polygons: &lt; {percent(upper_limit(data.samples(threshold)))})")
-    return [f"{TITLES[threshold]}: {'contact?' if threshold in CONTACT else 'foot inside?'}", *cells]
+        failures, trials, lift = data.near(method, threshold, kind)
+        cells.append("not asked" if not trials else (bar(failures / trials, percent(failures / trials)) if failures else f"0 of {count(trials)}")
+                     + (f"<br><small>lift {percent(lift / trials)}</small>" if lift else ""))
+    return [f"{TITLES[threshold]}: {'contact?' if threshold in CONTACT else 'foot inside?'}", KINDS[kind], *cells]
+
+
+def rates_rows(data):
+    return [rates_row(data, threshold, kind) for threshold in data.thresholds for kind in KINDS
+            if any(data.near(method, threshold, kind)[1] for method in data.methods)]
+
+
+def law(data, method):
+    """Shares of wrong final answers by the exponent of the clearance in u x size, of exactly planar polygons; None: not asked."""
+    def share(threshold, exponent):
+        failures, trials, _ = data.near(method, threshold, is_near=lambda offset: offset == 2.0**exponent)
+        return failures / trials if trials else None
+    return {threshold: [share(threshold, exponent) for exponent in LAW] for threshold in ("face", "edge", "vertex")}
+
+
+# Of a property: what it is called, and at which threshold and how near it shows.
+PROPERTIES = {"thinness": ("the size squared over the area", "face", 2), "tilt": ("the largest component of the normal", "face", 0.5),
+              "edge-length": ("the edge’s length over the size", "edge", 0.125), "radius": ("the radius over the size", "face", 0.5)}
+
+
+THRESHOLD_WORDS = {"face": "a face", "edge": "an edge"}
+
+
+def range_cells(data, method, name):
+    """The ranges and their shares, as many cells as any property has."""
+    cells = [f"{'' if not low else f'{low:.2g} to '}{high:.2g}{'' if low else ' or less'}: {percent(failures / trials) if failures else 'none'}"
+             for low, high, failures, trials in dependence(data, method, name)]
+    return cells + [""] * (5 - len(cells))
+
+
+def dependence(data, method, name):
+    """Of a property: the ends of its ranges, and the share of wrong final answers at one clearance."""
+    _, threshold, offset = PROPERTIES[name]
+    return [(low, high, failures, trials) for (low, high), (failures, trials)
+            in data.by_range(name, method, threshold, lambda clearance: clearance == offset).items()]
 
 
 def rates_picture(study, data, placement):
-    fast = [row for row in data.rates if (row["placement"], row["method"], row["test"]) == (placement, "fast", "contact") and row["threshold"] in CONTACT]
-    far = [abs(row["offset"]) for row in fast if row["failures"]]
-    at_once = [row for row in fast if row["offset"] == 0]
+    last = [each for t in CONTACT if (each := data.last("fast", t))] if placement == "planar" else []
     return {"path": smaller(study.folder, f"rates-{placement}"), "placement": PLACEMENTS[placement],
-            "doubles": power("2", round(math.log2(max(far)))) if far and at_once else "",
-            "at_once": sum(row["failures"] for row in at_once) / sum(row["trials"] for row in at_once) if at_once else None}
+            "last": power("2", round(math.log2(max(last)))) if last else ""}
 
 
 def map_picture(study):
@@ -132,25 +191,27 @@ def furthest(data):
 
 def told(study):
     data = Data(study)
-    pictures = [rates_picture(study, data, placement) for placement in data.placements if placement == "rotated" or len(data.placements) == 1]
+    pictures = [rates_picture(study, data, placement) for placement in data.placements if placement != "lattice-frame"]
+    plain = "fast" if "fast" in data.methods else None
     of_distances = {} if not data.distances else {"near": DISTANCES[data.distances[0]], "far": DISTANCES[data.distances[-1]],
                                                   "furthest": list(furthest(data)), "reach": reach.picture(data)}
     return {"data": data, "families": data.families, "ranges": list(ranges(data)), "polygons": max(a.trials for a in asked(study).values()),
-            "pictures": [each for each in pictures if each["path"]], "rates_rows": [rates_row(data, t) for t in data.thresholds],
+            "pictures": [each for each in pictures if each["path"]], "rates_rows": rates_rows(data),
+            "law_heads": [power("2", k) if k else "1" for k in LAW],
+            "law": [] if plain is None else [[TITLES[t], *("not asked" if s is None else percent(s) if s else "none" for s in shares)] for t, shares in law(data, plain).items()],
+            "properties": [] if plain is None else [[escaped(words_), THRESHOLD_WORDS[t], f"{o:g}", *range_cells(data, plain, name)] for name, (words_, t, o) in PROPERTIES.items()],
             "map": map_picture(study), **of_distances}
 
 
 def place(offset):
-    """Where an offset stands on the axis: evenly up to 8 doubles, by powers of two beyond."""
-    size = abs(offset)
-    return math.copysign(size if size <= 8 else 8 + 0.7 * math.log2(size / 8), offset)
+    """Where an offset stands on the axis: powers of two evenly, to either side of 0."""
+    return math.copysign(math.log2(abs(offset)) + 10, offset) if offset else 0
 
 
-EVEN_STEPS = "even steps from −8 to 8 (shaded), powers of 2 beyond, so curves bend there"
-
-
-def shade_even_steps(axes):
-    axes.axvspan(place(-8), place(8), color="#f2f2f2", linewidth=0, zorder=-1)
+TICKS = {-2**32: "$-2^{32}$", -2**16: "$-2^{16}$", -1: "−1", 0: "0", 1: "1", 2**16: "$2^{16}$", 2**32: "$2^{32}$"}
+UNIT = "u x size"
+LEAST_TRIALS = 10  # of a point that is drawn
+SCALE = f"powers of two of {UNIT} to either side of the threshold; u is $2^{{-53}}$, at 0 the radius is the double nearest to the distance"
 
 
 class Rates:
@@ -158,8 +219,10 @@ class Rates:
         rows = rows_of(path)
         self.curves, self.methods, self.families = {}, distinct(rows, "method"), distinct(rows, "family")
         for row in rows:
+            if int(row["trials"]) < LEAST_TRIALS:
+                continue
             key = tuple(row[name] for name in ("family", "placement", "threshold", "test", "method"))
-            self.curves.setdefault(key, []).append([int(row["offset"])] + [100 * float(row[name]) for name in ("rate", "lower", "upper")])
+            self.curves.setdefault(key, []).append([float(row["offset"])] + [100 * float(row[name]) for name in ("rate", "lower", "upper")])
 
     def draw(self, axes, family, placement, threshold, test, markers=True):
         for method in in_order(self.methods):
@@ -167,12 +230,10 @@ class Rates:
             if points is not None:
                 offset, *shares = np.array(points).T
                 curve(axes, method, [place(k) for k in offset], *shares, marker=markers, markersize=2.5)
-        ticks = [-2**32, -2**16, -8, 0, 8, 2**16, 2**32]
-        axes.set_xticks([place(k) for k in ticks], ["$-2^{32}$", "$-2^{16}$", "−8", "0", "8", "$2^{16}$", "$2^{32}$"])
+        axes.set_xticks([place(k) for k in TICKS], TICKS.values(), fontsize=7)
         axes.set_ylim(-3, 103)
         axes.grid(color="#dddddd", linewidth=0.5)
         axes.axvline(0, color="#888888", linewidth=0.6)
-        shade_even_steps(axes)
 
     def thresholds(self, placement):
         return [t for t in THRESHOLDS if any(key[:3] == ("all", placement, t) for key in self.curves)]
@@ -188,7 +249,7 @@ class Rates:
 
 def axis_label(threshold):
     moved = "a centre coordinate" if threshold.startswith("foot") else "the radius"
-    return f"offset of {moved},\nin doubles"
+    return f"offset of {moved},\nin {UNIT}"
 
 
 def draw_rates(rates, folder, placement):
@@ -201,7 +262,7 @@ def draw_rates(rates, folder, placement):
         axes.set_title(f"{TITLES[threshold]}:\n{'final answer' if test == 'contact' else 'is the foot inside?'}")
         axes.set_xlabel(axis_label(threshold))
     grid[0][0].set_ylabel("wrong answers, %")
-    figure.supxlabel(EVEN_STEPS, fontsize=8)
+    figure.supxlabel(SCALE, fontsize=8)
     figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits\n\n", x=0.01, ha="left")
     rates.legend(figure, 0.25)
     save(figure, folder, f"rates-{placement}")
@@ -220,7 +281,7 @@ def draw_families(rates, folder, placement):
             if row == 0:
                 axes.set_title(family)
         grid[row][0].set_ylabel(f"{TITLES[threshold]}:\n{OWN_TEST[threshold]} test, %", fontsize=7.5)
-    figure.supxlabel("offset of the radius (or of a centre coordinate), in doubles: " + EVEN_STEPS, fontsize=9)
+    figure.supxlabel(f"offset of the radius (or of a centre coordinate): {SCALE}", fontsize=9)
     figure.suptitle(f"Wrong answers by family: {PLACEMENTS[placement]}\n\n", x=0.01, ha="left")
     rates.legend(figure, 0.25)
     save(figure, folder, f"rates-{placement}-families")

@@ -4,9 +4,11 @@ import math
 
 import numpy as np
 
+import chart
 from asked import Asked
-from looks import in_order
-from page import code, level, percent, power, smaller, words
+from looks import in_order, look_of
+from names import NAMED
+from page import code, level, percent, percent_number, power, smaller, words
 from results import distinct, finite, natural, share
 from shares import unless_whole
 from studies import OUTPUT, Run
@@ -35,12 +37,14 @@ AXES = {"aspect": ("slivers", "length / width"),
         "pose-motion": ("chain of pose products,\nagainst the motion meant", "steps"),
         "rounding": ("rounding direction", "mode"),
         "flush": ("subnormals flushed", "mode")}
+WIDTH, LEFT, RIGHT, ROW, BAR = 360, 4, 300, 34, 13  # of the drawing of stress
 MODES = {"rounding", "flush"}  # axes whose levels are not in an order
 NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
               "close": "radius off by 2⁻³⁰ of the distance",
               "ample": "radius off by a quarter of the distance"}
 
 
+BEYOND = ("small", "large", "mixed")  # axes on which products leave the doubles: fast.h promises nothing there
 STAND_IN = "-motion"  # axes on which filtered and exact stand for the motion of doubles, and err as that does
 
 
@@ -57,10 +61,11 @@ class Data:
         self.methods = distinct(self.rows, "method")
         self.axes = distinct(self.rows, "axis", AXES)
 
-    def failed(self, method, nearness):
-        """Polygons that the method was wrong about, and all; without axes whose truth is another one."""
+    def failed(self, method, nearness, axes=None):
+        """Polygons that the method was wrong about, and all: on these axes, otherwise on those whose sizes `fast` promises. Without axes
+        whose truth is another one."""
         own = [row for row in self.rows if row["method"] == method and row["nearness"] == nearness and row["axis"] not in MODES
-               and not row["axis"].endswith(STAND_IN)]
+               and not row["axis"].endswith(STAND_IN) and (row["axis"] in axes if axes else row["axis"] not in BEYOND)]
         return sum(row["failed_samples"] for row in own), sum(row["samples"] for row in own)
 
     def first_failure(self, axis, nearness, method):
@@ -98,12 +103,31 @@ def onsets(data):
 
 def told(study):
     data = Data(study)
-    failed = {method: data.failed(method, "ample") for method in data.methods}
+    failed, beyond = ({method: data.failed(method, "ample", axes) for method in data.methods} for axes in (None, BEYOND))
     return {
         "data": data, "ample": NEARNESSES["ample"], "failures": smaller(study.folder, "failures"), "onset": smaller(study.folder, "onset"),
         "first_failures": [said.format(shown(found)) for axis, (said, shown) in SAID.items() if (found := data.first_failure(axis, "close", "fast"))],
+        "stress": stress_drawing(data),
+        "beyond": [f"{code(method)} {percent(wrong / samples) if wrong else 'none'}" for method, (wrong, samples) in beyond.items() if samples],
         "failed": [f"{code(method)} {percent(wrong / samples) if wrong else 'none'}" for method, (wrong, samples) in failed.items()],
         "onsets": list(onsets(data))}
+
+
+def stress_drawing(data):
+    """How many polygons within the promised range methods are wrong about, with the radius far from contact; empty where nothing was
+    asked."""
+    drawn, said = "", []
+    methods = [method for method in in_order(data.methods) if data.failed(method, "ample")[1]]
+    for i, method in enumerate(methods):
+        failed, polygons = data.failed(method, "ample")
+        share, top = failed / polygons, ROW * i + 4
+        shown = f"{percent_number(share)} %" if failed else "none"
+        about = f", {NAMED[method]}" if method in NAMED else ""
+        drawn += (chart.text(LEFT, top + 10, method + about, "start") + f'<rect x="{LEFT}" y="{top + 15}" width="{RIGHT - LEFT}" height="{BAR}" opacity=".25"/>'
+                  f'<rect x="{LEFT}" y="{top + 15}" width="{share * (RIGHT - LEFT):.1f}" height="{BAR}" fill="{look_of(method).colour}" stroke="none"/>'
+                  + chart.text(RIGHT + 6, top + 26, shown, "start", 'font-weight="600"'))
+        said.append(f"{method} {shown}")
+    return chart.part(WIDTH, ROW * len(methods) + 4, f"Polygons under stress with a wrong answer: {', '.join(said)}.", drawn) if methods else ""
 
 
 MAPPED = ("close", "ample")  # nearnesses; within one double nearly all fail

@@ -12,12 +12,12 @@ from asked import by_method
 from looks import asks_the_question, by_group, in_order, look_of
 from names import OWN_TEST, PLACEMENTS, TITLES
 from noise import TOO_NOISY, is_steady
-from page import bar, code, multiple, percent, smaller, words
+from page import bar, code, multiple, percent, power, smaller, words
 from results import distinct, finite, natural
 from results import number as any_number
 from shares import unless_whole
 from studies import OUTPUT, Run
-from studies.near_edge import EVEN_STEPS, place, shade_even_steps
+from studies.near_edge import SCALE, TICKS, UNIT, place
 from style import curve, draw, plt, rows_of, save
 
 RUN = Run(5, "run time against error", full=[["tradeoff", "--output", OUTPUT]],
@@ -25,7 +25,7 @@ RUN = Run(5, "run time against error", full=[["tradeoff", "--output", OUTPUT]],
           tiny=["tradeoff", "--methods", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
                 "--repetitions", "1", "--no-pictures"])
 TITLE = "What being right costs"
-NAMES = {"lattice-frame": "planar", "rotated": "rotated"}
+NAMES = {"planar": "planar", "rotated": "rotated"}
 
 
 class Data:
@@ -35,7 +35,7 @@ class Data:
                                                 error=any_number, lower=any_number, upper=any_number, samples=natural, front=str)
                       if row["family"] == "all"]
         self.bands = [row for row in study.rows("bands.csv", family=str, placement=str, threshold=str, test=str, method=str, samples=natural,
-                                                wrong=natural, unsure=natural, answers=natural)
+                                                wrong=natural, unsure=natural, lift=natural, answers=natural)
                       if row["family"] == "all" and row["test"] == "contact"]
         self.timings = study.rows("timings.csv", family=str, placement=str, balls=str, question=str, method=str, lower_quartile_ns=finite, median_ns=finite,
                                   upper_quartile_ns=finite)
@@ -45,6 +45,10 @@ class Data:
     def rate(self, method, placement):
         """The row of not-right answers; None where the method gives no final answer."""
         return next((row for row in self.front if (row["measure"], row["method"], row["placement"]) == ("not-right", method, placement)), None)
+
+    def reach(self, method, placement):
+        """The largest offset with an answer that is not right, in u x size; None where the method gives no final answer."""
+        return next((row["error"] for row in self.front if (row["measure"], row["method"], row["placement"]) == ("reach", method, placement)), None)
 
     def nanoseconds(self, method, placement, balls, which="median_ns"):
         """The mean over families of the medians, or quartiles, of a question about contact; None where it was not timed."""
@@ -63,12 +67,12 @@ class Data:
 
 
 def asked(study):
-    """Final answers. A sample has the same outline at all thresholds and in both placements."""
-    data = Data(study)
-    outlines = {}
-    for row in data.bands:
-        outlines[row["method"]] = max(outlines.get(row["method"], 0), row["samples"])
-    return by_method([row for row in data.bands if asks_the_question(row["method"], row["placement"])], outlines, "outlines")
+    """Final answers."""
+    rows = [row for row in Data(study).bands if asks_the_question(row["method"], row["placement"])]
+    polygons = {}
+    for row in rows:
+        polygons[row["method"]] = polygons.get(row["method"], 0) + row["samples"]
+    return by_method(rows, polygons, "polygons")
 
 
 def range_of(numbers):
@@ -87,6 +91,11 @@ def rate(data, method, placement):
     return "" if row is None else bar(row["error"], percent(row["error"])) if row["error"] else f"0 <small>(&lt; {percent(row['upper'])})</small>"
 
 
+def reach(data, method, placement):
+    found = data.reach(method, placement) if asks_the_question(method, placement) else None
+    return "" if found is None else power("2", round(math.log2(found))) if found else "none"
+
+
 def on_front(rows, placement):
     """In words, with those that noise may keep from it."""
     on, perhaps = ([row["method"] for row in rows if (row["placement"], row["front"]) == (placement, front)] for front in ("on", "within-noise"))
@@ -96,25 +105,27 @@ def on_front(rows, placement):
 
 def told(study):
     data = Data(study)
-    last = data.placements[-1]
+    first = data.placements[0]
     rows = [row for row in data.front if row["measure"] == "not-right" and asks_the_question(row["method"], row["placement"])]
     return {
-        "data": data, "last": NAMES[last], "never": [code(row["method"]) for row in rows if row["placement"] == last and not row["error"]],
+        "data": data, "first": NAMES[first], "never": [code(row["method"]) for row in rows if row["placement"] == first and not row["error"]],
         "front": smaller(study.folder, "front-not-right"), "drawn": len({row["method"] for row in rows}),
         "on_front": [on_front(rows, placement) for placement in data.placements] if rows else [],
-        "heads": ["method", *(f"not right, {NAMES[p]}" for p in data.placements),
+        "heads": ["method", *(f"not right, {NAMES[p]}" for p in data.placements), *(f"furthest, {NAMES[p]}" for p in data.placements),
                   *(f"time {where}, {NAMES[p]}" for where in ("near contact", "anywhere") for p in data.placements)],
-        "rates": [[code(m), *(rate(data, m, p) for p in data.placements), *(times(data, m, p, balls) for balls in ("near", "anywhere") for p in data.placements)]
+        "rates": [[code(m), *(rate(data, m, p) for p in data.placements), *(reach(data, m, p) for p in data.placements), *(times(data, m, p, balls) for balls in ("near", "anywhere") for p in data.placements)]
                   for m in data.methods],
         "samples": range_of([row["samples"] for row in data.front])}
 
 
 MEASURES = {
-    "not-right": ("answers not right within 8 doubles of contact", "contact near the threshold"),
+    "not-right": (f"answers not right within {UNIT} of contact", "contact near the threshold"),
+    "reach": (f"the furthest answer from contact that is not right, in {UNIT}", "contact near the threshold"),
     "distance": ("error of the distance: 99 %, units in the last place", "the whole answer near the threshold"),
     "point": ("error of the closest point: 99 %, units in the last place", "the whole answer near the threshold"),
 }
-SUBJECTS = {"not-right": "wrong answers", "distance": "the error of the distance", "point": "the error of the closest point"}
+SUBJECTS = {"not-right": "wrong answers", "reach": "how far from contact answers are wrong", "distance": "the error of the distance", "point": "the error of the closest point"}
+COUNTED = ("not-right", "reach")  # measures that are 0 for a method that was never wrong
 STRIP = 16  # how far below the least share that was seen those methods stand of which none was
 ROUNDED = 0.5  # the most by which a correctly rounded number is off, in units in the last place
 
@@ -125,7 +136,7 @@ def handles(methods):
 
 def strip_of(rows):
     """The height of the strip of methods that were never wrong; None where errors are not counted."""
-    if rows[0]["measure"] != "not-right":
+    if rows[0]["measure"] not in COUNTED:
         return None
     return min((float(row["error"]) for row in rows if float(row["error"]) > 0), default=1) / STRIP
 
@@ -141,10 +152,10 @@ class Spot:
         error, lower, upper = float(row["finite_error"]), float(row["lower"]), float(row["upper"])
         self.not_finite, self.error = float(row["not_finite"]), float(row["error"])
         self.samples = int(row["samples"])
-        if row["measure"] == "not-right":
+        if row["measure"] in COUNTED:
             self.never = error == 0
             self.y = self.level = strip if self.never else error
-            self.whisker = None if self.never else (max(lower, strip * STRIP**0.6), upper)
+            self.whisker = None if self.never or lower == upper else (max(lower, strip * STRIP**0.6), upper)
         else:  # lower is the median, upper the worst that was seen
             self.never = upper == 0 and self.not_finite == 0
             self.y = self.level = max(error, ROUNDED)
@@ -221,7 +232,7 @@ def draw_front(axes, rows, every, size, whiskers):
             axes.plot([spot.x, spot.x], spot.whisker, color=colour, linewidth=0.8, alpha=0.5 * pale, zorder=1)
         if spot.never and not spot.in_strip:
             axes.add_line(arrow(spot.x, spot.y, colour, here, DOWN))
-        elif spot.not_finite > 0 and rows[0]["measure"] != "not-right":
+        elif spot.not_finite > 0 and rows[0]["measure"] not in COUNTED:
             axes.add_line(arrow(spot.x, spot.y, colour, here, UP))
         axes.plot(spot.x, spot.y, marker, color=colour, markersize=here, zorder=3 if spot.front != "off" else 2, alpha=pale,
                   markerfacecolor="white" if spot.never else colour)
@@ -298,7 +309,7 @@ def symbols(measure, rows):
     if never:
         open_marker = (arrow([], [], "#444444", 3, DOWN), marker("o", markerfacecolor="white"))
         lines.append((open_marker, f"all correctly rounded:\n{range_of(never)} polygons"))
-    if measure != "not-right" and any(spot.not_finite > 0 for spot in spots):
+    if measure not in COUNTED and any(spot.not_finite > 0 for spot in spots):
         lines.append(((arrow([], [], "#444444", 3, UP), marker("o")), "of finite answers;\nothers overflow"))
     return lines
 
@@ -308,7 +319,7 @@ def set_limits(axes, rows):
     strip = strip_of(rows)
     spots = [Spot(row, strip) for row in rows]
     low, high = min(s.y for s in spots), max(s.y for s in spots)
-    limits = (low / 3, 2) if rows[0]["measure"] == "not-right" else (low / 30, max(30 * high, 30))
+    limits = (low / 3, 2 * max(high, 1)) if rows[0]["measure"] in COUNTED else (low / 30, max(30 * high, 30))
     axes.set_ylim(*limits)
     axes.set_xlim(min(s.quartiles[0] for s in spots) / 1.3, max(s.quartiles[1] for s in spots) * 1.3)
     if strip is None:
@@ -316,8 +327,10 @@ def set_limits(axes, rows):
     edge = strip * STRIP**0.5
     axes.axhspan(limits[0], edge, color="#eef6f2", linewidth=0, zorder=-1)
     axes.axhline(edge, color="#777777", linewidth=0.8, zorder=-0.5)
-    ticks = [10.0**k for k in range(math.ceil(math.log10(edge)), 1)]
-    axes.set_yticks([strip, *ticks], ["none\nwrong", *(f"$10^{{{round(math.log10(t))}}}$" if t < 1 else "1" for t in ticks)])
+    base, step = (2, 8) if rows[0]["measure"] == "reach" else (10, 1)
+    first = math.ceil(math.log(edge, base) / step) * step
+    ticks = [float(base)**k for k in range(first, max(round(math.log(max(high, 1), base)), first) + 1, step)]
+    axes.set_yticks([strip, *ticks], ["none\nwrong", *("1" if t == 1 else f"${base}^{{{round(math.log(t, base))}}}$" for t in ticks)])
 
 
 def legend(figure, measure, rows, **where):
@@ -388,7 +401,7 @@ def draw_offsets(rows, folder, placement):
     groups, curves = by_group(row["method"] for row in rows), {}
     for row in rows:
         curves.setdefault((row["threshold"], row["method"]), []).append(
-            (place(int(row["offset"])), 100 * float(row["rate"]), 100 * float(row["lower"]), 100 * float(row["upper"])))
+            (place(float(row["offset"])), 100 * float(row["rate"]), 100 * float(row["lower"]), 100 * float(row["upper"])))
     figure, grid = plt.subplots(len(groups), len(thresholds), figsize=(2.3 * len(thresholds) + 1.9, 2.3 * len(groups) + 0.9),
                                 sharex=True, sharey=True, squeeze=False, layout="constrained")
     for number, (line, (title, methods)) in enumerate(zip(grid, groups.items())):
@@ -396,17 +409,15 @@ def draw_offsets(rows, folder, placement):
             for method in methods:
                 points = curves.get((threshold, method))  # None: it has no such test
                 curve(axes, method, *(np.array(points).T if points else ([], [])), shade=0.12, linewidth=1.1, markersize=2.2)
-            axes.set_xticks([place(k) for k in (-2**32, -2**16, -8, 0, 8, 2**16, 2**32)],
-                            ["$-2^{32}$", "", "−8", "0", "8", "", "$2^{32}$"])
+            axes.set_xticks([place(k) for k in TICKS], TICKS.values(), fontsize=6.5)
             axes.set_ylim(-3, 103)
             axes.grid(color="#dddddd", linewidth=0.5)
-            shade_even_steps(axes)
             if number == 0:
                 test = "final answer" if not threshold.startswith("foot") else f"{OWN_TEST[threshold]} test"
                 axes.set_title(f"{TITLES[threshold]}:\n{test}", fontsize=8.5)
         line[0].set_ylabel(f"{title}:\nwrong answers, %")
         line[-1].legend(loc="center left", bbox_to_anchor=(1.02, 0.5), frameon=False, fontsize=7.5)
-    figure.supxlabel("offset of the radius (or of a centre coordinate) from its threshold, in doubles: " + EVEN_STEPS, fontsize=9)
+    figure.supxlabel(f"offset of the radius (or of a centre coordinate): {SCALE}", fontsize=9)
     figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits", x=0.01, ha="left")
     save(figure, folder, f"offsets-{placement}")
 

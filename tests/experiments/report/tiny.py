@@ -15,7 +15,7 @@ from studies.thesis import rows_of, write_page
 
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 PICTURES = {
-    "near-edge": ["rates-rotated", "maps-reflex-vertex"],
+    "near-edge": ["rates-planar", "maps-reflex-vertex"],
     "stability": ["failures", "onset"],
     "tradeoff": ["front-not-right"],
     "bench-scenes": ["queries-torus"],
