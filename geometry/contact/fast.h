@@ -48,7 +48,7 @@ template <class Scalar>
 ///      polygon), swaps front and back, and changes nothing else, provided that the foot is not within rounding error
 ///      of the boundary (there its location, and with it the rest, may change);
 ///  (4) `contact` is right if r differs from the distance by more than `contact_error` of fast_error.h: where doubles
-///      err, and by how much at most, is proved there. Failures are seen from about a hundredth of that down.
+///      err, and by how much at most, is proved there. A search finds failures at a fiftieth of it, random balls at less.
 /// The identities of `exact` hold unless the input lies within rounding error of a decision boundary.
 /// Source: [arshad2008, ch. 4], [ericson2005, 5.1]; crossing number after [haines1994].
 namespace touchstone::fast {
