@@ -7,7 +7,7 @@ set(public_headers
   "ball" "touchstone::Ball." "geometry/shapes/ball.h"
   "exact" "touchstone::exact: the answers of exact real arithmetic." "robust/exact/exact.h robust/exact/motion.h"
   "fast" "touchstone::fast: answers in plain doubles, for polygons and triangles, and for balls that move."
-         "geometry/contact/fast.h geometry/contact/fast_motion.h geometry/contact/fast_triangle.h"
+         "geometry/contact/fast.h geometry/contact/fast_error.h geometry/contact/fast_motion.h geometry/contact/fast_triangle.h"
   "filtered" "touchstone::filtered: the answers of `exact` at about the price of `fast`, and for sets of triangles at less."
              "robust/filtered/filtered.h robust/filtered/motion.h robust/filtered/triangle_set.h"
   "first_contact" "touchstone::FirstContact." "geometry/contact/first_contact.h"

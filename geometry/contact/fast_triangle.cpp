@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/contact/detail/fast_triangle_views.h"
 #include "geometry/detail/required.h"
 
 namespace touchstone::fast {
@@ -11,39 +12,13 @@ namespace {
 /// Two doubles in one register; compilers do not find this by themselves.
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
+using Vectors = detail::Vectors<Pair>;
+using Views = detail::Views<Pair>;
+
 /// Two vectors side by side.
-struct Vectors {
-  Vectors(const Eigen::Vector3d& first, const Eigen::Vector3d& second)
-      : x{first.x(), second.x()}, y{first.y(), second.y()}, z{first.z(), second.z()} {}
-  Vectors(Pair x_, Pair y_, Pair z_) : x(x_), y(y_), z(z_) {}
-  Pair x, y, z;
-};
-
-Vectors operator-(const Vectors& a, const Vectors& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Pair dot(const Vectors& a, const Vectors& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vectors cross(const Vectors& a, const Vectors& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+Vectors both(const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
+  return {Pair{first.x(), second.x()}, Pair{first.y(), second.y()}, Pair{first.z(), second.z()}};
 }
-
-/// Directions as seen from the centre.
-struct Views {
-  Views(const Vectors& from_start_, const Vectors& direction)
-      : from_start(from_start_),
-        moment(cross(from_start, direction)),
-        along(dot(from_start, direction)),
-        length_squared(dot(direction, direction)) {}
-
-  Vectors from_start;  ///< to the centre
-  Vectors moment;      ///< from_start x direction: as long as direction times the distance from the line
-  Pair along, length_squared;
-
-  /// Does the ball touch the edge, its end not counted?
-  [[nodiscard]] auto touched(double radius_squared) const {
-    const auto line =
-        (dot(moment, moment) <= radius_squared * length_squared) & (along >= 0) & (along <= length_squared);
-    return line | (dot(from_start, from_start) <= radius_squared);
-  }
-};
 
 }  // namespace
 
@@ -51,11 +26,11 @@ bool contact(const Ball& ball, const Triangle& triangle) {
   const auto& [a, b, c] = required(triangle);
   const double radius_squared = required(ball).radius * ball.radius;
   const Eigen::Vector3d ca = a - c, normal = (b - a).cross(ca);  // away from where a, b, c turn left
-  const Vectors center(ball.center, ball.center), start(a, b);
-  const Views ab_bc(center - start, Vectors(b, c) - start);
-  const Views ca_normal(center - Vectors(c, c), {ca, normal});
+  const Vectors center = both(ball.center, ball.center), start = both(a, b);
+  const Views ab_bc(center - start, both(b, c) - start);
+  const Views ca_normal(center - both(c, c), both(ca, normal));
 
-  const Vectors normals(normal, normal);
+  const Vectors normals = both(normal, normal);
   const Pair side = dot(normals, ab_bc.moment), last_side = dot(normals, ca_normal.moment);
   const double height = ca_normal.along[1];  // in units of |normal|
   const bool inside = (side[0] >= 0) & (side[1] >= 0) & (last_side[0] >= 0);

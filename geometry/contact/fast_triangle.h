@@ -15,7 +15,8 @@ namespace touchstone::fast {
 ///  (1) scaling ball and triangle by a power of two changes nothing, provided that no intermediate result leaves the
 ///      normal numbers;
 ///  (2) growing r never loses a contact;
-///  (3) mirroring in a coordinate plane changes nothing.
+///  (3) mirroring in a coordinate plane changes nothing;
+///  (4) it is right if r differs from the distance by more than `contact_error` of fast_error.h.
 ///
 /// The ball touches the face if the foot is inside and the plane is within reach, an edge if the foot on its line lies
 /// on the edge and the line is within reach, or a vertex. All of these are evaluated, without a branch or a division:

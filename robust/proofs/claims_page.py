@@ -20,7 +20,7 @@ ROOT = PROOFS.parents[1]
 PAGE = PROOFS / "CLAIMS.md"
 BOUNDS = "robust/filtered/detail/signs/bounds.h"
 # Headers with constants that are proved over the calculus or by counting roundings, and where these may be used.
-OTHER_HEADERS = ["robust/filtered/detail/motion/polygon_events.h",
+OTHER_HEADERS = ["geometry/contact/fast_error.h", "robust/filtered/detail/motion/polygon_events.h",
                  *(f"robust/scene/detail/{name}.h" for name in ("rounded_sum", "culling_ball", "culling_motion", "own_frame",
                                                                 "distance_bound", "held_vertex", "lifted_box",
                                                                 "crossed_triangles"))]
@@ -47,6 +47,7 @@ LEFT_OF_OTHERS = {
     "distance_bound": AFTER_STEPS + ". `kWide`: " + RATIOS,
     "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP", "held_vertex": RATIOS, "lifted_box": AFTER_STEPS,
     "crossed_triangles": AFTER_STEPS,
+    "fast_error": AFTER_STEPS + ". Squares and quotients: " + RATIOS + ". From numbers to contact: by hand, the steps of its proof",
 }
 
 

@@ -102,22 +102,48 @@ PlaneSide plane_side(Scalar height, const Sphere<Scalar>& sphere, const Face& po
   return height > 0 ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
+/// Returns the way from the centre down to the foot, taken backwards, in coordinate k.
+template <class Scalar, class Face>
+Scalar up_from_foot(Scalar height, const Face& polygon, int k) {
+  return (height / polygon.normal_squared()) * polygon.plane().normal[k];
+}
+
+/// Returns a coordinate of a point as seen from the foot. Subtracts the centre first, then goes up from the foot.
+template <class Scalar>
+Scalar seen_from_foot(const Scalar& point, const Scalar& center, const Scalar& up) {
+  return point - center + up;
+}
+
+/// Returns the product of an edge's length and the foot's distance from its line: positive if the foot is on its left.
+template <class Scalar>
+Scalar side_of_foot(const Scalar& start_u, const Scalar& start_v, const Scalar& direction_u,
+                    const Scalar& direction_v) {
+  return start_u * direction_v - start_v * direction_u;
+}
+
 /// Counts the edges that the ray from the foot along u crosses, in the projection to (u, v) that drops the third axis.
 template <class Scalar, class Face>
 PointLocation foot(Scalar height, const Sphere<Scalar>& sphere, const Face& polygon) {
   const int u = (polygon.dropped_axis() + 1) % 3, v = (polygon.dropped_axis() + 2) % 3;
-  const Scalar drop = height / polygon.normal_squared();
-  const Scalar down_u = drop * polygon.plane().normal[u], down_v = drop * polygon.plane().normal[v];
+  const Scalar up_u = up_from_foot(height, polygon, u), up_v = up_from_foot(height, polygon, v);
   bool inside = false;
   for (std::size_t i = 0; i < polygon.edges().size(); ++i) {
     const auto& edge = polygon.edges()[i];
-    // From the foot to the edge's ends: differences with the centre first, then the drop.
-    const Scalar start_v = edge.start[v] - sphere.center[v] + down_v;
-    const Scalar end_v = polygon.edges()[polygon.next(i)].start[v] - sphere.center[v] + down_v;
+    const Vector<Scalar>& end = polygon.edges()[polygon.next(i)].start;
+    const Scalar start_v = seen_from_foot(edge.start[v], sphere.center[v], up_v);
+    const Scalar end_v = seen_from_foot(end[v], sphere.center[v], up_v);
     const bool upwards = start_v <= 0 && end_v > 0, downwards = start_v > 0 && end_v <= 0;
     if (!upwards && !downwards && start_v != 0 && end_v != 0) continue;  // rounded, but their signs are exact
-    const Scalar start_u = edge.start[u] - sphere.center[u] + down_u;
-    const Scalar side = start_u * edge.direction[v] - start_v * edge.direction[u];
+    const Scalar start_u = seen_from_foot(edge.start[u], sphere.center[u], up_u);
+    const Scalar end_u = seen_from_foot(end[u], sphere.center[u], up_u);
+    // Far from the foot the rounded ends tell alone, as they do of the next edge: the direction of an edge that is
+    // nearly parallel to the ray may disagree with them.
+    if (start_u < 0 && end_u < 0) continue;
+    if (start_u > 0 && end_u > 0) {
+      inside = inside != (upwards || downwards);
+      continue;
+    }
+    const Scalar side = side_of_foot(start_u, start_v, edge.direction[u], edge.direction[v]);
     if (side == 0) {  // doubles detect the boundary only as a rounded zero
       const Scalar along = -(start_u * edge.direction[u] + start_v * edge.direction[v]);
       const Scalar length = edge.direction[u] * edge.direction[u] + edge.direction[v] * edge.direction[v];
@@ -169,6 +195,14 @@ Vector<Scalar> closest_point(Scalar height, const Feature& feature, const Sphere
   return edge.start + (EdgeView<Scalar>(sphere, edge).along / edge.length_squared) * edge.direction;
 }
 
+/// Returns the Newell sum of a loop, as seen from its first vertex.
+template <class Vector>
+Vector newell_sum(const std::vector<Vector>& relative, std::size_t count) {
+  Vector sum = Vector::Zero();
+  for (std::size_t i = 0; i < count; ++i) sum += relative[i].cross(relative[i + 1 == count ? 0 : i + 1]);
+  return sum;
+}
+
 /// Returns the direction from a feature's closest point to the centre, of length 1; that of the front if they coincide.
 template <class Scalar, class Face>
 Vector<Scalar> contact_normal(Scalar height, const Feature& feature, const Sphere<Scalar>& sphere,
@@ -192,12 +226,10 @@ PreparedPolygon<Scalar>::PreparedPolygon(const Polygon& polygon) {
   for (std::size_t i = 0; i < count; ++i) relative[i] = detail::vertex<Scalar>(polygon, i) - origin;
 
   plane_.point = origin;
-  plane_.normal.setZero();
+  plane_.normal = detail::newell_sum(relative, outer);
   Scalar products = 0;  // the magnitude of the products that are summed to the normal
-  for (std::size_t i = 0; i < outer; ++i) {
-    plane_.normal += relative[i].cross(relative[polygon.next(i)]);
+  for (std::size_t i = 0; i < outer; ++i)
     products += relative[i].cwiseAbs().maxCoeff() * relative[polygon.next(i)].cwiseAbs().maxCoeff();
-  }
   normal_squared_ = plane_.normal.squaredNorm();
   dropped_axis_ = touchstone::dropped_axis(plane_.normal);
 

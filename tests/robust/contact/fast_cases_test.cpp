@@ -62,6 +62,21 @@ void expect_in() {
 TEST(FastCases, EveryDecisionIsThatDerivedByHandInFloat) { expect_in<float>(); }
 TEST(FastCases, EveryDecisionIsThatDerivedByHandInLongDouble) { expect_in<long double>(); }
 
+// The foot (0, 0, 0) is 2 from every edge, and both ends of one that is nearly parallel to the ray are 2^-53 from it:
+// rounded, they lie on either side, while its own direction says that it passes on the other side.
+TEST(FastFoot, IsNotMisjudgedFarFromTheBoundary) {
+  const auto on_slope = [](double x, double y) { return Eigen::Vector3d(x, y, y / 2); };
+  const double low = 0x1p-53, high = low + 0x1p-105;
+  const Polygon polygon(
+      {on_slope(-6, -6), on_slope(6, -6), on_slope(6, high), on_slope(2, low), on_slope(2, 6), on_slope(-6, 6)});
+  for (const double side : {-1.0, 1.0}) {
+    const Ball ball{{0, -side, 2 * side}, 2.5};
+    EXPECT_EQ(exact::foot(ball, polygon), PointLocation::Inside);
+    EXPECT_EQ(fast::foot(ball, polygon), PointLocation::Inside);
+    EXPECT_TRUE(fast::contact(ball, polygon));
+  }
+}
+
 // N = (16, -16, 32), plane z = 1 - x/2 + y/2: lifted to heights 1, -1, 1, 3.
 TEST(FastLift, MovesEveryVertexOntoThePlane) {
   const fast::PreparedPolygon<> polygon(Polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 4}}));

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The identities of geometry/contact/fast_triangle.h, and that it says what `exact` says away from the threshold.
-#include "geometry/contact/fast_triangle.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,6 +10,7 @@
 #include <stdexcept>
 
 #include "geometry/contact/fast.h"
+#include "geometry/contact/fast_error.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/robust/support/generators.h"
@@ -72,18 +71,20 @@ rc::Gen<Case> small_triangles() {
 // Right away from the threshold, whichever vertex comes first and however they turn.
 RC_GTEST_PROP(FastTriangle, IsRightAwayFromTheThreshold, ()) {
   Case c = *triangles();
-  c.ball.radius *= *rc::gen::element(0.25, 0.75, 0.999, 1.001, 1.25, 2.0);
+  c.ball.radius *= *rc::gen::element(0.75, 1.0, 1.25);
   const Answer answer = exact::answer(c.ball, c.polygon);
-  const double size = std::max({extent(c.polygon), answer.distance, c.ball.radius});
-  RC_PRE(std::abs(answer.distance - c.ball.radius) > 0x1p-20 * size);
+  const double bound = fast::contact_error({c.ball.center, answer.distance}, triangle_of(c.polygon));
+  if (std::abs(answer.depth) <= 1.01 * bound)
+    c.ball.radius = answer.distance + *rc::gen::element(-1.01, 1.01, 4.0) * bound;
+  RC_PRE(c.ball.radius >= 0 && std::isfinite(bound));
 
-  RC_ASSERT(touches(c) == answer.contact());
-  RC_ASSERT(fast::contact(c.ball, c.polygon) == answer.contact());
+  const bool contact = c.ball.radius > answer.distance;
+  RC_ASSERT(touches(c) == contact);
   std::array<Eigen::Vector3d, 3> v{c.polygon.vertex(0), c.polygon.vertex(1), c.polygon.vertex(2)};
   for (int turn = 0; turn < 3; ++turn) {
     std::rotate(v.begin(), v.begin() + 1, v.end());
-    RC_ASSERT(fast::contact(c.ball, Triangle{v[0], v[1], v[2]}) == answer.contact());
-    RC_ASSERT(fast::contact(c.ball, Triangle{v[2], v[1], v[0]}) == answer.contact());
+    RC_ASSERT(fast::contact(c.ball, Triangle{v[0], v[1], v[2]}) == contact);
+    RC_ASSERT(fast::contact(c.ball, Triangle{v[2], v[1], v[0]}) == contact);
   }
 }
 

@@ -197,7 +197,38 @@ rc::Gen<Case> possible(rc::Gen<std::optional<Case>> gen) {
                    [](std::optional<Case> drawn) { return *std::move(drawn); }));
 }
 
-rc::Gen<Case> samples(const Draw& draw) { return possible(rc::gen::map(recipes(draw), build)); }
+std::vector<Case> with_less(const Case& c, std::size_t fewest_holes) {
+  std::vector<Case> found;
+  const auto add = [&](const std::vector<Loop>& loops) {
+    try {
+      Polygon polygon = polygon_of(loops);
+      if (!exact::validate(polygon)) found.push_back({c.id + "-less", c.ball, std::move(polygon)});
+    } catch (const Rejected&) {
+    }
+  };
+  const std::vector<Loop> loops = loops_of(c.polygon);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    std::vector<Loop> less = loops;
+    less.erase(less.begin() + static_cast<std::ptrdiff_t>(i));
+    if (i != 0 && less.size() > fewest_holes) add(less);
+    for (std::ptrdiff_t j = 0; j < std::ssize(loops[i]); ++j) {
+      less = loops;
+      less[i].erase(less[i].begin() + j);
+      add(less);
+    }
+  }
+  return found;
+}
+
+rc::Gen<Case> samples(const Draw& draw) {
+  return [drawn = possible(rc::gen::map(recipes(draw), build)), fewest = draw.fewest_holes](const rc::Random& random,
+                                                                                            int size) {
+    return rc::shrinkable::mapcat(drawn(random, size), [fewest](const Case& c) {
+      return rc::shrinkable::shrinkRecur(
+          c, [fewest](const Case& larger) { return rc::seq::fromContainer(with_less(larger, fewest)); });
+    });
+  };
+}
 
 rc::Gen<Case> grid_cases(int largest_warp) {
   return possible(rc::gen::resize(100, rc::gen::exec([largest_warp] { return grid_case(largest_warp); })));

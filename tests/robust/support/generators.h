@@ -35,7 +35,10 @@ struct Draw {
   int largest_exponent = 900;  ///< a third of the samples are scaled by 2^e, |e| up to this, where that is exact
 };
 
-/// Samples of all families; shrinks in vertices, holes, doubles, warp and exponent.
+/// The cases with one hole or one vertex less, as far as `exact::validate` accepts them: smaller counterexamples.
+[[nodiscard]] std::vector<Case> with_less(const Case& c, std::size_t fewest_holes = 0);
+
+/// Samples of all families; shrinks in vertices, holes, doubles, warp and exponent, then vertex by vertex.
 [[nodiscard]] rc::Gen<Case> samples(const Draw& draw = {});
 
 /// Small integers throughout, where ties, touching, and feet on edges and vertices are common: loops on a grid of 7 x 7
