@@ -22,7 +22,6 @@
 #include "experiments/methods/selection.h"
 #include "experiments/program/command.h"
 #include "experiments/program/input.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
 #include "experiments/program/printing.h"
 #include "geometry/io/detail/legible.h"

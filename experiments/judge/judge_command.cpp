@@ -22,12 +22,10 @@
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
 #include "experiments/program/command.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
-#include "experiments/program/run_record.h"
-#include "experiments/program/similar_words.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/study.h"
-#include "experiments/program/terminal.h"
+#include "experiments/program/words.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {

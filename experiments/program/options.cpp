@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/program/options.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -8,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "experiments/program/command.h"
 #include "experiments/program/command_parts.h"
-#include "experiments/program/numbers.h"
-#include "experiments/program/similar_words.h"
+#include "experiments/program/words.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::program {
@@ -220,6 +218,8 @@ Option declare_json(OptionList& options, bool& value, const std::string& about) 
 Option declare_quiet(OptionList& options, bool& value, const std::string& about) {
   return options.flag("--quiet", value, about);
 }
+
+std::string joined(const std::vector<std::string>& words) { return CLI::detail::join(words, ","); }
 
 unsigned all_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 

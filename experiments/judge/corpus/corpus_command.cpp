@@ -24,13 +24,11 @@
 #include "experiments/methods/selection.h"
 #include "experiments/program/command.h"
 #include "experiments/program/input.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
-#include "experiments/program/run_record.h"
-#include "experiments/program/stop_signal.h"
+#include "experiments/program/printing.h"
+#include "experiments/program/program.h"
 #include "experiments/program/study.h"
 #include "experiments/program/sweep.h"
-#include "experiments/program/terminal.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {

@@ -18,7 +18,7 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine.h"
 #include "experiments/program/json.h"
-#include "experiments/program/stop_signal.h"
+#include "experiments/program/program.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
-#include "experiments/program/terminal.h"
 #include "experiments/studies/bench_scenes/library.h"
 
 namespace touchstone::bench_scenes {

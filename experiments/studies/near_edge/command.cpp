@@ -7,8 +7,8 @@
 
 #include "experiments/cases/workloads/meshes.h"
 #include "experiments/methods/selection.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/study.h"
 #include "experiments/studies/near_edge/faces.h"
 #include "experiments/studies/near_edge/map.h"

@@ -6,8 +6,8 @@
 
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
 #include "experiments/program/study.h"
 #include "experiments/program/table.h"

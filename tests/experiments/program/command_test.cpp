@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "experiments/program/program.h"
 #include "tests/experiments/program/light.h"
 
 namespace touchstone::program {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program says of itself: suggestions and colours.
-#include "experiments/program/help.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,10 +10,10 @@
 #include <sstream>
 
 #include "experiments/program/command.h"
-#include "experiments/program/quoting.h"
-#include "experiments/program/similar_words.h"
+#include "experiments/program/printing.h"
+#include "experiments/program/program.h"
 #include "experiments/program/table.h"
-#include "experiments/program/terminal.h"
+#include "experiments/program/words.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::program {
@@ -191,11 +189,6 @@ TEST(Colour, IsForTerminalsOnly) {
   EXPECT_FALSE(takes_colours(file));
   EXPECT_EQ(coloured("text", Colour::Red, file), "text");
   std::fclose(file);
-}
-
-TEST(XmlText, HasNoMarkupAndNoControlBytes) {
-  EXPECT_EQ(xml_text("a<b>&\"'\n\x1b[31m"), "a&lt;b&gt;&amp;&quot;&#39;\n\\x1b[31m");
-  EXPECT_EQ(xml_text("\xff"), "\\xff");
 }
 
 }  // namespace

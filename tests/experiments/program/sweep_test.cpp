@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "experiments/program/terminal.h"
+#include "experiments/program/printing.h"
 #include "tests/experiments/support/unwatched.h"
 
 namespace touchstone::program {
