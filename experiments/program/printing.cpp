@@ -83,8 +83,7 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-}  // namespace
-
+/// Returns the text of the line after `seconds` of work, which finished `done` items of `total`.
 std::string progress_text(const std::string& what, std::uint64_t done, std::uint64_t total, double seconds) {
   std::string text = what + ": " + statistics::percent_to_places(statistics::share_of(done, total), 0) + " %";
   if (done > 0) {
@@ -93,6 +92,8 @@ std::string progress_text(const std::string& what, std::uint64_t done, std::uint
   }
   return text;
 }
+
+}  // namespace
 
 ProgressLine::ProgressLine(std::string what, std::uint64_t total, bool wanted)
     : what_(std::move(what)),

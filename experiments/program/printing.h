@@ -43,11 +43,6 @@ enum class Colour { Red, Green, Bold };
 /// Returns the text in that colour if the stream takes colours, else the text.
 [[nodiscard]] std::string coloured(const std::string& text, Colour colour, std::FILE* stream);
 
-/// Returns the text of the line after `seconds` of work, which finished `done` items of `total`: the share that is done,
-/// and the time left at this pace.
-[[nodiscard]] std::string progress_text(const std::string& what, std::uint64_t done, std::uint64_t total,
-                                        double seconds);
-
 /// A line on standard error, if that is a terminal: the task, percentage and time left. The line is erased at the end.
 class ProgressLine {
  public:
