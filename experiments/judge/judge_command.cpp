@@ -183,16 +183,6 @@ int run_judge(JudgeOptions& options) {
   return status;
 }
 
-/// Returns the fault of a margin, or an empty text.
-std::string margin_fault(const std::string& text) {
-  try {
-    (void)cases::margin_of(text);
-    return {};
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
-
 /// Declares who is asked, and about which cases.
 void declare_question(program::Command& command, const std::shared_ptr<JudgeOptions>& options) {
   methods::declare_methods(command, options->methods,
@@ -223,7 +213,7 @@ void declare_question(program::Command& command, const std::shared_ptr<JudgeOpti
       .text("--beyond", options->beyond,
             "Count an answer as wrong only if it is still wrong when the radius is changed by this much: 2^-20 or 1e-6 "
             "of the case's largest coordinate, or a length such as 1e-6m",
-            margin_fault)
+            program::readable_by(cases::margin_of))
       .takes("MARGIN")
       .changes_results();
 }

@@ -31,6 +31,18 @@ class UsageError : public std::runtime_error {
 
 /// A check of the text of an option: returns the fault if it is empty, else nothing.
 [[nodiscard]] inline std::string not_empty(const std::string& text) { return text.empty() ? "is empty" : ""; }
+/// Returns a check that `read` reads the text: the fault is what it says by std::invalid_argument.
+template <class Read>
+[[nodiscard]] auto readable_by(const Read& read) {
+  return [read](const std::string& text) -> std::string {
+    try {
+      (void)read(text);
+      return {};
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+}
 
 struct CommandParts;
 struct Declared;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "experiments/program/command.h"
 #include "experiments/program/command_parts.h"
+#include "experiments/program/json.h"
 #include "experiments/program/words.h"
 #include "geometry/io/detail/legible.h"
 
@@ -30,12 +30,7 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
 }
 
 std::string check_utf8(const std::string& name) {
-  try {
-    (void)nlohmann::json(name).dump();
-    return {};
-  } catch (const nlohmann::json::exception&) {
-    return "the name of a file is not UTF-8: " + io::legible(name);
-  }
+  return is_utf8(name) ? "" : "the name of a file is not UTF-8: " + io::legible(name);
 }
 
 }  // namespace

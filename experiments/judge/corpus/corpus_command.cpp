@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -145,8 +144,7 @@ int shrink(const ShrinkOptions& options) {
   for (cases::LineReader reader(files); const auto line = reader.next_case();) {
     ++lines;
     if (const auto shrunk = shrunk_line(*line, method, key, stop_signal.requested())) {
-      if (std::fwrite(shrunk->data(), 1, shrunk->size(), stdout) != shrunk->size() || std::fflush(stdout) != 0)
-        throw std::system_error(errno, std::generic_category(), "the case cannot be written");
+      program::print_result(*shrunk, false);
     } else {
       status = 2;
     }
