@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/cases/workloads/balls.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/ulp.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"

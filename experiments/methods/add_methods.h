@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/cases/posed_mesh.h"
 
 // Each file of this folder adds its methods; add_engines those of engines/ that this build has.
 namespace touchstone::methods {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/corpus/corpus_case.h"
 
+#include <nlohmann/json.hpp>
 #include <algorithm>
 #include <exception>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/judge/regress/regress.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
-#include "experiments/cases/posed_mesh.h"
+#include "experiments/cases/method.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/program/json.h"

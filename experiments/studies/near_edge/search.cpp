@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"

@@ -8,7 +8,6 @@
 #include <map>
 #include <set>
 
-#include "experiments/cases/workloads/balls.h"
 #include "experiments/cases/workloads/outline.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/random.h"

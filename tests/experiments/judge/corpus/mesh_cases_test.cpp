@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/families.h"
 #include "experiments/judge/corpus/shrink.h"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "experiments/cases/method.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
