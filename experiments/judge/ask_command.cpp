@@ -19,7 +19,7 @@
 #include "experiments/judge/ask.h"
 #include "experiments/judge/show/case_view.h"
 #include "experiments/methods/process/engine_process.h"
-#include "experiments/methods/selection.h"
+#include "experiments/methods/registry.h"
 #include "experiments/program/command.h"
 #include "experiments/program/input.h"
 #include "experiments/program/output.h"

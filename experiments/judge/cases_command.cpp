@@ -10,9 +10,8 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
-#include "experiments/program/printing.h"
 #include "experiments/program/command.h"
+#include "experiments/program/printing.h"
 
 namespace touchstone::commands {
 namespace {

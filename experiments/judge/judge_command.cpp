@@ -20,7 +20,6 @@
 #include "experiments/judge/report.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/command.h"
 #include "experiments/program/output.h"
 #include "experiments/program/printing.h"

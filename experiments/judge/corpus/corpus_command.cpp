@@ -20,7 +20,6 @@
 #include "experiments/judge/corpus/families.h"
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/command.h"
 #include "experiments/program/input.h"
 #include "experiments/program/output.h"

@@ -11,7 +11,6 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/judge/regress/regress.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/command_run.h"
 #include "experiments/program/output.h"
 #include "experiments/program/printing.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "experiments/cases/workloads/meshes.h"
-#include "experiments/methods/selection.h"
+#include "experiments/methods/registry.h"
 #include "experiments/program/output.h"
 #include "experiments/program/printing.h"
 #include "experiments/program/study.h"

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/output.h"
 #include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
