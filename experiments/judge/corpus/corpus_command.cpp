@@ -16,9 +16,7 @@
 #include <vector>
 
 #include "experiments/cases/case.h"
-#include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/families.h"
-#include "experiments/judge/corpus/shrink.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/methods/registry.h"
 #include "experiments/program/command.h"
 #include "experiments/program/input.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/families.h"
 
 #include <fmt/core.h>
 
@@ -20,7 +19,7 @@
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/program/input.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/shrink.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +12,7 @@
 #include "experiments/cases/workloads/grazing_radius.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/program/table.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"

@@ -8,9 +8,7 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/verdict.h"
-#include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/families.h"
-#include "experiments/judge/corpus/shrink.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
