@@ -12,10 +12,10 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
-#include "experiments/program/quoting.h"
-#include "experiments/program/run_record.h"
+#include "experiments/program/command.h"
 #include "experiments/program/study.h"
 #include "experiments/program/sweep.h"
+#include "experiments/program/words.h"
 
 namespace touchstone::commands {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
-#include "experiments/cases/posed_mesh.h"
+#include "experiments/cases/method.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "experiments/cases/truth_as_given.h"
-#include "experiments/cases/workloads/balls.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/ulp.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,8 +14,10 @@
 #include "geometry/contact/answer.h"
 #include "geometry/contact/first_contact.h"
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/mesh.h"
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
+#include "geometry/shapes/pose.h"
 
 namespace touchstone::cases {
 
@@ -31,7 +34,26 @@ using Question = std::variant<Ball, Motion>;
 /// The kinds of queries: a single test of the contract, or all keys of the answer.
 enum class QueryKind { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
 
-class PosedMesh;
+/// A mesh under a pose. Every face is valid, as the mesh has it and posed.
+class PosedMesh {
+ public:
+  /// Poses the faces (posing.h), of which there must be one. Throws Rejected: `not-finite` if a vertex or the pose is
+  /// not finite, and else the rejection of the first bad face, which the message names.
+  explicit PosedMesh(Mesh mesh, const Pose& pose = {});
+
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  /// Returns the faces of the mesh with their posed vertices.
+  [[nodiscard]] const std::vector<Polygon>& faces() const { return faces_; }
+  /// Returns the numbers of the faces, the first of equals first: faces of three vertices, then the others, ascending.
+  [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+
+ private:
+  Mesh mesh_;
+  Pose pose_;
+  std::vector<Polygon> faces_;
+  std::vector<std::size_t> order_;
+};
 
 /// An answer with the keys of the contract, about a ball at a place or about a moving ball; a key is absent if the
 /// method does not compute it or could not decide it. The keys that the contract calls `null` are absent, too.

@@ -2,19 +2,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/workload.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/command.h"
+#include "experiments/program/printing.h"
 
 namespace touchstone::commands {
 namespace {
@@ -47,10 +44,6 @@ bool fails(const std::vector<const cases::Method*>& methods, const cases::Shapes
   });
 }
 
-[[noreturn]] void cannot_write() {
-  throw std::system_error(errno, std::generic_category(), "the cases cannot be written");
-}
-
 void print(const CasesOptions& options) {
   const auto failing = options.failing.methods();
   std::uint64_t printed = 0;
@@ -64,10 +57,9 @@ void print(const CasesOptions& options) {
       continue;
     }
     ++printed;
-    const std::string line = cases::case_line(sample.id, shapes, sample.tags, options.expected ? truth : std::nullopt);
-    if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size()) cannot_write();
+    fmt::print("{}", cases::case_line(sample.id, shapes, sample.tags, options.expected ? truth : std::nullopt));
   }
-  if (std::fflush(stdout) != 0) cannot_write();
+  program::flush_standard_output();
   if (printed < options.count)
     fmt::print(stderr, "touchstone: only {} of {} cases found in {} samples\n", printed, options.count,
                kMostSamplesPerCase * options.count);

@@ -14,7 +14,7 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/key.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"

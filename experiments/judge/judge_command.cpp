@@ -20,14 +20,11 @@
 #include "experiments/judge/report.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/command.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
-#include "experiments/program/run_record.h"
-#include "experiments/program/similar_words.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/study.h"
-#include "experiments/program/terminal.h"
+#include "experiments/program/words.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -185,16 +182,6 @@ int run_judge(JudgeOptions& options) {
   return status;
 }
 
-/// Returns the fault of a margin, or an empty text.
-std::string margin_fault(const std::string& text) {
-  try {
-    (void)cases::margin_of(text);
-    return {};
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
-
 /// Declares who is asked, and about which cases.
 void declare_question(program::Command& command, const std::shared_ptr<JudgeOptions>& options) {
   methods::declare_methods(command, options->methods,
@@ -225,7 +212,7 @@ void declare_question(program::Command& command, const std::shared_ptr<JudgeOpti
       .text("--beyond", options->beyond,
             "Count an answer as wrong only if it is still wrong when the radius is changed by this much: 2^-20 or 1e-6 "
             "of the case's largest coordinate, or a length such as 1e-6m",
-            margin_fault)
+            program::readable_by(cases::margin_of))
       .takes("MARGIN")
       .changes_results();
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/judge/ask.h"
-#include "experiments/program/numbers.h"
+#include "experiments/program/printing.h"
 #include "geometry/io/detail/text_number.h"
 #include "geometry/same_number.h"
 #include "geometry/shapes/rejection.h"

@@ -12,8 +12,7 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/judge/show/case_view.h"
-#include "experiments/program/numbers.h"
-#include "experiments/program/quoting.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
 #include "experiments/program/table.h"
 #include "geometry/io/detail/legible.h"
@@ -21,7 +20,7 @@
 namespace touchstone::judge {
 namespace {
 
-using program::xml_text;
+using show::xml_text;
 using Named = std::pair<std::string, Count>;
 
 double share(const Count& count) { return program::rate(count.wrong, count.given()).share; }

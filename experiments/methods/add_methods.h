@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/cases/posed_mesh.h"
 
-// Each file of this folder adds its methods; add_engines those of engines/ that this build has.
+// Each file of this folder adds its methods.
 namespace touchstone::methods {
 
 using cases::Method;
@@ -18,7 +17,6 @@ using cases::QueryKind;
 using MethodList = std::vector<std::unique_ptr<Method>>;
 
 void add_cgal_kernels(MethodList& list);
-void add_engines(MethodList& list);
 void add_exact(MethodList& list);
 void add_fast(MethodList& list);
 void add_fast_wide(MethodList& list);

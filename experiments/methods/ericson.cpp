@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/ericson.h"
+#include "experiments/methods/triangle_contacts.h"
 
 namespace touchstone::methods {
 namespace {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/registry.h"
 
+#include <algorithm>
+#include <exception>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <stdexcept>
 
+#include "experiments/program/built_with.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
@@ -29,6 +32,10 @@ void add_methods(void (*add)(MethodList& list)) {
   added().functions.push_back(add);
 }
 
+#define DECLARE_ENGINE(name) void add_##name(MethodList& list);
+TOUCHSTONE_ENGINES(DECLARE_ENGINE)
+#define ADD_ENGINE(name) add_##name(list);
+
 const MethodList& all_methods() {
   static const MethodList methods = [] {
     MethodList list;
@@ -41,7 +48,7 @@ const MethodList& all_methods() {
     add_thesis(list);
     for (const auto add : added().functions) add(list);
     added().called = true;
-    add_engines(list);
+    TOUCHSTONE_ENGINES(ADD_ENGINE)
     return list;
   }();
   return methods;
@@ -101,6 +108,36 @@ std::vector<const Method*> find_methods(const std::vector<std::string>& names) {
       throw std::invalid_argument("there is no method \"" + name + "\"; `touchstone methods` lists them");
   }
   return found;
+}
+
+std::vector<const Method*> Selection::methods() const {
+  std::vector<const Method*> added, all;
+  for (const std::string& engine : engines) added.push_back(&add_engine(engine_of(engine)));
+  all = find_methods(names);
+  for (const Method* engine : added)
+    if (std::ranges::find(all, engine) == all.end()) all.push_back(engine);
+  return all;
+}
+
+std::string Selection::text() const {
+  std::string text;
+  for (const Method* method : methods()) text.append(text.empty() ? "" : ",").append(method->name());
+  return text;
+}
+
+program::Option declare_engines(program::Command& command, std::vector<std::string>& engines,
+                                const std::string& about) {
+  return command.texts("--engine", engines, about, program::readable_by(engine_of)).takes("COMMAND");
+}
+
+program::Option declare_methods(program::Command& command, Selection& selection, const std::string& about) {
+  program::Option option = program::declare_methods(command, selection.names, about);
+  declare_engines(command, selection.engines).replaces_default_of("--methods");
+  return option;
+}
+
+void declare_compared_methods(program::Command& command, Selection& selection) {
+  declare_methods(command, selection).changes_results([&selection] { return selection.text(); });
 }
 
 }  // namespace touchstone::methods

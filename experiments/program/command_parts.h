@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "experiments/program/command.h"
-#include "experiments/program/run_record.h"
 
 namespace touchstone::program {
 
@@ -58,6 +57,13 @@ struct CommandParts {
   [[nodiscard]] CommandDescription description() const;
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> result_options() const;
 };
+
+/// The name of the program.
+inline const std::string kProgram = "touchstone";
+/// Returns the words that call a command of this name.
+[[nodiscard]] std::string call_of(const std::string& name);
+/// Returns the fault of a command line, with the unknown words in their order.
+[[nodiscard]] UsageError fault_of(const CLI::App* app, const CLI::ParseError& error);
 
 [[nodiscard]] inline bool is_positional(const std::string& name) { return !name.starts_with("--"); }
 

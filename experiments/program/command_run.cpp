@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "experiments/program/input.h"
-#include "experiments/program/quoting.h"
+#include "experiments/program/words.h"
 
 namespace touchstone::program {
 namespace {

@@ -7,13 +7,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/program/command.h"
 #include "experiments/program/output.h"
 #include "experiments/program/printing.h"
-#include "experiments/program/run_record.h"
-#include "experiments/program/stop_signal.h"
-#include "experiments/program/terminal.h"
+#include "experiments/program/program.h"
 
 namespace touchstone::program {
 
@@ -33,6 +32,21 @@ void declare_output(Command& command, FolderOptions& options, const std::string&
 /// required packages: that of Debian, else the one on the path. Returns the exit status of a study: 0, or 1 if not all
 /// pictures could be drawn; standard error then says why. Throws as data() does.
 [[nodiscard]] int draw_pictures(const std::string& name, const OutputFolder& folder);
+
+/// The facts that run.json records about a run besides the compiler, the flags, the commit, the machine and the date.
+struct Run {
+  std::string command{};
+  std::uint64_t seed = 0;
+  std::uint64_t samples_asked = 0, samples_done = 0, samples_missing = 0;
+  unsigned threads = 1;
+  double seconds = 0;                 ///< of a merge, its own
+  std::string part{};                 ///< I/N, if the run was a part of a study
+  std::uint64_t parts = 1;            ///< that were merged; 1: none
+  std::optional<bool> interrupted{};  ///< only for studies that report it
+};
+
+/// Writes run.json. Throws std::runtime_error if it cannot be written.
+void write_run_record(const std::filesystem::path& folder, const Run& run);
 
 /// One run of a command that writes a folder: its lock, its time, the request to stop, and its end.
 class CommandRun {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CLI11's own help does not wrap.
-#include "experiments/program/help.h"
-
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -10,6 +8,8 @@
 #include <cstdlib>
 #include <sstream>
 #include <string_view>
+
+#include "experiments/program/command.h"
 
 namespace touchstone::program {
 

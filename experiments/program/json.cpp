@@ -28,6 +28,15 @@ std::string json_fault(const nlohmann::json::exception& error, std::string_view 
   return io::legible(message);
 }
 
+bool is_utf8(const std::string& text) {
+  try {
+    (void)nlohmann::json(text).dump();
+    return true;
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+}
+
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

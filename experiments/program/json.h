@@ -15,6 +15,9 @@ namespace touchstone::program {
 /// such as a missing key, stands alone. The result is printable, and long quotations are cut.
 [[nodiscard]] std::string json_fault(const nlohmann::json::exception& error, std::string_view text = {});
 
+/// Returns whether a text is UTF-8, and so can be a string of JSON.
+[[nodiscard]] bool is_utf8(const std::string& text);
+
 /// A text that is not JSON.
 class NotJson : public std::runtime_error {
  public:

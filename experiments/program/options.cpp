@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/program/options.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <thread>
 
+#include "experiments/program/command.h"
 #include "experiments/program/command_parts.h"
-#include "experiments/program/numbers.h"
-#include "experiments/program/similar_words.h"
+#include "experiments/program/json.h"
+#include "experiments/program/words.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::program {
@@ -32,12 +30,7 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
 }
 
 std::string check_utf8(const std::string& name) {
-  try {
-    (void)nlohmann::json(name).dump();
-    return {};
-  } catch (const nlohmann::json::exception&) {
-    return "the name of a file is not UTF-8: " + io::legible(name);
-  }
+  return is_utf8(name) ? "" : "the name of a file is not UTF-8: " + io::legible(name);
 }
 
 }  // namespace
@@ -220,6 +213,8 @@ Option declare_json(OptionList& options, bool& value, const std::string& about) 
 Option declare_quiet(OptionList& options, bool& value, const std::string& about) {
   return options.flag("--quiet", value, about);
 }
+
+std::string joined(const std::vector<std::string>& words) { return CLI::detail::join(words, ","); }
 
 unsigned all_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/program/run_record.h"
-
 #include <fmt/ranges.h>
 #include <sys/utsname.h>
 
@@ -14,6 +12,7 @@
 #include <utility>
 
 #include "experiments/program/built_with.h"
+#include "experiments/program/command_run.h"
 #include "experiments/program/output.h"
 #include "touchstone_commit.h"
 
@@ -48,6 +47,15 @@ std::string processor() {
                      said["cpu family"], said["model"], said["stepping"]);
 }
 
+/// Returns the current time as `2026-11-23T03:19:51Z`.
+std::string utc_now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
 }  // namespace
 
 std::string version_text() {
@@ -56,14 +64,6 @@ std::string version_text() {
   return fmt::format("touchstone {}\ncommit: {}\ncompiler: {}\nengines: {}", TOUCHSTONE_VERSION,
                      commit.empty() ? "unknown" : commit, kCompiler,
                      found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", ")));
-}
-
-std::string utc_now() {
-  const std::time_t time = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&time, &utc);
-  char text[32];
-  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
 
 void write_run_record(const std::filesystem::path& folder, const Run& run) {
@@ -92,7 +92,5 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
   const auto path = folder / "run.json";
   write_file(path, record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
-
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ",")); }
 
 }  // namespace touchstone::program

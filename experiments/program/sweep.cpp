@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "experiments/program/numbers.h"
+#include "experiments/program/words.h"
 
 #ifndef TOUCHSTONE_WITHOUT_TBB
 #include <tbb/global_control.h>

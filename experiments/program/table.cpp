@@ -9,7 +9,6 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "experiments/program/output.h"
 #include "experiments/program/statistics/shares.h"
 
 namespace touchstone::program {
@@ -56,8 +55,6 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
   }
   return text;
 }
-
-void write_table(const std::filesystem::path& file, const std::string& text) { write_file(file, text); }
 
 Rate rate(std::uint64_t count, std::uint64_t trials) {
   const auto limits = statistics::clopper_pearson(count, trials);

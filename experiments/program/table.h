@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/program/output.h"
+
 namespace touchstone::program {
 
 /// @{
@@ -76,9 +78,6 @@ struct TableDescription {
 /// Returns lines of fields in columns: numbers to the right, texts to the left. The first line is the heading.
 [[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& lines);
 
-/// Writes the whole file. Throws std::runtime_error, which names it, if it cannot be written.
-void write_table(const std::filesystem::path& file, const std::string& text);
-
 /// A CSV file that a command writes. Its columns are declared here and nowhere else: heading, rows and description all
 /// follow from the declaration. The same rows give the same bytes.
 template <class Row>
@@ -108,9 +107,9 @@ class Table {
       for (auto& line = lines.emplace_back(); const Column<Row>& column : columns_) line.push_back(column.print(row));
     return program::aligned(lines);
   }
-  /// Writes the file into the folder. Throws as write_table does.
+  /// Writes the file into the folder. Throws as write_file does.
   void write(const std::filesystem::path& folder, const std::vector<Row>& rows) const {
-    write_table(folder / file_, csv(rows));
+    write_file(folder / file_, csv(rows));
   }
   [[nodiscard]] TableDescription description() const {
     TableDescription description{file_, row_, {}};

@@ -64,24 +64,28 @@ struct Benchmark {
   std::vector<Share> shares{};  ///< what is known of the queries beyond times
 };
 
+/// Returns the function that counts for how many of the first queries `holds`, asked of each in turn, is true.
+template <class Holds>
+[[nodiscard]] auto counting(const Holds& holds) {
+  return [holds](std::size_t count) {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < count; ++i) found += holds(i) ? 1 : 0;
+    return found;
+  };
+}
+
 /// Returns a candidate that applies `ask` to a list of queries and compares the first answers with `truths`.
 template <class Query, class Truth, class Ask>
 Candidate candidate(std::string name, std::shared_ptr<const std::vector<Query>> queries,
                     std::shared_ptr<const std::vector<Truth>> truths, Ask ask,
                     std::optional<Comparison> comparison = std::nullopt) {
-  const std::size_t size = queries->size();
   const auto sum_of_answers = [queries, ask](std::size_t count) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < count; ++i) sum += static_cast<std::uint64_t>(ask((*queries)[i]));
     return sum;
   };
-  const auto count_wrong = [queries, truths, ask](std::size_t count) {
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      if (ask((*queries)[i]) != (*truths)[i]) ++wrong;
-    return wrong;
-  };
-  return {std::move(name), size, sum_of_answers, count_wrong, {}, std::move(comparison)};
+  const auto is_wrong = [queries, truths, ask](std::size_t i) { return ask((*queries)[i]) != (*truths)[i]; };
+  return {std::move(name), queries->size(), sum_of_answers, counting(is_wrong), {}, std::move(comparison)};
 }
 
 struct Quartiles {

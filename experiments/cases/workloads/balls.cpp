@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/workloads/balls.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"

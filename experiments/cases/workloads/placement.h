@@ -7,6 +7,7 @@
 #include "experiments/cases/workloads/lattice.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/workload.h"
+#include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::workloads {
@@ -49,5 +50,14 @@ struct PlacedOutline {
 /// Places outline `index` of the workload. `exact::validate` accepts the polygon; off_plane is 0 in an integer frame.
 /// Throws std::invalid_argument if rounding broke every attempt (origin_distance too large).
 [[nodiscard]] PlacedOutline draw_placed_outline(const Workload& workload, std::uint64_t seed, std::uint64_t index);
+
+/// Draws the ball of sample `index` at the place `workload.ball`. The centre does not depend on `workload.doubles`;
+/// only the radius of a Near* or LatticeTangent ball does (it stays at least 0).
+///
+/// Heights above the plane are zero, ample or small: down to 2^-30 of the size of the lattice. `exact::answer` checks
+/// Near* balls (nearest feature of that kind, distance > 0) and LatticeTangent balls (touching); those that fail are
+/// drawn again. Throws std::invalid_argument if no ball was found, or for a tangent ball in a rotated frame.
+[[nodiscard]] Ball draw_ball(const PlacedOutline& placed, const Workload& workload, std::uint64_t seed,
+                             std::uint64_t index);
 
 }  // namespace touchstone::workloads

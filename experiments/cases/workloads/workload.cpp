@@ -7,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/cases/workloads/balls.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"

@@ -10,7 +10,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/methods/registry.h"
 #include "experiments/program/json.h"
 #include "geometry/io/detail/legible.h"

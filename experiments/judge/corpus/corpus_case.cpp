@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/corpus_case.h"
-
 #include <algorithm>
 #include <exception>
+#include <nlohmann/json.hpp>
 
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/methods/registry.h"
 #include "experiments/program/json.h"
 #include "robust/exact/exact.h"

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -17,20 +16,15 @@
 #include <vector>
 
 #include "experiments/cases/case.h"
-#include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/families.h"
-#include "experiments/judge/corpus/shrink.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/command.h"
 #include "experiments/program/input.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
-#include "experiments/program/run_record.h"
-#include "experiments/program/stop_signal.h"
+#include "experiments/program/printing.h"
+#include "experiments/program/program.h"
 #include "experiments/program/study.h"
 #include "experiments/program/sweep.h"
-#include "experiments/program/terminal.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -147,8 +141,7 @@ int shrink(const ShrinkOptions& options) {
   for (cases::LineReader reader(files); const auto line = reader.next_case();) {
     ++lines;
     if (const auto shrunk = shrunk_line(*line, method, key, stop_signal.requested())) {
-      if (std::fwrite(shrunk->data(), 1, shrunk->size(), stdout) != shrunk->size() || std::fflush(stdout) != 0)
-        throw std::system_error(errno, std::generic_category(), "the case cannot be written");
+      program::print_result(*shrunk, false);
     } else {
       status = 2;
     }

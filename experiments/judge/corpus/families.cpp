@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/families.h"
 
 #include <fmt/core.h>
 
@@ -20,7 +19,7 @@
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/program/input.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
@@ -148,8 +147,6 @@ std::string drawn_text(const std::vector<Stream>& streams, Numbers numbers, cons
   return text;
 }
 
-bool is_nearest(const PartialAnswer& truth, Feature::Kind kind) { return truth.nearest->kind == kind; }
-
 /// Returns a stream for each family of outlines and each placement.
 void add_outlines(std::vector<Stream>& streams, const Workload& pattern, std::size_t count) {
   for (const auto family : workloads::all_families())
@@ -171,28 +168,12 @@ std::vector<Stream> outlines_near(BallPlace place, std::size_t count) {
   return streams;
 }
 
-std::string face(Numbers numbers) {
-  auto streams = outlines_near(BallPlace::NearFace, 2);
+/// Returns such cases in which a feature of that kind is nearest.
+std::string nearest(BallPlace place, Feature::Kind kind, Numbers numbers) {
+  auto streams = outlines_near(place, 2);
   streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
-  return drawn_text(streams, numbers, [](const CorpusCase&, const PartialAnswer& truth) {
-    return is_nearest(truth, Feature::Kind::Face);
-  });
-}
-
-std::string edge(Numbers numbers) {
-  auto streams = outlines_near(BallPlace::NearEdge, 2);
-  streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
-  return drawn_text(streams, numbers, [](const CorpusCase&, const PartialAnswer& truth) {
-    return is_nearest(truth, Feature::Kind::Edge);
-  });
-}
-
-std::string vertex(Numbers numbers) {
-  auto streams = outlines_near(BallPlace::NearVertex, 2);
-  streams.push_back(soak_stream(workloads::adversarial::Family::General, 60));
-  return drawn_text(streams, numbers, [](const CorpusCase&, const PartialAnswer& truth) {
-    return is_nearest(truth, Feature::Kind::Vertex);
-  });
+  return drawn_text(streams, numbers,
+                    [kind](const CorpusCase&, const PartialAnswer& truth) { return truth.nearest->kind == kind; });
 }
 
 /// Returns whether the interior angle at the vertex nearest to the foot is greater than 180 degrees. In doubles.
@@ -219,31 +200,27 @@ std::string reflex_vertex(Numbers numbers) {
   return drawn_text(streams, numbers, is_reflex_near_foot);
 }
 
-std::string foot_on_edge(Numbers numbers) {
+/// Returns outlines with the foot near a feature: `count` of each of the small ones.
+std::vector<Stream> outlines_with_foot(BallPlace place, std::size_t count) {
   std::vector<Stream> streams;
   for (const std::size_t vertices : {std::size_t{12}, std::size_t{6}})
     for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
-      add_outlines(streams, {.ball = BallPlace::FootNearEdge, .vertices = vertices, .holes = holes},
-                   vertices == 12 ? 1 : 3);
+      add_outlines(streams, {.ball = place, .vertices = vertices, .holes = holes}, vertices == 12 ? 1 : count);
+  return streams;
+}
+
+std::string foot_on_edge(Numbers numbers) {
+  auto streams = outlines_with_foot(BallPlace::FootNearEdge, 3);
   streams.push_back(soak_stream(workloads::adversarial::Family::Foot, 100));
   return drawn_text(streams, numbers);
 }
 
 std::string foot_on_vertex(Numbers numbers) {
-  std::vector<Stream> streams;
-  for (const std::size_t vertices : {std::size_t{12}, std::size_t{6}})
-    for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
-      add_outlines(streams, {.ball = BallPlace::FootNearVertex, .vertices = vertices, .holes = holes},
-                   vertices == 12 ? 1 : 4);
-  return drawn_text(streams, numbers);
+  return drawn_text(outlines_with_foot(BallPlace::FootNearVertex, 4), numbers);
 }
 
 std::string tangent_lattice(Numbers numbers) {
-  std::vector<Stream> streams;
-  for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
-    add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 12, .holes = holes}, 1);
-  for (const int doubles : {-1, 0, 1})
-    add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 6, .doubles = doubles}, 3);
+  auto streams = outlines_near(BallPlace::LatticeTangent, 3);
   streams.push_back(soak_stream(workloads::adversarial::Family::Lattice, 80));
   streams.push_back(soak_stream(workloads::adversarial::Family::Tangent, 80));
   return drawn_text(streams, numbers);
@@ -289,7 +266,7 @@ std::string holes(Numbers numbers) {
     for (const std::size_t holes : {std::size_t{1}, std::size_t{2}})
       add_outlines(streams, {.ball = place, .vertices = 7, .holes = holes}, holes == 1 ? 2 : 1);
   return drawn_text(streams, numbers, [](const CorpusCase& drawn, const PartialAnswer& truth) {
-    return !is_nearest(truth, Feature::Kind::Face) &&
+    return truth.nearest->kind != Feature::Kind::Face &&
            truth.nearest->index >= std::get<cases::Shapes>(drawn.shapes).polygon.loop_end(0);
   });
 }
@@ -409,9 +386,12 @@ const std::vector<Family>& all_families() {
        [](Numbers numbers) { return given_text("rejections", numbers); }},
       {"features", "each key of an answer, ties, the lift, holes and islands, extreme exponents, in small numbers",
        [](Numbers numbers) { return given_text("features", numbers); }},
-      {"face", "the radius is the double nearest to the distance, or next to it; the face is nearest", face},
-      {"edge", "the same, an edge is nearest", edge},
-      {"vertex", "the same, a vertex is nearest", vertex},
+      {"face", "the radius is the double nearest to the distance, or next to it; the face is nearest",
+       [](Numbers numbers) { return nearest(BallPlace::NearFace, Feature::Kind::Face, numbers); }},
+      {"edge", "the same, an edge is nearest",
+       [](Numbers numbers) { return nearest(BallPlace::NearEdge, Feature::Kind::Edge, numbers); }},
+      {"vertex", "the same, a vertex is nearest",
+       [](Numbers numbers) { return nearest(BallPlace::NearVertex, Feature::Kind::Vertex, numbers); }},
       {"reflex-vertex", "the foot is within a few doubles of a vertex at which the face bends inwards", reflex_vertex},
       {"foot-on-edge", "the foot is on an edge, or within a few doubles of it", foot_on_edge},
       {"foot-on-vertex", "the foot is on a vertex, or within a few doubles of it", foot_on_vertex},

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cases/workloads/loops.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"

@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/families.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/program/json.h"
 #include "experiments/program/sweep.h"
 
@@ -55,7 +54,7 @@ Besides the keys of the contract, a case has `tags` and an `origin`: the command
 it was found. `rejections` keeps its lines exactly as they were written, because they test how cases are written. Drawn
 cases are a selection: the first of their kind on which one of the methods above is wrong. Cases that cannot be drawn
 again lie in `experiments/judge/corpus/given`. Add a new case there, and `make` completes it. If you add, change or remove a
-case, raise the version in `experiments/judge/corpus/families.h`.
+case, raise the version in `experiments/judge/corpus/corpus.h`.
 
 ## Judging an engine of your own
 

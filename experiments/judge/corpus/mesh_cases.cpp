@@ -9,7 +9,7 @@
 
 #include "experiments/cases/workloads/random.h"
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/judge/corpus/families.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/scene/posing.h"
 

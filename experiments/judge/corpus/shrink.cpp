@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/shrink.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +12,7 @@
 #include "experiments/cases/workloads/grazing_radius.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/program/table.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
@@ -118,11 +117,16 @@ class Shrinker {
       changed_ = false;
       if (now_.faces.empty()) {
         leave_out_loops();
-        for (std::size_t loop = 0; loop < now_.loops.size(); ++loop) leave_out_vertices(loop);
+        for (std::size_t loop = 0; loop < now_.loops.size(); ++loop)
+          leave_out(
+              [loop](Candidate & candidate) -> auto& { return candidate.loops[loop]; }, 4);
       } else {
         leave_out_pose();
-        leave_out_faces();
-        for (std::size_t face = 0; face < now_.faces.size(); ++face) leave_out_corners(face);
+        leave_out(
+            [](Candidate & candidate) -> auto& { return candidate.faces; }, 2);
+        for (std::size_t face = 0; face < now_.faces.size(); ++face)
+          leave_out(
+              [face](Candidate & candidate) -> auto& { return candidate.faces[face]; }, 4);
       }
       stand_still();
       translate();
@@ -190,25 +194,7 @@ class Shrinker {
     for (std::size_t loop = now_.loops.size(); loop-- > 1;)  // a hole by itself
       if (loop < now_.loops.size() && take({now_.ball, now_.to, {now_.loops[loop]}, {}, {}})) return;
     leave_out(
-        1, [this] { return now_.loops.size() - 1; },
-        [this](std::size_t begin, std::size_t end) {
-          Candidate candidate = now_;
-          const auto first = candidate.loops.begin() + 1;
-          candidate.loops.erase(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end));
-          return candidate;
-        });
-  }
-
-  void leave_out_vertices(std::size_t loop) {
-    leave_out(
-        4, [this, loop] { return now_.loops[loop].size(); },
-        [this, loop](std::size_t begin, std::size_t end) {
-          Candidate candidate = now_;
-          Loop& vertices = candidate.loops[loop];
-          vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(begin),
-                         vertices.begin() + static_cast<std::ptrdiff_t>(end));
-          return candidate;
-        });
+        [](Candidate & candidate) -> auto& { return candidate.loops; }, 1, 1);
   }
 
   /// Poses the vertices instead.
@@ -218,31 +204,6 @@ class Shrinker {
     for (Vector3d& vertex : candidate.loops.front()) vertex = scene::posed(now_.pose, vertex);
     candidate.pose = {};
     (void)take(candidate);
-  }
-
-  void leave_out_faces() {
-    leave_out(
-        2, [this] { return now_.faces.size(); },
-        [this](std::size_t begin, std::size_t end) {
-          Candidate candidate = now_;
-          const auto first = candidate.faces.begin();
-          candidate.faces.erase(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end));
-          leave_out_unused(candidate);
-          return candidate;
-        });
-  }
-
-  void leave_out_corners(std::size_t face) {
-    leave_out(
-        4, [this, face] { return now_.faces[face].size(); },
-        [this, face](std::size_t begin, std::size_t end) {
-          Candidate candidate = now_;
-          const auto first = candidate.faces[face].begin();
-          candidate.faces[face].erase(first + static_cast<std::ptrdiff_t>(begin),
-                                      first + static_cast<std::ptrdiff_t>(end));
-          leave_out_unused(candidate);
-          return candidate;
-        });
   }
 
   /// Leaves out the vertices that no face uses.
@@ -260,14 +221,19 @@ class Shrinker {
     candidate.loops.front() = std::move(vertices);
   }
 
-  /// Tries to leave out the parts [begin, end) of a list, halves first. Does nothing if fewer than `least` parts would
-  /// remain.
-  template <class Count, class Without>
-  void leave_out(std::size_t least, const Count& count, const Without& without) {
+  /// Tries to leave out parts of a list from `first` on, halves first, as long as it has `least` of them.
+  template <class List>
+  void leave_out(const List& list, std::size_t least, std::size_t first = 0) {
+    const auto count = [&] { return list(now_).size() - first; };
     for (std::size_t part = count() / 2 + count() % 2; part > 0; part /= 2)
       for (std::size_t begin = 0; begin < count() && count() >= least;) {
         const std::size_t end = std::min(begin + part, count());
-        if (!take(without(begin, end))) begin = end;
+        Candidate candidate = now_;
+        auto& parts = list(candidate);
+        parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(first + begin),
+                    parts.begin() + static_cast<std::ptrdiff_t>(first + end));
+        if (!candidate.faces.empty()) leave_out_unused(candidate);
+        if (!take(candidate)) begin = end;
       }
   }
 

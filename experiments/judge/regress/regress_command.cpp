@@ -8,13 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/judge/regress/regress.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/command_run.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
 #include "experiments/program/table.h"
 #include "geometry/io/detail/legible.h"

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/program/numbers.h"
+#include "experiments/program/printing.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -100,6 +101,10 @@ struct FlatCase {
 /// Returns a case as a section of a page: its margin, its picture, and a table of what `exact` and the verdicts say,
 /// key by key, with what differs marked.
 [[nodiscard]] std::string section_of(const CaseView& view);
+
+/// Returns a text as the content of an element or attribute of XML or HTML: `&`, `<`, `>` and quotation marks become
+/// entities, and what is not legible is escaped as io::legible does. Line ends stay.
+[[nodiscard]] std::string xml_text(std::string_view text);
 
 /// Returns a page of HTML that loads nothing: the title, then the body.
 [[nodiscard]] std::string page_of(const std::string& title, const std::string& body);

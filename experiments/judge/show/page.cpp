@@ -4,13 +4,36 @@
 
 #include "experiments/cases/comparison.h"
 #include "experiments/judge/show/case_view.h"
-#include "experiments/program/quoting.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::show {
 namespace {
 
-using program::xml_text;
+void append_as_xml(std::string& text, std::string_view line) {
+  for (const char c : io::all_legible(line)) switch (c) {
+      case '&': text += "&amp;"; break;
+      case '<': text += "&lt;"; break;
+      case '>': text += "&gt;"; break;
+      case '"': text += "&quot;"; break;
+      case '\'': text += "&#39;"; break;
+      default: text += c;
+    }
+}
+
+}  // namespace
+
+std::string xml_text(std::string_view text) {
+  std::string escaped;
+  for (;;) {
+    const std::size_t end = text.find('\n');
+    append_as_xml(escaped, text.substr(0, end));
+    if (end == std::string_view::npos) return escaped;
+    escaped += '\n';
+    text.remove_prefix(end + 1);
+  }
+}
+
+namespace {
 
 constexpr const char* kStyle =
     R"(body { font: 15px/1.45 sans-serif; color: #222; max-width: 900px; margin: 2em auto; padding: 0 1em; }

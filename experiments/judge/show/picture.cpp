@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "experiments/judge/show/case_view.h"
-#include "experiments/program/quoting.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::show {
@@ -44,7 +43,7 @@ struct Svg {
     add("rect", kind, pair(corner, "x", "y") + pair(size, "width", "height"));
   }
   void text(std::string_view kind, const Vector2d& at, std::string_view text) {
-    body += fmt::format("<text class=\"{}\"{}>{}</text>\n", kind, pair(at, "x", "y"), program::xml_text(text));
+    body += fmt::format("<text class=\"{}\"{}>{}</text>\n", kind, pair(at, "x", "y"), xml_text(text));
   }
 };
 
@@ -314,7 +313,7 @@ std::string picture_of(const CaseView& view) {
   }
   return fmt::format(
       "<svg width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} {1:g}\" role=\"img\">\n<title>{2}</title>\n{3}</svg>\n",
-      kWidth, height, program::xml_text("Case " + view.id + ": " + margin_text(view)), svg.body);
+      kWidth, height, xml_text("Case " + view.id + ": " + margin_text(view)), svg.body);
 }
 
 }  // namespace touchstone::show

@@ -8,10 +8,10 @@
 #include "experiments/cases/case.h"
 #include "experiments/judge/show/case_view.h"
 #include "experiments/methods/process/engine_process.h"
-#include "experiments/methods/selection.h"
+#include "experiments/methods/registry.h"
 #include "experiments/program/command.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {

@@ -6,7 +6,7 @@
 #include "experiments/methods/engines/engines.h"
 #include "experiments/methods/process/engine.h"
 #include "experiments/program/input.h"
-#include "experiments/program/quoting.h"
+#include "experiments/program/words.h"
 
 namespace touchstone::methods {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All that asks CGAL's kernels about triangles, because each file that includes them takes 6 s longer to compile.
-#include "experiments/methods/engines/cgal_triangles.h"
-
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "experiments/methods/engines/engines.h"
+#include "experiments/methods/triangle_contacts.h"
 
 namespace touchstone::methods {
 namespace {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "experiments/methods/engines/engines.h"
-#include "experiments/methods/ericson.h"
+#include "experiments/methods/triangle_contacts.h"
 #include "geometry/contact/fast_triangle.h"
 
 namespace touchstone::methods {

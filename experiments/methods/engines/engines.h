@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Third-party engines: the file NAME.cpp of this folder defines add_NAME(MethodList&), which add_engines calls, or
+// Third-party engines: the file NAME.cpp of this folder defines add_NAME(MethodList&), which all_methods calls, or
 // is empty if the engine's library is missing: experiments/program/built_with.h says which are there. As methods they decide
 // contact as their users would ask: engines for triangles get those of a triangulation, whose vertices are not lifted.
 #include <cstddef>

@@ -14,9 +14,10 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
-#include "experiments/cases/posed_mesh.h"
+#include "experiments/cases/method.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine_process.h"
+#include "experiments/program/json.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
@@ -29,15 +30,6 @@ bool is_name(std::string_view text) {
          std::ranges::all_of(text, [](char c) {
            return c == '.' || c == '_' || c == '-' || kLettersAndDigits.find(c) != std::string_view::npos;
          });
-}
-
-bool is_utf8(const std::string& text) {
-  try {
-    (void)nlohmann::json(text).dump();
-    return true;
-  } catch (const nlohmann::json::exception&) {
-    return false;
-  }
 }
 
 /// Returns the place of the `=` before the name, or npos if the text has no name.
@@ -143,7 +135,7 @@ Engine engine_of(const std::string& text) {
   Engine engine{.name = sign == std::string::npos ? text : text.substr(sign + 1), .command = text.substr(0, sign)};
   if (engine.command.find_first_not_of(" \t\n") == std::string::npos)
     throw std::invalid_argument("the command is empty");
-  if (!is_utf8(text)) throw std::invalid_argument("the command is not UTF-8");
+  if (!program::is_utf8(text)) throw std::invalid_argument("the command is not UTF-8");
   return engine;
 }
 

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -18,7 +19,7 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/process/engine.h"
 #include "experiments/program/json.h"
-#include "experiments/program/stop_signal.h"
+#include "experiments/program/program.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {

@@ -34,11 +34,7 @@ timing::Candidate fills(std::string name, std::size_t queries, const std::shared
   };
   const auto count_wrong = [touches, truths, ask](std::size_t count) {
     ask(count);
-    const std::span<const bool> first(touches.get(), count);
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      if (first[i] != (*truths)[i]) ++wrong;
-    return wrong;
+    return timing::counting([&](std::size_t i) { return touches[i] != (*truths)[i]; })(count);
   };
   return {std::move(name), queries, ask, count_wrong, {}, std::move(comparison)};
 }

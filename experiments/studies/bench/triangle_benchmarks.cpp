@@ -8,8 +8,7 @@
 #include <string>
 
 #include "experiments/cases/workloads/triangle_queries.h"
-#include "experiments/methods/engines/cgal_triangles.h"
-#include "experiments/methods/ericson.h"
+#include "experiments/methods/triangle_contacts.h"
 #include "experiments/program/statistics/shares.h"
 #include "experiments/studies/bench/families.h"
 #include "geometry/contact/fast_triangle.h"

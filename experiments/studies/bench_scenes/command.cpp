@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "experiments/program/command_run.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/printing.h"
 #include "experiments/program/timing.h"
 #include "experiments/studies/bench_scenes/measure.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "experiments/methods/ericson.h"
+#include "experiments/methods/triangle_contacts.h"
 #include "experiments/program/built_with.h"
 #include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
-#include "experiments/program/terminal.h"
 #include "experiments/studies/bench_scenes/library.h"
 
 namespace touchstone::bench_scenes {
@@ -165,7 +165,7 @@ timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>
       candidate.most_checked = brute_force_count(scene.triangles.size(), benchmark.checked);
       if (embree) candidate.comparison = {methods::kEmbree, kQueryGoal};
       candidate.count_wrong =
-          counting([&scene, &disputes, seed, asking, one = b.scene, name = benchmark.name](std::size_t i) {
+          timing::counting([&scene, &disputes, seed, asking, one = b.scene, name = benchmark.name](std::size_t i) {
             if (!asking->disputed(*one, i)) return false;
             disputes.push_back(fmt::format("{}, {} triangles, {}, seed {}, ball {}", scene.kind, scene.triangles.size(),
                                            name, seed, i));
@@ -174,7 +174,8 @@ timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>
     } else {
       candidate.comparison = {exact.library->name,
                               b.library->name == kObjects ? std::optional(kObjectsGoal) : std::nullopt};
-      candidate.count_wrong = counting([asking, one = b.scene](std::size_t i) { return asking->wrong(*one, i); });
+      candidate.count_wrong =
+          timing::counting([asking, one = b.scene](std::size_t i) { return asking->wrong(*one, i); });
     }
     benchmark.candidates.push_back(std::move(candidate));
   }

@@ -85,16 +85,6 @@ struct Built {
   std::shared_ptr<BuiltScene> scene;
 };
 
-/// Returns the function that counts for how many of the first queries `holds`, asked of each in turn, is true.
-template <class Holds>
-[[nodiscard]] auto counting(const Holds& holds) {
-  return [holds](std::size_t count) {
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < count; ++i) found += holds(i) ? 1 : 0;
-    return found;
-  };
-}
-
 /// The time in units of the whole motion by which an answer may differ from the exact one without being wrong.
 inline constexpr double kTimeTolerance = 1e-6;
 /// The goals: the time of a short sweep, relative to that of the question whether the ball touches anything at its

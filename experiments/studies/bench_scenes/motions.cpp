@@ -33,12 +33,6 @@ bool wrong(const std::optional<double>& time, const std::optional<double>& truth
   return !(std::abs(*time - *truth) <= kTimeTolerance);
 }
 
-std::uint64_t sweep(BuiltScene& scene, const std::vector<Motion>& motions, std::size_t count) {
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < count; ++i) sum += scene.first_contact(motions[i]) ? 1 : 0;
-  return sum;
-}
-
 }  // namespace
 
 std::string_view to_string(MotionLength length) { return length == MotionLength::Short ? "short" : "long"; }
@@ -76,12 +70,9 @@ timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles, const
   }
   benchmark.candidates.push_back({.name = kAtStart,
                                   .queries = motions->size(),
-                                  .ask =
-                                      [motions, scene = exact.scene](std::size_t count) {
-                                        std::uint64_t sum = 0;
-                                        for (std::size_t i = 0; i < count; ++i) sum += scene->any((*motions)[i].ball);
-                                        return sum;
-                                      },
+                                  .ask = timing::counting([motions, scene = exact.scene](std::size_t i) {
+                                    return scene->any((*motions)[i].ball);
+                                  }),
                                   .count_wrong = {},
                                   .before = {},
                                   .comparison = std::nullopt});
@@ -90,18 +81,20 @@ timing::Benchmark motion_benchmark(const std::vector<Triangle>& triangles, const
     timing::Candidate candidate;
     candidate.name = one.library->name;
     candidate.queries = motions->size();
-    candidate.ask = [motions, scene = one.scene](std::size_t count) { return sweep(*scene, *motions, count); };
+    candidate.ask = timing::counting(
+        [motions, scene = one.scene](std::size_t i) { return scene->first_contact((*motions)[i]).has_value(); });
     if (one.library->exact) {
       candidate.comparison = {kAtStart, length == MotionLength::Short ? kShortGoal : kLongGoal};
       candidate.most_checked = std::min(benchmark.checked, kByBruteForce);
-      candidate.count_wrong = counting([&triangles, &disputes, motions, truth, name = benchmark.name](std::size_t i) {
-        if (first_contact_by_brute_force(triangles, (*motions)[i]) == (*truth)[i]) return false;
-        disputes.push_back(fmt::format("{} triangles, {}, motion {}", triangles.size(), name, i));
-        return true;
-      });
+      candidate.count_wrong =
+          timing::counting([&triangles, &disputes, motions, truth, name = benchmark.name](std::size_t i) {
+            if (first_contact_by_brute_force(triangles, (*motions)[i]) == (*truth)[i]) return false;
+            disputes.push_back(fmt::format("{} triangles, {}, motion {}", triangles.size(), name, i));
+            return true;
+          });
     } else {
       candidate.comparison = {exact.library->name, kSweepGoal};
-      candidate.count_wrong = counting([motions, truth, scene = one.scene](std::size_t i) {
+      candidate.count_wrong = timing::counting([motions, truth, scene = one.scene](std::size_t i) {
         return wrong(scene->first_contact((*motions)[i]), (*truth)[i]);
       });
     }

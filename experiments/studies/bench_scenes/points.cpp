@@ -59,24 +59,15 @@ std::optional<timing::Benchmark> point_benchmark(const std::vector<Triangle>& tr
         "{} % are inside",
         statistics::percent_to_places(
             statistics::share_of(static_cast<std::size_t>(std::ranges::count(*truths, true)), benchmark.checked), 0));
-  const auto candidate = [&](const char* name, const auto& inside) {
-    timing::Candidate made{name, points->size(), {}, {}, {}, std::nullopt};
-    made.ask = [points, inside](std::size_t count) {
-      std::uint64_t sum = 0;
-      for (std::size_t i = 0; i < count; ++i) sum += inside((*points)[i]) ? 1 : 0;
-      return sum;
-    };
-    made.count_wrong =
-        counting([points, truths, inside](std::size_t i) { return inside((*points)[i]) != (*truths)[i]; });
-    return made;
-  };
-  benchmark.candidates.push_back(
-      candidate("Solid", [solid](const Eigen::Vector3d& p) { return solid->locate(p) == PointLocation::Inside; }));
+  benchmark.candidates.push_back(timing::candidate("Solid", points, truths, [solid](const Eigen::Vector3d& p) {
+    return solid->locate(p) == PointLocation::Inside;
+  }));
 #if TOUCHSTONE_HAS_EMBREE
   const bool about_a_million = std::lround(static_cast<double>(triangles.size()) / 1e6) == 1;
   benchmark.candidates.front().comparison = {methods::kEmbree,
                                              about_a_million ? std::optional(kInsideGoal) : std::nullopt};
-  benchmark.candidates.push_back(candidate(methods::kEmbree, inside_by_embree(triangles, around)));
+  benchmark.candidates.push_back(
+      timing::candidate(methods::kEmbree, points, truths, inside_by_embree(triangles, around)));
 #endif
   return benchmark;
 }

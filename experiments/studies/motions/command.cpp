@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/methods/selection.h"
+#include "experiments/methods/registry.h"
 #include "experiments/program/study.h"
 #include "experiments/studies/motions/steps.h"
 

@@ -14,7 +14,7 @@
 
 #include "experiments/cases/failures.h"
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/methods/selection.h"
+#include "experiments/methods/registry.h"
 #include "experiments/program/statistics/errors.h"
 #include "experiments/program/sweep.h"
 #include "experiments/program/table.h"

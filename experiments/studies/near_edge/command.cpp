@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "experiments/cases/workloads/meshes.h"
-#include "experiments/methods/selection.h"
-#include "experiments/program/numbers.h"
+#include "experiments/methods/registry.h"
 #include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/study.h"
 #include "experiments/studies/near_edge/faces.h"
 #include "experiments/studies/near_edge/map.h"

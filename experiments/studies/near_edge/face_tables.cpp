@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "experiments/cases/key.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/program/output.h"
 #include "experiments/program/statistics/shares.h"
 #include "experiments/studies/near_edge/faces.h"

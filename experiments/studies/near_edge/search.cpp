@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "experiments/cases/key.h"
-#include "experiments/cases/output_lines.h"
 #include "experiments/cases/truth_as_given.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "experiments/methods/registry.h"

@@ -13,7 +13,6 @@
 #include "experiments/cases/failures.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/study.h"
 #include "experiments/studies/recorded/measure.h"
 

@@ -11,7 +11,7 @@
 #include "experiments/cases/workloads/random.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/program/input.h"
-#include "experiments/program/quoting.h"
+#include "experiments/program/words.h"
 
 namespace touchstone::recorded {
 namespace {

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/program/printing.h"
 #include "experiments/program/study.h"

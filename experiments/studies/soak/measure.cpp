@@ -8,7 +8,7 @@
 #include <limits>
 #include <memory>
 
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/ulp.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
 #include "experiments/program/table.h"
 #include "experiments/studies/soak/measure.h"

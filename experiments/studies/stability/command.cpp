@@ -5,9 +5,8 @@
 #include <memory>
 
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
-#include "experiments/program/numbers.h"
 #include "experiments/program/output.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
 #include "experiments/program/study.h"
 #include "experiments/program/table.h"

@@ -13,7 +13,7 @@
 #endif
 
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"

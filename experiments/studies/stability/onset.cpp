@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "experiments/cases/workloads/random.h"
-#include "experiments/methods/ericson.h"
+#include "experiments/methods/triangle_contacts.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 

@@ -29,7 +29,7 @@ class Onset {
   explicit Onset(const std::vector<const cases::Method*>& methods);
 
   /// First `ericson-absolute`, the closest point of [ericson2005, 5.1.5] as coordinates, then its distance; `ericson`,
-  /// the same in differences (methods/ericson.h); then the methods of the study.
+  /// the same in differences (methods/triangle_contacts.h); then the methods of the study.
   [[nodiscard]] const std::vector<std::string>& methods() const { return methods_; }
   [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
   [[nodiscard]] std::uint64_t failures(std::size_t distance, std::size_t method, int k) const {

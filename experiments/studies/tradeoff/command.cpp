@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/program/command_run.h"
 #include "experiments/program/study.h"
 #include "experiments/studies/tradeoff/front.h"

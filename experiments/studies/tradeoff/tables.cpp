@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "experiments/cases/key.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/methods/registry.h"
 #include "experiments/program/output.h"
 #include "experiments/program/statistics/shares.h"

@@ -3,7 +3,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "experiments/cases/workloads/balls.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/random.h"
 #include "experiments/studies/tradeoff/front.h"

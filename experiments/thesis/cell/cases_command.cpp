@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cases/workloads/ulp.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/thesis/cell/cell_commands.h"
 #include "experiments/thesis/cell/model/model.h"
 #include "experiments/thesis/cell/model/read_cell.h"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "experiments/methods/registry.h"
-#include "experiments/methods/selection.h"
 #include "experiments/thesis/cell/model/read_cell.h"
 
 namespace touchstone::cell {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/methods/selection.h"
+#include "experiments/methods/registry.h"
 #include "experiments/program/command.h"
 #include "experiments/thesis/cell/browser/recording.h"
 #include "experiments/thesis/cell/model/plant.h"

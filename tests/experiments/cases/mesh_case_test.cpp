@@ -7,7 +7,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/methods/registry.h"
 #include "tests/experiments/support/scratch.h"
 

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/output_lines.h"
 
 namespace touchstone::cases {
 namespace {

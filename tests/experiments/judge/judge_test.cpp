@@ -209,16 +209,6 @@ TEST(Judge, NamesFileAndLineOfWhatIsNotJsonAndGoesOn) {
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2);
 }
 
-TEST(Judge, NamesFileAndLineOfAByteOrderMark) {
-  const std::string marked = "\xEF\xBB\xBF" + with(kTouching, "");
-  const Result result = run(marked + "\n" + with(kTouching, "") + "\n" + marked);
-  EXPECT_EQ(result.status, InputRejected);
-  for (const char* line :
-       {"cases.jsonl: line 1: not JSON: a byte order mark\n", "cases.jsonl: line 3: not JSON: a byte order mark\n"})
-    EXPECT_NE(result.complaints.find(line), std::string::npos) << result.complaints;
-  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 1);
-}
-
 TEST(Judge, NamesFileAndLineOfACaseWithoutAnId) {
   const std::string deep = std::string(100, '[') + std::string(100, ']');
   for (const std::string& malformed :

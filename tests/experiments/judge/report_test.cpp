@@ -119,17 +119,6 @@ TEST(JudgeOrder, JudgesSeveralEnginesAtOnce) {
   EXPECT_EQ(result.complaints.find("mine"), std::string::npos);
 }
 
-TEST(JudgeOrder, TellsHowFarItIs) {
-  Order order;
-  std::uint64_t last = 0;
-  order.progress = [&](std::uint64_t bytes) {
-    EXPECT_GE(bytes, last);
-    last = bytes;
-  };
-  (void)run(kCases, order);
-  EXPECT_EQ(last, kCases.size());
-}
-
 TEST(Summary, HasLimitsAndTheWorstTags) {
   const Collected collected = collect({});
   const std::string text = judge::summary_text(collected.tally, false);

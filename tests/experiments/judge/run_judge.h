@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -32,9 +31,7 @@ inline std::string with(const char* line, const std::string& members) {
 }
 
 /// What is asked, and where it is told.
-struct Order : Question, Output {
-  std::function<void(std::uint64_t bytes)> progress{};
-};
+struct Order : Question, Output {};
 
 struct Result {
   judge::Status status;
@@ -64,7 +61,7 @@ inline Result run(const std::string& input, Order order = {}) {
   if (order.methods.empty() && order.engines.empty()) order.methods = {methods::find_method("exact")};
   order.verdicts = std::tmpfile();
   order.complaints = std::tmpfile();
-  const judge::Status status = judge::judge(order, order, order.progress);
+  const judge::Status status = judge::judge(order, order);
   return {status, take(order.verdicts), take(order.complaints)};
 }
 

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <thread>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/selection.h"
 
 #include <gtest/gtest.h>
 

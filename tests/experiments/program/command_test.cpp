@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <limits>
 #include <memory>
 
@@ -173,21 +172,6 @@ TEST(Command, ItsLineLeavesOutTheDefaultOfWhatAnotherOptionExcludes) {
   EXPECT_EQ(line_of({}), "touchstone measure --vertices 24");
   EXPECT_EQ(line_of({"a.obj"}), "touchstone measure a.obj");
   EXPECT_THROW(line_of({"a.obj", "--vertices", "24"}), UsageError);
-}
-
-TEST(Command, HelpListsTheOptionsOfAGroup) {
-  std::string file, random;
-  Command command("ask", "Asks");
-  command.text("--file", file, "A file");
-  command.text("--random", random, "Random ones");
-  require_one_of(command, {"--file", "--random"});
-  std::array<char[10], 3> words{"program", "ask", "--help"};
-  std::array<char*, 3> arguments{words[0], words[1], words[2]};
-  testing::internal::CaptureStdout();
-  EXPECT_EQ(run_program({"About", "1.0"}, {command}, 3, arguments.data()), 0);
-  const std::string help = testing::internal::GetCapturedStdout();
-  for (const char* line : {"  --file TEXT    A file. Give either this or --random.\n", "  --random TEXT  "})
-    EXPECT_NE(help.find(line), std::string::npos) << help;
 }
 
 TEST(Command, RunsTheSubcommandThatIsNamed) {

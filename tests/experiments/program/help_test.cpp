@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program says of itself: suggestions and colours.
-#include "experiments/program/help.h"
-
+// What the program says of itself.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,10 +10,9 @@
 #include <sstream>
 
 #include "experiments/program/command.h"
-#include "experiments/program/quoting.h"
-#include "experiments/program/similar_words.h"
+#include "experiments/program/program.h"
 #include "experiments/program/table.h"
-#include "experiments/program/terminal.h"
+#include "experiments/program/words.h"
 #include "tests/experiments/support/scratch.h"
 
 namespace touchstone::program {
@@ -109,17 +106,7 @@ TEST(Program, ExplainsItself) {
   EXPECT_TRUE(has(help.second, "A note.")) << help.second;
   EXPECT_TRUE(has(help.second, "Example:\n  touchstone measure --samples 3")) << help.second;
   EXPECT_EQ(run({"help", "mesure"}).first, 2);
-}
-
-TEST(Program, ListsItsCommandsByHeadings) {
-  const std::string help = run({"help"}).second;
-  EXPECT_TRUE(
-      help.starts_with("About it\n\nUsage: touchstone COMMAND [OPTIONS]\n\nStudies:\n"
-                       "  measure  Measures things\n\nCommands:\n  corpus   Cases\n\nOptions:\n"))
-      << help;
-  // Without a command, the same on standard error, and what to do.
-  EXPECT_EQ(run({}), std::pair(2, help + "\nname one of these commands, such as `touchstone measure`"));
-  EXPECT_TRUE(has(run({"corpus"}).second, "\nname one of these commands, such as `touchstone corpus shrink`"));
+  EXPECT_EQ(run({}), std::pair(2, run({"help"}).second + "\nname one of these commands, such as `touchstone measure`"));
 }
 
 TEST(Help, IsWrappedBetweenWords) {
@@ -183,19 +170,6 @@ TEST(Help, KeepsItsWidthAndAllWords) {
     }
   }
   EXPECT_TRUE(has(help_text(command, 60), "touchstone measure --engine './it --has =spaces' \\\n    --a-rather"));
-}
-
-TEST(Colour, IsForTerminalsOnly) {
-  std::FILE* file = std::tmpfile();
-  ASSERT_NE(file, nullptr);
-  EXPECT_FALSE(takes_colours(file));
-  EXPECT_EQ(coloured("text", Colour::Red, file), "text");
-  std::fclose(file);
-}
-
-TEST(XmlText, HasNoMarkupAndNoControlBytes) {
-  EXPECT_EQ(xml_text("a<b>&\"'\n\x1b[31m"), "a&lt;b&gt;&amp;&quot;&#39;\n\\x1b[31m");
-  EXPECT_EQ(xml_text("\xff"), "\\xff");
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/program/part_file.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,6 +6,7 @@
 #include <tuple>
 
 #include "experiments/program/output.h"
+#include "experiments/program/study.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 

@@ -6,7 +6,7 @@
 
 #include <csignal>
 
-#include "experiments/program/quoting.h"
+#include "experiments/program/words.h"
 #include "tests/experiments/support/message_of.h"
 #include "tests/experiments/support/scratch.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums over many items do not depend on threads and stops; and the progress that is shown meanwhile.
+// Sums over many items do not depend on threads and stops.
 #include "experiments/program/sweep.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "experiments/program/terminal.h"
 #include "tests/experiments/support/unwatched.h"
 
 namespace touchstone::program {
@@ -131,13 +130,6 @@ TEST(Sweep, AlwaysHoldsTheFirstItems) {
   EXPECT_GE(done, 500U);
   EXPECT_LT(done, 600U);
   EXPECT_EQ(items.all, first_items(done).all);
-}
-
-TEST(Progress, SaysTheShareAndTheTimeLeft) {
-  EXPECT_EQ(progress_text("samples", 10, 40, 4), "samples: 25 %, 12 s left");
-  EXPECT_EQ(progress_text("samples", 0, 40, 2), "samples: 0 %");
-  EXPECT_EQ(progress_text("samples", 1, 1001, 3), "samples: <1 %, 50 min left");
-  EXPECT_EQ(progress_text("samples", 1, 10'001, 3), "samples: <1 %, 8.3 h left");
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A line is not JSON, a rejection of the contract, or shapes that read_case gives again from what is written of them.
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/program/json.h"
 
 using namespace touchstone;

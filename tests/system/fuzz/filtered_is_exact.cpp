@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/workloads/adversarial/balls.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/cases/workloads/adversarial/shapes.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"

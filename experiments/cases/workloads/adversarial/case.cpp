@@ -7,9 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "experiments/cases/workloads/adversarial/balls.h"
-#include "experiments/cases/workloads/adversarial/outlines.h"
-#include "experiments/cases/workloads/adversarial/triangles.h"
+#include "experiments/cases/workloads/adversarial/shapes.h"
 #include "experiments/cases/workloads/grazing_radius.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "geometry/contact/fast_motion.h"
@@ -20,22 +18,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Drawn {
-  Triangle triangle;
-  Ball ball;
-};
-
 Polygon triangle_polygon(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
 
 /// Draws a ball with the threshold radius about a centre off one of the features of the triangle.
-Drawn at_threshold(Random& random, const Triangle& triangle) {
+BallAndTriangle at_threshold(Random& random, const Triangle& triangle) {
   const Polygon polygon = triangle_polygon(triangle);
   const Vector3d center = center_off_feature(random, polygon);
   return {triangle, {center, radius_at_threshold(random, center, polygon)}};
 }
 
 /// Draws a lattice triangle and a ball near it, also with integers.
-Drawn on_lattice(Random& random) {
+BallAndTriangle on_lattice(Random& random) {
   const Triangle triangle = lattice_triangle(random);
   const Vector3d* corners[] = {&triangle.a, &triangle.b, &triangle.c};
   const auto most = static_cast<std::int64_t>(size_of(triangle));
@@ -52,7 +45,7 @@ Drawn on_lattice(Random& random) {
   return {triangle, ball};
 }
 
-Drawn above_boundary(Random& random) {
+BallAndTriangle above_boundary(Random& random) {
   const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
   const Polygon polygon = triangle_polygon(triangle);
   const Vector3d center = center_above_boundary(random, polygon);
@@ -60,7 +53,7 @@ Drawn above_boundary(Random& random) {
   return {triangle, {center, radius}};
 }
 
-Drawn on_triangle(Random& random) {
+BallAndTriangle on_triangle(Random& random) {
   const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
   const Vector3d center = center_on_polygon(random, triangle_polygon(triangle));
   const double radii[] = {0, 0x1p-1074, size_of(triangle) * std::abs(random.log_uniform(-55, -45)),
@@ -70,7 +63,7 @@ Drawn on_triangle(Random& random) {
 
 /// Moves a vertex, an edge or the face to the origin. Doubles are so dense there that the distance of the centre may be
 /// smaller than the square root of the least double.
-Drawn close_to_origin(Random& random) {
+BallAndTriangle close_to_origin(Random& random) {
   const Triangle t = lattice_triangle(random);
   const Vector3d u = t.b - t.a, v = t.c - t.a;
   const Triangle triangles[] = {{Vector3d::Zero(), u, v}, {u, -4 * u, v}, {u, v, -(u + v)}};
@@ -78,7 +71,7 @@ Drawn close_to_origin(Random& random) {
   return {triangle, ball_close_to_origin(random, triangle_polygon(triangle))};
 }
 
-Drawn from_afar(Random& random) {
+BallAndTriangle from_afar(Random& random) {
   const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
   const Vector3d direction = center_off_feature(random, triangle_polygon(triangle)) - triangle.a;
   const Vector3d center = triangle.a + std::abs(random.log_uniform(0, 60)) * direction;
@@ -86,7 +79,7 @@ Drawn from_afar(Random& random) {
 }
 
 /// Draws centres that share coordinates with vertices, so that distances are often doubles nevertheless.
-Drawn of_all_exponents(Random& random) {
+BallAndTriangle of_all_exponents(Random& random) {
   const Triangle triangle = triangle_of_all_exponents(random);
   const Vector3d* corners[] = {&triangle.a, &triangle.b, &triangle.c};
   const auto range = static_cast<int>(random.integer(0, kExponentRanges - 1));
@@ -103,7 +96,7 @@ Drawn of_all_exponents(Random& random) {
   return {triangle, ball};
 }
 
-Drawn anywhere(Random& random) {
+BallAndTriangle anywhere(Random& random) {
   const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
   const double size = size_of(triangle);
   Ball ball{};
@@ -112,14 +105,11 @@ Drawn anywhere(Random& random) {
   return {triangle, ball};
 }
 
-Drawn draw_triangle(Random& random, Family family) {
+BallAndTriangle draw_triangle(Random& random, Family family) {
   switch (family) {
     case Family::General: return at_threshold(random, general_triangle(random));
     case Family::Lattice: return on_lattice(random);
-    case Family::Tangent: {
-      const auto [triangle, ball] = tangent(random);
-      return {triangle, ball};
-    }
+    case Family::Tangent: return tangent(random);
     case Family::Needle: return at_threshold(random, needle_triangle(random));
     case Family::FarAway: return at_threshold(random, far_triangle(random));
     case Family::Foot: return above_boundary(random);
@@ -131,7 +121,7 @@ Drawn draw_triangle(Random& random, Family family) {
   }
 }
 
-bool is_finite(const Drawn& drawn) {
+bool is_finite(const BallAndTriangle& drawn) {
   const auto& [t, ball] = drawn;
   return t.a.allFinite() && t.b.allFinite() && t.c.allFinite() && !find_fault(ball);
 }
@@ -140,7 +130,7 @@ bool is_finite(const Drawn& drawn) {
 std::optional<Case> try_triangle(Random& random, Family family) try {
   constexpr Family kScalable[] = {Family::General, Family::Lattice, Family::Tangent, Family::Foot, Family::Point};
   const bool scale = family == Family::Scaled;
-  const Drawn drawn = draw_triangle(random, scale ? kScalable[random.integer(0, 4)] : family);
+  const BallAndTriangle drawn = draw_triangle(random, scale ? kScalable[random.integer(0, 4)] : family);
   if (!is_finite(drawn)) return std::nullopt;
   Case result{family, drawn.ball, triangle_polygon(drawn.triangle)};
   if (scale) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/workloads/adversarial/outlines.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
 
-#include "experiments/cases/workloads/adversarial/balls.h"
+#include "experiments/cases/workloads/adversarial/shapes.h"
+#include "experiments/cases/workloads/loops.h"
 #include "experiments/cases/workloads/placement.h"
 #include "robust/exact/validate.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cases/workloads/adversarial/triangles.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
+#include "experiments/cases/workloads/adversarial/shapes.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/ulp.h"
 #include "robust/exact/detail/edge_sweep.h"
@@ -48,7 +47,7 @@ double integer(Random& random, std::int64_t most) { return static_cast<double>(r
 
 /// Draws a tangent in an integer frame. On the lattice the first edge runs along x from the origin, and the triangle
 /// lies above it.
-Tangent in_integer_frame(Random& random) {
+BallAndTriangle in_integer_frame(Random& random) {
   const std::int64_t most = std::int64_t{1} << random.integer(2, 20);
   const double distances[] = {0, 1, 0x1p10, 0x1p20};
   const workloads::Frame frame = workloads::lattice_frame(random, most, distances[random.integer(0, 3)]);
@@ -86,7 +85,7 @@ double number(Random& random, int reach) { return random.log_uniform(-reach, rea
 
 /// Draws two vertices that differ in one coordinate, and a third that differs from them in two. The centre differs from
 /// the plane, the first edge or the first vertex in one coordinate, by the radius.
-Tangent along_axes(Random& random) {
+BallAndTriangle along_axes(Random& random) {
   const auto i = static_cast<int>(random.integer(0, 2));
   const int j = (i + static_cast<int>(random.integer(1, 2))) % 3, k = 3 - i - j;
   const int reach = 1 << random.integer(0, 7);
@@ -202,6 +201,6 @@ double size_of(const Triangle& triangle) {
   return std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
 }
 
-Tangent tangent(Random& random) { return random.coin() ? in_integer_frame(random) : along_axes(random); }
+BallAndTriangle tangent(Random& random) { return random.coin() ? in_integer_frame(random) : along_axes(random); }
 
 }  // namespace touchstone::workloads::adversarial

@@ -10,7 +10,7 @@
 
 #include "experiments/cases/workloads/degrees.h"
 #include "experiments/cases/workloads/random.h"
-#include "experiments/program/numbers.h"
+#include "experiments/program/printing.h"
 #include "experiments/program/statistics/shares.h"
 #include "experiments/program/study.h"
 #include "experiments/program/table.h"

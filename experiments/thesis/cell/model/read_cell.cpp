@@ -24,11 +24,11 @@ constexpr double kMostStops = 100'000;  // of a joint, from limit to limit: abou
 program::StrictJson load(const std::filesystem::path& file) {
   const std::string text = read_at_most<BadCell>(file, kMostCellMib);
   try {
-    program::StrictJson json = program::read_strict_json(text);
-    if (json.duplicate_key) throw BadCell(fmt::format("{}: duplicate key \"{}\"", file.string(), *json.duplicate_key));
-    if (json.too_deep)
+    program::StrictJson read = program::read_strict_json(text);
+    if (read.duplicate_key) throw BadCell(fmt::format("{}: duplicate key \"{}\"", file.string(), *read.duplicate_key));
+    if (read.too_deep)
       throw BadCell(fmt::format("{}: is nested deeper than {} levels", file.string(), program::kMostLevels));
-    return json;
+    return read;
   } catch (const program::NotJson& error) {
     throw BadCell(fmt::format("{}: is not JSON: {}", file.string(), error.what()));
   }

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/cases/output_lines.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/program/output.h"
 #include "experiments/program/table.h"

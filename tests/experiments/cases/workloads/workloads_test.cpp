@@ -8,7 +8,6 @@
 #include <map>
 #include <set>
 
-#include "experiments/cases/workloads/balls.h"
 #include "experiments/cases/workloads/outline.h"
 #include "experiments/cases/workloads/placement.h"
 #include "experiments/cases/workloads/random.h"
@@ -412,7 +411,7 @@ TEST(Sample, HasTheGoldenBits) {
       {Family::Triangle, 0xb4bdf3686ff4399d}, {Family::Convex, 0x87031295f3b39f3a},
       {Family::Star, 0x682cabfe27760c85},     {Family::Comb, 0xe77980adfca975ea},
       {Family::Spiral, 0x96e6c18a60a14f58},   {Family::RandomSimple, 0x4e6f64007fa3996e},
-      {Family::Koch, 0xd934d5249415a9},     {Family::U, 0x7033e7789d18de79},
+      {Family::Koch, 0xd934d5249415a9},       {Family::U, 0x7033e7789d18de79},
       {Family::L, 0xc590672685b4354f},        {Family::E, 0x92cb3d86c69cbe23},
   };
   std::map<Family, Hash> hashes;

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "experiments/cases/verdict.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/program/output.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/experiments/support/scratch.h"

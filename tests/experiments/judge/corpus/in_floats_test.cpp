@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "experiments/cases/workloads/workload.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 

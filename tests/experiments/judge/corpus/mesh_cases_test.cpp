@@ -7,10 +7,8 @@
 #include <limits>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/output_lines.h"
-#include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/families.h"
-#include "experiments/judge/corpus/shrink.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/corpus/shrink.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +7,8 @@
 #include <stdexcept>
 
 #include "experiments/cases/method.h"
-#include "experiments/cases/output_lines.h"
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/judge/corpus/corpus.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"

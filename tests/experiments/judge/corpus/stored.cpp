@@ -11,7 +11,7 @@
 #include <fstream>
 #include <ostream>
 
-#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/corpus.h"
 
 namespace touchstone::corpus {
 namespace {

@@ -193,5 +193,10 @@ TEST(Page, IsSelfContainedAndEscaped) {
     EXPECT_FALSE(has(page, forbidden)) << forbidden;
 }
 
+TEST(XmlText, HasNoMarkupAndNoControlBytes) {
+  EXPECT_EQ(xml_text("a<b>&\"'\n\x1b[31m"), "a&lt;b&gt;&amp;&quot;&#39;\n\\x1b[31m");
+  EXPECT_EQ(xml_text("\xff"), "\\xff");
+}
+
 }  // namespace
 }  // namespace touchstone::show

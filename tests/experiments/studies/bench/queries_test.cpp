@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "experiments/cases/workloads/triangle_queries.h"
-#include "experiments/methods/ericson.h"
+#include "experiments/methods/triangle_contacts.h"
 #include "experiments/studies/bench/polygon_queries.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"

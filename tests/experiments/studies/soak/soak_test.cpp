@@ -12,7 +12,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/cases/workloads/adversarial/case.h"
 #include "experiments/commands.h"
 #include "experiments/program/output.h"

@@ -14,7 +14,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/program/output.h"
-#include "experiments/program/stop_signal.h"
+#include "experiments/program/program.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/thesis/cell/browser/aristo.h"
