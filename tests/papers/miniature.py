@@ -21,15 +21,20 @@ def table(columns, *rows):
     return [names, *lines]
 
 
-RATES = "family placement threshold test method offset failures trials rate lower upper"
+RATES = "family placement threshold test method offset failures trials contract lift rate lower upper"
 OFFSETS = [-4294967296, -1, 0, 1, 4294967296]
-PLACEMENTS = ["lattice-frame", "rotated"]
+PLACEMENTS = ["lattice-frame", "planar", "rotated"]
+FAMILIES = ["all", "star", "triangle"]
 AXES = "axis nearness test method"
 
 FILES = {
     "near-edge": {
-        "rates.csv": table(RATES, (["all", "star"], PLACEMENTS, ["face", "edge", "vertex"], "contact", METHODS, OFFSETS, 1, 4, 0.25, 0, 0.9),
-                           (["all", "star"], PLACEMENTS, ["foot-edge", "foot-vertex"], "foot", METHODS, OFFSETS, 2, 4, 0.5, 0, 0.9)),
+        "rates.csv": table(RATES, ("all", PLACEMENTS, ["face", "edge", "vertex"], "contact", METHODS, OFFSETS, 2, 8, 3, 1, 0.25, 0, 0.9),
+                           (FAMILIES[1:], PLACEMENTS, ["face", "edge", "vertex"], "contact", METHODS, OFFSETS, 1, 4, 1, 0, 0.25, 0, 0.9),
+                           ("all", PLACEMENTS, ["foot-edge", "foot-vertex"], "foot", METHODS, OFFSETS, 4, 8, 4, 0, 0.5, 0, 0.9),
+                           (FAMILIES[1:], PLACEMENTS, ["foot-edge", "foot-vertex"], "foot", METHODS, OFFSETS, 2, 4, 2, 0, 0.5, 0, 0.9)),
+        "properties.csv": table("property from to threshold method offset failures trials rate lower upper",
+                                ("tilt", [0, 0.75], 1, "face", METHODS, [-0.5, 0.5], 1, 4, 0.25, 0, 0.9)),
         "bands.csv": table("family placement threshold test method samples failures trials rate",
                            (["all", "star"], PLACEMENTS, ["face", "edge", "vertex"], "contact", METHODS, 4, 1, 20, 0.05),
                            (["all", "star"], PLACEMENTS, ["foot-edge", "foot-vertex"], "foot", METHODS, 4, 2, 20, 0.1)),
@@ -49,16 +54,16 @@ FILES = {
     "tradeoff": {
         "points.csv": table("family method quantity asked correctly_rounded worst", ("all", "fast", "distance", 8, 4, 17),
                             ("all", "filtered", "distance", 8, 8, 0)),
-        "bands.csv": table("family placement threshold test method samples wrong unsure answers",
-                           ("all", "rotated", ["face", "edge"], "contact", "fast", 4, 1, 0, 8),
-                           ("all", "rotated", ["face", "edge"], "contact", "filtered", 4, 0, 0, 8)),
+        "bands.csv": table("family placement threshold test method samples wrong unsure lift answers",
+                           ("all", ["planar", "rotated"], ["face", "edge"], "contact", "fast", 4, 1, 0, 1, 8),
+                           ("all", ["planar", "rotated"], ["face", "edge"], "contact", "filtered", 4, 0, 0, 0, 8)),
         "timings.csv": table("family placement balls question method lower_quartile_ns median_ns upper_quartile_ns",
-                             (["star", "u"], "rotated", ["near", "away"], "contact", ["fast", "filtered"], 90, 100, 110)),
+                             (["star", "u"], ["planar", "rotated"], ["near", "away"], "contact", ["fast", "filtered"], 90, 100, 110)),
         "front.csv": table("measure family placement method nanoseconds lower_quartile_ns upper_quartile_ns error lower upper finite_error "
                            "not_finite samples front",
-                           ("not-right", "all", "rotated", ["fast", "fast-long-double", "fast-double-double", "fast-mpfr-101"], 100, 90, 110, 0.2,
+                           ("not-right", "all", ["planar", "rotated"], ["fast", "fast-long-double", "fast-double-double", "fast-mpfr-101"], 100, 90, 110, 0.2,
                             0.1, 0.3, 0.2, 0, 8, "on"),
-                           ("not-right", "all", "rotated", "filtered", 300, 290, 310, 0, 0, 0.3, 0, 0, 8, "on"))},
+                           ("not-right", "all", ["planar", "rotated"], "filtered", 300, 290, 310, 0, 0, 0.3, 0, 0, 8, "on"))},
     "regress": {
         "outcomes.csv": table("method numbers family wrong unsure cases first_offset_exponent", *(
             (method, numbers, ["star", "u"], wrong, 0, 8, first) for method, wrong, first in
@@ -135,7 +140,7 @@ BENCH = {"contests": [*(contest(family, "") for family in ("random-triangles", "
                         for k in (52, 24, 1))]}
 
 
-RATES_OF_SEED = {name: FILES["near-edge"][name] for name in ("rates.csv", "bands.csv")}
+RATES_OF_SEED = {name: FILES["near-edge"][name] for name in ("rates.csv", "bands.csv", "properties.csv")}
 FILES["seeds"] = {f"{part}{name}": rows for part in ("", *(f"seed-{seed}/" for seed in range(3, 7))) for name, rows in RATES_OF_SEED.items()}
 
 

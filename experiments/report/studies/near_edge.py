@@ -197,6 +197,7 @@ def told(study):
                                                   "furthest": list(furthest(data)), "reach": reach.picture(data)}
     return {"data": data, "families": data.families, "ranges": list(ranges(data)), "polygons": max(a.trials for a in asked(study).values()),
             "pictures": [each for each in pictures if each["path"]], "rates_rows": rates_rows(data),
+            "vertex_is_right": plain is not None and not data.near(plain, "vertex", is_near=bool)[0],
             "law_heads": [power("2", k) if k else "1" for k in LAW],
             "law": [] if plain is None else [[TITLES[t], *("not asked" if s is None else percent(s) if s else "none" for s in shares)] for t, shares in law(data, plain).items()],
             "properties": [] if plain is None else [[escaped(words_), THRESHOLD_WORDS[t], f"{o:g}", *range_cells(data, plain, name)] for name, (words_, t, o) in PROPERTIES.items()],
