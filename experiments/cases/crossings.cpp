@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -234,7 +235,8 @@ std::string id(const SamplePlace& place) {
 }
 
 std::optional<Crossing> draw_crossing(const SamplePlace& place, const Method& truth) {
-  const auto& [family, placement, threshold] = all_strata()[place.stratum];
+  const auto& [family, placement, at] = all_strata()[place.stratum];
+  const Threshold threshold = at;  // clang++ 14 lets no lambda capture a structured binding
   workloads::Workload workload;
   workload.family = family;
   workload.placement = placement;
