@@ -46,12 +46,13 @@ std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
   std::vector<std::size_t> hit;
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
     const Eigen::Vector3d &a = polygon.vertex(i), &b = polygon.vertex(polygon.next(i));
-    // Twenty roundings of sums and products of these two squares: 2^-40 of both is far more. An edge that doubles cannot
-    // measure, because a square leaves them, is measured exactly.
-    const double squares = (ball.center - a).squaredNorm() + (b - a).squaredNorm(), radius2 = ball.radius * ball.radius;
+    // Twenty roundings of sums and products of these two squares: 2^-40 of both is far more. Where a product of squares
+    // might leave the doubles, only the exact one tells.
+    const double length2 = (b - a).squaredNorm(), squares = (ball.center - a).squaredNorm() + length2;
+    const double radius2 = ball.radius * ball.radius;
     const SegmentDistance<double> rounded(ball.center, a, b);
     const double excess = rounded.numerator / rounded.denominator - radius2;
-    if (std::abs(excess) > 0x1p-40 * (squares + radius2) && squares > 0x1p-900) {
+    if (length2 > 0x1p-400 && squares < 0x1p400 && std::abs(excess) > 0x1p-40 * (squares + radius2)) {
       if (excess < 0) hit.push_back(i);
       continue;
     }
