@@ -7,6 +7,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
+#include "experiments/cases/truth_as_given.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
 #include "experiments/program/study.h"
@@ -165,6 +166,26 @@ TEST(NearEdgeThreshold, HasTwoTruthsWhereVerticesAreLifted) {
   EXPECT_GT(contacts, 50U);
 }
 
+// The shape of a triangle does not matter to the truth, nor that its squares leave the doubles.
+TEST(NearEdgeComparison, TellsTheEdgesAsGivenExactly) {
+  const auto& exact = *methods::find_method("exact");
+  for (const int exponent : {-520, -300, 0, 300, 480}) {
+    const double unit = std::ldexp(1.0, exponent);
+    const Polygon polygon({{0, 0, 0}, {4 * unit, 0, 0}, {4 * unit, std::ldexp(1.0, -200) * unit, 0}});
+    const auto contract = exact.prepare(polygon);
+    const cases::TruthAsGiven given(*contract, polygon);
+    for (const double y : {-1.0, 0.0, 0x1p-201, 3.0})
+      for (const double radius : {0.0, std::nextafter(1.0, 0.0), 1.0, 3.0, 5.0}) {
+        const Ball ball{{2 * unit, y * unit, 0}, radius * unit};
+        EXPECT_EQ(given.ask(ball, cases::QueryKind::EdgesHit).edges_hit,
+                  contract->ask(ball, cases::QueryKind::EdgesHit).edges_hit)
+            << exponent << " " << y << " " << radius;
+        EXPECT_EQ(given.ask(ball, cases::QueryKind::Contact).contact,
+                  contract->ask(ball, cases::QueryKind::Contact).contact);
+      }
+  }
+}
+
 // Whoever computes with more than doubles does, and `fast` does not.
 TEST(NearEdgeComparison, TellsWhoLiftsVertices) {
   for (const char* name :
@@ -207,6 +228,30 @@ TEST(NearEdgeStudy, ExactNeverFails) {
       for (const Placement placement : {Placement::Planar, Placement::Rotated})
         EXPECT_EQ(failures(result, strata(placement, threshold), test), 0U);
     }
+}
+
+// What docs/methods.md and the report say the rate depends on. Of about 80 to 4,000 answers each.
+TEST(NearEdgeStudy, FailuresDependOnThinnessTiltAndLengthAndNotOnTheRadius) {
+  Settings setting{methods::find_methods({"fast"}), workloads::all_families(), 300, 7, 2};
+  setting.placements = {Placement::Planar};
+  const Result result = whole(setting);
+  const auto share = [&](cases::Threshold threshold, Property property, std::size_t range, double offset) {
+    const auto& offsets =
+        result.by_property[static_cast<std::size_t>(threshold)][static_cast<std::size_t>(property)][range].offsets[0];
+    CrossingFailures both = offsets[place_of(-offset)];
+    program::add(both, offsets[place_of(offset)]);
+    EXPECT_GT(both.trials, 30U) << to_string(property) << " " << range;
+    return both.share();
+  };
+  using enum cases::Threshold;
+  EXPECT_GT(share(Face, Property::Thinness, 4, 1), 2 * share(Face, Property::Thinness, 0, 1));
+  EXPECT_LT(2 * share(Face, Property::Tilt, 4, 0.5), share(Face, Property::Tilt, 1, 0.5));
+  EXPECT_LT(4 * share(Edge, Property::Length, 1, 0.0625), share(Edge, Property::Length, 3, 0.0625));
+  for (std::size_t range = 0; range < 3; ++range)
+    EXPECT_NEAR(share(Face, Property::Radius, range, 0.125), share(Face, Property::Radius, range + 1, 0.125), 0.15);
+  const auto vertex = sum(result.counts, strata(Placement::Planar, Vertex), Tested::Contact, 0);
+  EXPECT_GT(vertex.offsets[place_of(0)].wrong, 0U);
+  EXPECT_EQ(cases::total(vertex.offsets).wrong, vertex.offsets[place_of(0)].wrong);
 }
 
 // In rotated planes rounding is felt at once; the sweep reaches to where it is no longer.
