@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/robust/proofs/rationals.h"
 
@@ -15,6 +16,10 @@ namespace touchstone::proofs {
 template <int bits>
 struct Ratio {
   mpq_class least = 1, most = 1;
+
+  Ratio() = default;
+  Ratio(mpq_class low, mpq_class high) : least(std::move(low)), most(std::move(high)) {}
+  explicit Ratio(int) {}  // for Eigen's sum of no numbers, which nothing asks for
 
   static Ratio all(double constant) { return std::abs(constant - 1) < 0x1p-30 ? Ratio{constant, constant} : Ratio{}; }
   [[nodiscard]] Ratio rounded() const {
