@@ -11,7 +11,7 @@ import reach
 from asked import by_method
 from looks import in_order, look_of
 from names import DISTANCES, NAMED, OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES, of_method
-from page import bar, code, count, escaped, percent, percent_number, power, smaller
+from page import bar, code, count, escaped, level, percent, percent_number, power, smaller
 from results import distinct, finite, maybe, natural, share
 from studies import NEAR_EDGE, OUTPUT, Run
 from style import curve, draw, plt, rows_of, save
@@ -143,21 +143,22 @@ PROPERTIES = {"thinness": ("the size squared over the area", "face", 2), "tilt":
               "edge-length": ("the edge’s length over the size", "edge", 0.125), "radius": ("the radius over the size", "face", 0.5)}
 
 
-THRESHOLD_WORDS = {"face": "a face", "edge": "an edge"}
-
-
-def range_cells(data, method, name):
-    """The ranges and their shares, as many cells as any property has."""
-    cells = [f"{'' if not low else f'{low:.2g} to '}{high:.2g}{'' if low else ' or less'}: {percent(failures / trials) if failures else 'none'}"
-             for low, high, failures, trials in dependence(data, method, name)]
-    return cells + [""] * (5 - len(cells))
-
-
 def dependence(data, method, name):
     """Of a property: the ends of its ranges, and the share of wrong final answers at one clearance."""
     _, threshold, offset = PROPERTIES[name]
     return [(low, high, failures, trials) for (low, high), (failures, trials)
             in data.by_range(name, method, threshold, lambda clearance: clearance == offset).items()]
+
+
+THRESHOLD_WORDS = {"face": "a face", "edge": "an edge"}
+
+
+def range_cells(data, method, name):
+    """The ranges and their shares, as many cells as any property has."""
+    end = lambda number: level(f"{number:.2g}".replace("e-0", "e-"))
+    cells = [f"{f'{end(low)} to ' if low else ''}{end(high)}{'' if low else ' or less'}: {percent(failures / trials) if failures else 'none'}"
+             for low, high, failures, trials in dependence(data, method, name)]
+    return cells + [""] * (5 - len(cells))
 
 
 def rates_picture(study, data, placement):
