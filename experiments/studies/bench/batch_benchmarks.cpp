@@ -34,7 +34,7 @@ timing::Candidate fills(std::string name, std::size_t queries, const std::shared
   };
   const auto count_wrong = [touches, truths, ask](std::size_t count) {
     ask(count);
-    return timing::counting([&](std::size_t i) { return touches[i] != (*truths)[i]; })(count);
+    return timing::counting([&](std::size_t i) { return touches.get()[i] != (*truths)[i]; })(count);
   };
   return {std::move(name), queries, ask, count_wrong, {}, std::move(comparison)};
 }

@@ -68,7 +68,7 @@ inline constexpr std::array kWays{workloads::Way::Across, workloads::Way::Along,
                                                            std::uint64_t seed, std::uint64_t n);
 
 struct Settings {
-  std::vector<const cases::Method*> methods;  ///< that answer about moving balls
+  std::vector<const cases::Method*> methods{};  ///< that answer about moving balls
   std::size_t vertices = 12;
   std::uint64_t samples = 1;  ///< per stratum
   std::uint64_t seed = 1;

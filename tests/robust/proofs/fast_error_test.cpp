@@ -159,7 +159,7 @@ TEST(FastError, CoversVerticesAndEdges) {
 }
 
 TEST(FastError, CoversPolygons) {
-  for (const std::size_t n : {3, 4, 5, 8, 24, 64}) {
+  for (const std::size_t n : {3U, 4U, 5U, 8U, 24U, 64U}) {
     const OfKappa a = plane(n), b = foot(n);
     EXPECT_LE((a.times + b.times) * kSlack, mpq_class(fast::error::kPolygon) * (n + 1)) << n << " vertices";
     // The larger of plane and edge, whose sum is larger.
